@@ -1,0 +1,47 @@
+// The laws: what every mapper of the exact profile promises. spec/README.md states and numbers them.
+//
+// A law is a pure function of a subject and a case. It draws what it needs, judges what it saw, and
+// returns how many pixels it judged and the first violation, if any. A law never trusts the
+// subject: expectations come from the exact model (spec/exact.h) or from a second drawing.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "spec/case.h"
+#include "spec/subject.h"
+
+namespace selvage::spec {
+
+struct Violation {
+  std::string law;
+  std::string what;              // one sentence: what should have held
+  int32_t x_px = -1, y_px = -1;  // the pixel, or -1, -1 where no single pixel is to blame
+  std::string u, v;              // exact coordinates there, texels, as fractions; may be empty
+  std::string allowed;           // what the law allows there
+  std::string drawn;             // what the subject drew
+  Case shown;                    // the drawing in which it was seen, derived from the law's case
+};
+
+struct Judgement {
+  uint64_t judged_px = 0;  // pixels (for TOTAL and MEM: calls) on which the law had its say
+  std::optional<Violation> violation;
+};
+
+struct Law {
+  std::string_view name;       // as in the table of spec/README.md
+  std::string_view statement;  // one sentence
+  Judgement (*check)(const Subject& subject, const Case& c);
+};
+
+// In the order of spec/README.md. ORACLE is among them where the build found OpenCV.
+[[nodiscard]] std::span<const Law> laws();
+[[nodiscard]] const Law* find_law(std::string_view name);
+
+// Several lines for a terminal: law, sentence, pixel, exact (u, v), allowed, drawn, the drawing.
+[[nodiscard]] std::string explain(const Violation& violation);
+
+}  // namespace selvage::spec

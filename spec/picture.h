@@ -1,0 +1,39 @@
+// What a subject draws for a case, and what the exact model says it should: the pixels as values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "spec/case.h"
+#include "spec/subject.h"
+
+namespace selvage::spec {
+
+struct Picture {
+  int32_t width_px = 0, height_px = 0;
+  selvage_status status = SELVAGE_OK;
+  std::vector<std::optional<uint32_t>> pixels;  // row by row; empty where nothing was drawn
+  std::string memory_fault;                     // what MEM forbids and was seen; empty if nothing
+
+  [[nodiscard]] const std::optional<uint32_t>& at(int32_t x_px, int32_t y_px) const {
+    return pixels[static_cast<size_t>(y_px) * static_cast<size_t>(width_px) +
+                  static_cast<size_t>(x_px)];
+  }
+};
+
+// The value of texel (s, t) of the coordinate texture: it tells its own place, exactly for textures
+// up to 65536 (RGBA8888), 256 (RGB565) and 16 (INDEX8) texels a side, modulo that beyond.
+[[nodiscard]] uint32_t coordinate_texel(selvage_format format, int32_t s, int32_t t);
+// "texel (s, t)", or the bare value where the format cannot tell the place.
+[[nodiscard]] std::string describe_texel(selvage_format format, uint32_t value);
+
+// Draws the case with the coordinate texture, over two backgrounds (a pixel counts as drawn when it
+// no longer depends on its background), between guard bytes.
+[[nodiscard]] Picture draw(const Subject& subject, const Case& c);
+
+// The same by the exact model.
+[[nodiscard]] Picture expected(const Case& c);
+
+}  // namespace selvage::spec

@@ -1,0 +1,21 @@
+// A subject: anything with the draw call. The laws know nothing else about it.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "selvage.h"
+
+namespace selvage::spec {
+
+struct Subject {
+  std::string name;
+  std::function<selvage_status(const selvage_image*, const selvage_rect*, const selvage_vertex*,
+                               size_t, const selvage_texture*, const selvage_options*)>
+      draw;
+};
+
+// The mapper that this program is linked with.
+[[nodiscard]] Subject built_in();
+
+}  // namespace selvage::spec

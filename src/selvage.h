@@ -1,0 +1,193 @@
+/* Selvage: an exact polygon texture mapper. The C interface.
+ *
+ * Conventions of SELVAGE_PROFILE_EXACT (spec/README.md is the full specification):
+ *   target    x right, y down, in pixels; pixel (i, j) is sampled at its centre (i + 1/2, j + 1/2)
+ *   texture   u right, v down, in texels; texel (s, t) owns [s, s + 1) x [t, t + 1)
+ *   intervals half-open everywhere: a pixel centre on a left or top edge is drawn, on a right or
+ *             bottom edge it is not, so polygons that share an edge neither overlap nor leave a gap
+ *
+ * No function allocates, throws, keeps state or touches a global: calls on different targets may
+ * run at the same time.
+ *
+ * Enumerations are int32_t with named values, so that their size is the same in every compiler and
+ * an unknown value is an error that can be reported rather than undefined behaviour.
+ */
+#ifndef SELVAGE_H
+#define SELVAGE_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#if defined(SELVAGE_SHARED) && defined(_WIN32)
+#define SELVAGE_API __declspec(dllimport)
+#elif defined(__GNUC__)
+#define SELVAGE_API __attribute__((visibility("default")))
+#else
+#define SELVAGE_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---- Vertices ------------------------------------------------------------------------------ */
+
+enum {
+  SELVAGE_SUBPIXELS = 256,    /* units of x, y in a pixel */
+  SELVAGE_SUBTEXELS = 65536,  /* units of u, v in a texel */
+  SELVAGE_Q_MAX = 16777216,   /* 2^24 */
+  SELVAGE_X_MIN = -8388608,   /* x, y lie in [SELVAGE_X_MIN, SELVAGE_X_END), */
+  SELVAGE_X_END = 8388608     /* that is [-32768, 32768) px */
+};
+
+typedef struct selvage_vertex {
+  int32_t x, y; /* 1/256 px, in [SELVAGE_X_MIN, SELVAGE_X_END) */
+  int32_t u, v; /* 1/65536 texel, any value: [-32768, 32768) texels */
+  int32_t q;    /* 1/w on any scale common to the polygon, in [1, 2^24]; all equal means affine */
+} selvage_vertex;
+
+/* ---- Images -------------------------------------------------------------------------------- */
+
+typedef int32_t selvage_format;
+enum {
+  SELVAGE_INDEX8 = 0,  /* uint8_t: an index or a grey level */
+  SELVAGE_RGB565 = 1,  /* uint16_t: red in the high 5 bits, then green 6, blue 5 */
+  SELVAGE_RGBA8888 = 2 /* four bytes in memory order: red, green, blue, alpha */
+};
+
+/* Pixel (i, j) is at (char*)pixels + j * pitch + i * (bytes per pixel). A negative pitch is a
+ * picture stored bottom row first: `pixels` then points at the row that is drawn on top.
+ * width and height are at least 1; |pitch| is at least a row; pixels and pitch are multiples of
+ * the bytes per pixel; the whole image spans at most PTRDIFF_MAX bytes. */
+typedef struct selvage_image {
+  void* pixels;
+  int32_t width, height; /* px */
+  ptrdiff_t pitch;       /* bytes from a row to the next one down */
+  selvage_format format;
+} selvage_image;
+
+typedef int32_t selvage_layout;
+enum {
+  SELVAGE_LAYOUT_ROWS = 0 /* plain rows, as in selvage_image; no other layout exists yet */
+};
+
+typedef struct selvage_texture {
+  const void* texels;
+  int32_t width, height; /* texels */
+  ptrdiff_t pitch;       /* bytes */
+  selvage_format format;
+  selvage_layout layout;
+  const void* prepared; /* reserved for prepared layouts: NULL */
+} selvage_texture;
+
+/* Half-open: columns [left, right), rows [top, bottom), px. Empty where left >= right or
+ * top >= bottom, which is legal and draws nothing. May reach beyond the target. */
+typedef struct selvage_rect {
+  int32_t left, top, right, bottom;
+} selvage_rect;
+
+/* ---- Options: all zero is exact, nearest, clamp ---------------------------------------------- */
+
+typedef int32_t selvage_profile;
+enum { SELVAGE_PROFILE_EXACT = 0 };
+
+typedef int32_t selvage_filter;
+enum { SELVAGE_FILTER_NEAREST = 0 /* the texel that holds (u, v): (floor u, floor v) */ };
+
+typedef int32_t selvage_address;
+enum {
+  SELVAGE_ADDRESS_CLAMP = 0, /* texels beyond the edge repeat the edge's texel */
+  SELVAGE_ADDRESS_WRAP = 1   /* the texture repeats: s mod width, in [0, width) for negative s too */
+};
+
+typedef struct selvage_options {
+  selvage_profile profile;
+  selvage_filter filter;
+  selvage_address address;
+  int32_t tolerance; /* largest texel error accepted, 1/65536 texel, >= 0. The mapper may be more
+                        exact than asked: today it always draws exactly. */
+} selvage_options;
+
+/* ---- Status -------------------------------------------------------------------------------- */
+
+/* Every error leaves the target as it was. selvage_status_text says what would be right. */
+typedef int32_t selvage_status;
+enum {
+  SELVAGE_OK = 0,
+  SELVAGE_ERROR_TARGET_NULL,       /* target or target->pixels is NULL */
+  SELVAGE_ERROR_TARGET_FORMAT,     /* not a selvage_format */
+  SELVAGE_ERROR_TARGET_SIZE,       /* width or height below 1 */
+  SELVAGE_ERROR_TARGET_PITCH,      /* |pitch| below a row, no multiple of a pixel, or too large */
+  SELVAGE_ERROR_TARGET_ALIGNMENT,  /* pixels is not aligned to a pixel's size */
+  SELVAGE_ERROR_TEXTURE_NULL,      /* texture or texture->texels is NULL */
+  SELVAGE_ERROR_TEXTURE_FORMAT,    /* not a selvage_format */
+  SELVAGE_ERROR_TEXTURE_SIZE,      /* width or height below 1 */
+  SELVAGE_ERROR_TEXTURE_PITCH,     /* as for the target */
+  SELVAGE_ERROR_TEXTURE_ALIGNMENT, /* texels is not aligned to a texel's size */
+  SELVAGE_ERROR_TEXTURE_LAYOUT,    /* layout is not SELVAGE_LAYOUT_ROWS or prepared is not NULL */
+  SELVAGE_ERROR_FORMAT_MISMATCH,   /* target and texture formats differ */
+  SELVAGE_ERROR_OVERLAP,           /* the texture or the vertices share memory with the target */
+  SELVAGE_ERROR_VERTICES_NULL,     /* vertices is NULL */
+  SELVAGE_ERROR_VERTEX_COUNT,      /* fewer than 3 */
+  SELVAGE_ERROR_VERTEX_POSITION,   /* x or y outside [SELVAGE_X_MIN, SELVAGE_X_END) */
+  SELVAGE_ERROR_VERTEX_Q,          /* q outside [1, SELVAGE_Q_MAX] */
+  SELVAGE_ERROR_NOT_MONOTONE,      /* some scan line crosses more than two edges */
+  SELVAGE_ERROR_PROFILE,           /* not a selvage_profile */
+  SELVAGE_ERROR_FILTER,            /* not a selvage_filter */
+  SELVAGE_ERROR_ADDRESS,           /* not a selvage_address */
+  SELVAGE_ERROR_TOLERANCE,         /* negative */
+  SELVAGE_ERROR_SNAP_NULL,         /* selvage_snap: no vertex to write to */
+  SELVAGE_ERROR_SNAP_NOT_FINITE,   /* selvage_snap: a NaN or an infinity */
+  SELVAGE_ERROR_SNAP_POSITION,     /* selvage_snap: x or y beyond the accepted range */
+  SELVAGE_ERROR_SNAP_TEXTURE,      /* selvage_snap: u or v beyond [-32768, 32768) texels */
+  SELVAGE_ERROR_SNAP_W,            /* selvage_snap: w gives a q outside [1, SELVAGE_Q_MAX] */
+  SELVAGE_STATUS_COUNT
+};
+
+/* ---- Functions ----------------------------------------------------------------------------- */
+
+/* Draws a texture-mapped polygon.
+ *
+ * clip      NULL means the whole target; otherwise only pixels inside both are drawn.
+ * vertices  in order around the polygon, either winding. The polygon must be y-monotone: every scan
+ *           line crosses two edges or none. Convex polygons are. Horizontal edges, repeated
+ *           vertices and collinear runs are legal; a polygon without area draws nothing.
+ * texture   must have the target's format.
+ * options   NULL means all zero.
+ *
+ * No texel may share memory with a pixel, and no vertex with the target: SELVAGE_ERROR_OVERLAP.
+ * Texture and target may interleave in one bitmap (two rectangles of an atlas) if their pitches are
+ * equal in magnitude; otherwise their address ranges must not meet.
+ *
+ * Arguments are checked in the order options, target, texture, vertices; the first error found is
+ * returned and nothing is drawn. Time is proportional to the vertices, the rows the polygon and the
+ * clip share, and the pixels drawn. */
+SELVAGE_API selvage_status selvage_draw(const selvage_image* target, const selvage_rect* clip,
+                                        const selvage_vertex* vertices, size_t count,
+                                        const selvage_texture* texture,
+                                        const selvage_options* options);
+
+/* Rounds to the nearest vertex of the grid, halves upward.
+ *
+ * x_px, y_px        px
+ * u_texel, v_texel  texels
+ * w, w_near         distance along the view axis, and the least w of everything that is drawn
+ *                   together: q = 2^24 w_near / w. Polygons that share an edge must share w_near.
+ *                   Equal w and w_near (1 and 1) for an affine map.
+ *
+ * On an error *vertex is left as it was. */
+SELVAGE_API selvage_status selvage_snap(double x_px, double y_px, double u_texel, double v_texel,
+                                        double w, double w_near, selvage_vertex* vertex);
+
+/* One sentence: what was wrong and what would be right. Never NULL; a value that is no
+ * selvage_status gives "unknown status". */
+SELVAGE_API const char* selvage_status_text(selvage_status status);
+
+/* "major.minor.patch" */
+SELVAGE_API const char* selvage_version(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
