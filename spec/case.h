@@ -17,14 +17,14 @@
 
 namespace selvage::spec {
 
-inline constexpr int32_t kMaxTargetPx = 65536;     // width x height of a case's target
+inline constexpr int32_t kMaxTargetPx = 65536;       // width x height of a case's target
 inline constexpr int32_t kMaxTextureTexels = 65536;  // width x height of a case's texture
 inline constexpr size_t kMaxVertices = 256;
 
 struct Case {
   selvage_format format = SELVAGE_RGBA8888;
   selvage_address address = SELVAGE_ADDRESS_CLAMP;
-  int32_t target_width_px = 16, target_height_px = 16;      // 1 .. 65536, product <= kMaxTargetPx
+  int32_t target_width_px = 16, target_height_px = 16;  // 1 .. 65536, product <= kMaxTargetPx
   int32_t texture_width_texel = 16, texture_height_texel = 16;  // likewise kMaxTextureTexels
   int32_t padding_px = 0;     // 0 .. 15: pixels between the end of a row and the next, both images
   bool flip_target = false;   // negative pitch

@@ -1,0 +1,75 @@
+#include "mapper/edge.h"
+
+#include <utility>
+
+namespace selvage::mapper {
+namespace {
+
+// The mean of a and b at a height `below_top` of `height`, times height.
+[[nodiscard]] int128 interpolate(int64_t a, int64_t b, int64_t below_top, int64_t height) {
+  return int128{a} * (height - below_top) + int128{b} * below_top;
+}
+
+static_assert(kPositionBits + kPositionBits + kSubpixelBits < 63, "Edge steps fit int64_t");
+
+}  // namespace
+
+Edge::Edge(const selvage_vertex& a, const selvage_vertex& b, bool affine)
+    : top_(&a), bottom_(&b), affine_(affine) {
+  if (bottom_->y < top_->y) std::swap(top_, bottom_);
+  bottom_row_ = first_centre_px(bottom_->y);
+}
+
+void Edge::seek(int32_t row) {
+  const int64_t height = int64_t{bottom_->y} - top_->y;
+  const int64_t dx = int64_t{bottom_->x} - top_->x;
+  const int64_t x = top_->x * height + dx * (centre_fx8(row) - top_->y);
+  // ceil((x - 128 height) / (256 height)), as a floor.
+  divisor_ = kSubpixels * height;
+  const int64_t dividend = x - kHalfPixel * height + divisor_ - 1;
+  first_px_ = floor_div(dividend, divisor_);
+  remainder_ = dividend - first_px_ * divisor_;
+  step_px_ = floor_div(dx, height);
+  step_remainder_ = kSubpixels * (dx - step_px_ * height);
+}
+
+EdgePoint Edge::at(int32_t row) const {
+  const int64_t height = int64_t{bottom_->y} - top_->y;
+  const int64_t below_top = centre_fx8(row) - int64_t{top_->y};
+  const int64_t q_top = affine_ ? 1 : top_->q;
+  const int64_t q_bottom = affine_ ? 1 : bottom_->q;
+  return EdgePoint{
+      .height = height,
+      .x = static_cast<int64_t>(interpolate(top_->x, bottom_->x, below_top, height)),
+      .uq = interpolate(top_->u * q_top, bottom_->u * q_bottom, below_top, height),
+      .vq = interpolate(top_->v * q_top, bottom_->v * q_bottom, below_top, height),
+      .q = static_cast<int64_t>(interpolate(q_top, q_bottom, below_top, height)),
+  };
+}
+
+Chain::Chain(const Polygon& polygon, Direction direction)
+    : polygon_(&polygon), direction_(direction), vertex_(polygon.top) {}
+
+void Chain::next_edge() {
+  const size_t count = polygon_->vertices.size();
+  const size_t from = vertex_;
+  if (direction_ == Direction::kForward) {
+    vertex_ = from + 1 == count ? 0 : from + 1;
+  } else {
+    vertex_ = from == 0 ? count - 1 : from - 1;
+  }
+  edge_ = Edge(polygon_->vertices[from], polygon_->vertices[vertex_], polygon_->affine);
+}
+
+const Edge& Chain::at_row(int32_t row) {
+  if (row < edge_.bottom_row() && row == row_ + 1) {
+    edge_.step();
+  } else {
+    while (row >= edge_.bottom_row()) next_edge();
+    edge_.seek(row);
+  }
+  row_ = row;
+  return edge_;
+}
+
+}  // namespace selvage::mapper

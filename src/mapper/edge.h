@@ -1,0 +1,80 @@
+// Edges: where they cross a scan line, exactly, and what they carry there.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "mapper/number.h"
+#include "mapper/polygon.h"
+
+namespace selvage::mapper {
+
+// A point of an edge on a scan line. Every value is a numerator over the edge's height.
+struct EdgePoint {
+  int64_t height;  // 1/256 px, > 0
+  int64_t x;       // 1/256 px * height
+  int128 uq, vq;   // 1/65536 texel * q * height
+  int64_t q;       // q * height
+};
+
+// An edge between two vertices, kept from top to bottom whichever way the outline runs, so that the
+// two polygons on its sides compute the same numbers. It steps from row to row by additions: the
+// first pixel centre at or right of the edge is a quotient whose remainder is carried along.
+class Edge {
+ public:
+  // An edge that crosses no row.
+  Edge() = default;
+  Edge(const selvage_vertex& a, const selvage_vertex& b, bool affine);
+
+  // The first row below it: it crosses the rows whose centres lie in [y of its top, y of its
+  // bottom).
+  [[nodiscard]] int32_t bottom_row() const { return bottom_row_; }
+
+  // Goes to a row that it crosses, by one division.
+  void seek(int32_t row);
+  // Goes to the next row down.
+  void step() {
+    first_px_ += step_px_;
+    remainder_ += step_remainder_;
+    if (remainder_ >= divisor_) {
+      remainder_ -= divisor_;
+      ++first_px_;
+    }
+  }
+
+  // The least column whose centre is at or right of the edge: ceil(x - 1/2), at the current row.
+  [[nodiscard]] int32_t first_px() const { return static_cast<int32_t>(first_px_); }
+
+  [[nodiscard]] EdgePoint at(int32_t row) const;
+
+ private:
+  const selvage_vertex* top_ = nullptr;
+  const selvage_vertex* bottom_ = nullptr;
+  bool affine_ = true;
+  int32_t bottom_row_ = std::numeric_limits<int32_t>::min();
+  int64_t divisor_ = 1;  // 256 * height: what a pixel's width is in the units of EdgePoint::x
+  int64_t first_px_ = 0, remainder_ = 0;
+  int64_t step_px_ = 0, step_remainder_ = 0;
+};
+
+// One of the two chains of edges from a polygon's top to its bottom.
+class Chain {
+ public:
+  enum class Direction { kForward, kBackward };  // through the vertices
+  Chain(const Polygon& polygon, Direction direction);
+
+  // The edge that crosses `row`, at that row. Rows must rise from call to call and stay within the
+  // polygon's; they may jump.
+  [[nodiscard]] const Edge& at_row(int32_t row);
+
+ private:
+  void next_edge();
+
+  const Polygon* polygon_;
+  Direction direction_;
+  size_t vertex_;  // the end of edge_, where the next edge starts
+  int32_t row_ = 0;
+  Edge edge_;
+};
+
+}  // namespace selvage::mapper

@@ -1,0 +1,84 @@
+#include "mapper/lanes.h"
+
+#include <algorithm>
+
+namespace selvage::mapper {
+namespace {
+
+inline constexpr double kLaneUnit = 4294967296.0;  // 2^kLaneFraction
+
+// Floors of many quotients by one divisor, at the price of one floating-point division.
+//
+// |n / d| < 2^16: the estimate's relative error is below 5 * 2^-53 (two conversions, one division,
+// one product), so it is off by less than 2^48 * 5 * 2^-53 < 1/4 unit, and its floor by at most
+// one. The remainder, exact modulo 2^128 and known to lie in [-2d, 2d), tells which way.
+class Divisor {
+ public:
+  explicit Divisor(int128 d)
+      : divisor_(static_cast<uint128>(d)), reciprocal_fx32_(kLaneUnit / static_cast<double>(d)) {}
+
+  // floor(2^32 n / d)
+  [[nodiscard]] int64_t floor_fx32(int128 n) const {
+    const double estimate = static_cast<double>(n) * reciprocal_fx32_;
+    int64_t quotient = static_cast<int64_t>(estimate) - (estimate < 0 ? 1 : 0);
+    const auto remainder = static_cast<int128>((static_cast<uint128>(n) << kLaneFraction) -
+                                               static_cast<uint128>(int128{quotient}) * divisor_);
+    if (remainder < 0) {
+      --quotient;
+    } else if (remainder >= static_cast<int128>(divisor_)) {
+      ++quotient;
+    }
+    return quotient;
+  }
+
+ private:
+  uint128 divisor_;
+  double reciprocal_fx32_;
+};
+
+static_assert(kPositionBits * 3 + kTexelFraction + 2 < 127, "an affine remainder fits int128");
+
+}  // namespace
+
+AffineLanes::AffineLanes(const SpanMap& map, const Span& span)
+    : margin_fx32_(static_cast<uint32_t>(span.width_px())) {
+  const Divisor denominator(map.denominator(span.left_px));
+  start_ = Lane{denominator.floor_fx32(map.u_numerator(span.left_px)),
+                denominator.floor_fx32(map.v_numerator(span.left_px))};
+  // A single pixel needs no step, and only where two pixels lie in a span is the step below 2^16.
+  if (span.width_px() > 1) {
+    step_ = Lane{denominator.floor_fx32(map.u_numerator_step()),
+                 denominator.floor_fx32(map.v_numerator_step())};
+  }
+}
+
+// The bound. Let e = 2^-53, N(i) = N0 + i dN and D(i) likewise, U = 2^15 >= |u|, and D_min, D_max
+// the ends' denominators. Converting and stepping costs at most e (|N0| + 2 |i dN| + |N|) <= 7 e U
+// D_max in a numerator and 7 e D_max in a denominator, the quotient and its product 3 e U more.
+// Therefore
+//   |error of u| <= e (14 U D_max / D_min + 3 U) (1 + 2^-20) < 2^5 e U D_max / D_min,
+// in units of 2^-32 texel: 2^(5 - 53 + 15 + 32) D_max / D_min = D_max / D_min / 2. q is at most
+// 2^24, so the ratio is below 2^24 (and the denominator never near 0). One unit more pays for
+// truncation.
+ProjectiveLanes::ProjectiveLanes(const SpanMap& map, const Span& span)
+    : u_start_(static_cast<double>(map.u_numerator(span.left_px)) * kLaneUnit),
+      u_step_(static_cast<double>(map.u_numerator_step()) * kLaneUnit),
+      v_start_(static_cast<double>(map.v_numerator(span.left_px)) * kLaneUnit),
+      v_step_(static_cast<double>(map.v_numerator_step()) * kLaneUnit),
+      denominator_start_(static_cast<double>(map.denominator(span.left_px))),
+      denominator_step_(static_cast<double>(map.denominator_step())) {
+  const double at_end = static_cast<double>(map.denominator(span.right_px - 1));
+  const double ratio = std::max(denominator_start_, at_end) / std::min(denominator_start_, at_end);
+  static_assert(kQBits <= 24, "error_fx32 stays below 2^24, a margin below 2^26");
+  error_fx32_ = static_cast<int64_t>(ratio) + 2;
+  margin_fx32_ = static_cast<uint32_t>(2 * error_fx32_);
+}
+
+Lane ProjectiveLanes::at(int32_t offset_px) const {
+  const double i = offset_px;
+  const double w = 1.0 / (denominator_start_ + i * denominator_step_);
+  return Lane{static_cast<int64_t>((u_start_ + i * u_step_) * w) - error_fx32_,
+              static_cast<int64_t>((v_start_ + i * v_step_) * w) - error_fx32_};
+}
+
+}  // namespace selvage::mapper

@@ -1,0 +1,56 @@
+// Lanes: fast one-sided approximations of u and v along a span, in 32.32 texels (fx32).
+//
+// Law of the filter: at every pixel of the span
+//
+//     lane <= true value < lane + margin,          margin in units of 2^-32 texel.
+//
+// So floor(lane) is the exact texel unless the lane's fraction is within `margin` of 1; only such
+// near-ties are decided by the exact integers of SpanMap.
+#pragma once
+
+#include <cstdint>
+
+#include "mapper/span.h"
+
+namespace selvage::mapper {
+
+inline constexpr int kLaneFraction = 32;
+static_assert(kTexelBits - kTexelFraction + 1 + kLaneFraction < 63, "a lane fits int64_t");
+
+struct Lane {
+  int64_t u_fx32, v_fx32;
+};
+
+// Lanes of a span with constant denominator: start and step are exact floors, so that after n steps
+// a lane is low by less than n + 1 units.
+class AffineLanes {
+ public:
+  AffineLanes(const SpanMap& map, const Span& span);
+
+  [[nodiscard]] uint32_t margin_fx32() const { return margin_fx32_; }
+  [[nodiscard]] Lane at(int32_t offset_px) const {
+    return Lane{start_.u_fx32 + step_.u_fx32 * offset_px, start_.v_fx32 + step_.v_fx32 * offset_px};
+  }
+
+ private:
+  Lane start_{}, step_{};
+  uint32_t margin_fx32_;
+};
+
+// Lanes of a span whose denominator varies: one division a pixel, in double, with a certified
+// bound.
+class ProjectiveLanes {
+ public:
+  ProjectiveLanes(const SpanMap& map, const Span& span);
+
+  [[nodiscard]] uint32_t margin_fx32() const { return margin_fx32_; }
+  [[nodiscard]] Lane at(int32_t offset_px) const;
+
+ private:
+  double u_start_, u_step_, v_start_, v_step_;  // numerators, scaled so that u comes out in fx32
+  double denominator_start_, denominator_step_;
+  int64_t error_fx32_;
+  uint32_t margin_fx32_;
+};
+
+}  // namespace selvage::mapper

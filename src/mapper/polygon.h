@@ -1,0 +1,22 @@
+// The polygon: vertices that have passed every check, and where it starts and ends.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "selvage.h"
+
+namespace selvage::mapper {
+
+struct Polygon {
+  std::span<const selvage_vertex> vertices;
+  size_t top = 0;                       // a vertex of least y
+  int32_t top_row = 0, bottom_row = 0;  // rows whose centres lie in [least y, greatest y)
+  bool affine = true;                   // all q are equal
+};
+
+// Checks count, ranges and y-monotonicity. On SELVAGE_OK *polygon refers to `vertices`.
+[[nodiscard]] selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygon);
+
+}  // namespace selvage::mapper

@@ -1,0 +1,72 @@
+// A span: the visible pixels of one scan line between two edges, and the exact map along them.
+#pragma once
+
+#include <cstdint>
+
+#include "mapper/edge.h"
+#include "mapper/number.h"
+
+namespace selvage::mapper {
+
+// Columns [left_px, right_px) of a row.
+struct Span {
+  int32_t row = 0, left_px = 0, right_px = 0;
+
+  [[nodiscard]] bool empty() const { return left_px >= right_px; }
+  [[nodiscard]] int32_t width_px() const { return right_px - left_px; }
+};
+
+// u = u_numerator / denominator in texels, at the centre of a pixel between the two edges; all
+// three are linear along the span. With weights w to the other edge's point, (u q, q) is their
+// mean:
+//   u = (left.uq w_left + right.uq w_right) / (left.q w_left + right.q w_right)
+// for the common factor 1 / (height_left height_right width) cancels.
+class SpanMap {
+ public:
+  SpanMap(const EdgePoint& left, const EdgePoint& right) : left_(left), right_(right) {}
+
+  [[nodiscard]] int128 u_numerator(int32_t px) const {
+    return left_.uq * weight_left(px) + right_.uq * weight_right(px);
+  }
+  [[nodiscard]] int128 v_numerator(int32_t px) const {
+    return left_.vq * weight_left(px) + right_.vq * weight_right(px);
+  }
+  [[nodiscard]] int128 denominator(int32_t px) const {
+    return (int128{left_.q} * weight_left(px) + int128{right_.q} * weight_right(px))
+           << kTexelFraction;
+  }
+
+  // Change from a pixel to the next one.
+  [[nodiscard]] int128 u_numerator_step() const {
+    return (right_.uq * left_.height - left_.uq * right_.height) * kSubpixels;
+  }
+  [[nodiscard]] int128 v_numerator_step() const {
+    return (right_.vq * left_.height - left_.vq * right_.height) * kSubpixels;
+  }
+  [[nodiscard]] int128 denominator_step() const {
+    return ((int128{right_.q} * left_.height - int128{left_.q} * right_.height) * kSubpixels)
+           << kTexelFraction;
+  }
+
+  // floor u and floor v at a pixel, of which it is known that they are `low_texel` or one more:
+  // decided by one comparison of integers, without a division.
+  [[nodiscard]] int32_t u_texel(int32_t px, int32_t low_texel) const {
+    return low_texel + (u_numerator(px) >= denominator(px) * (low_texel + 1) ? 1 : 0);
+  }
+  [[nodiscard]] int32_t v_texel(int32_t px, int32_t low_texel) const {
+    return low_texel + (v_numerator(px) >= denominator(px) * (low_texel + 1) ? 1 : 0);
+  }
+
+ private:
+  // Distances from the pixel's centre to the other edge, times both heights: >= 0 within the span.
+  [[nodiscard]] int64_t weight_left(int32_t px) const {
+    return right_.x - centre_fx8(px) * right_.height;
+  }
+  [[nodiscard]] int64_t weight_right(int32_t px) const {
+    return centre_fx8(px) * left_.height - left_.x;
+  }
+
+  EdgePoint left_, right_;
+};
+
+}  // namespace selvage::mapper

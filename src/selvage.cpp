@@ -1,0 +1,42 @@
+// The C interface: every argument is checked here, then the profile's mapper draws.
+#include "selvage.h"
+
+#include "mapper/draw.h"
+#include "mapper/image.h"
+#include "mapper/polygon.h"
+
+namespace {
+
+[[nodiscard]] selvage_status check_options(const selvage_options& options) {
+  if (options.profile != SELVAGE_PROFILE_EXACT) return SELVAGE_ERROR_PROFILE;
+  if (options.filter != SELVAGE_FILTER_NEAREST) return SELVAGE_ERROR_FILTER;
+  if (options.address != SELVAGE_ADDRESS_CLAMP && options.address != SELVAGE_ADDRESS_WRAP) {
+    return SELVAGE_ERROR_ADDRESS;
+  }
+  return options.tolerance < 0 ? SELVAGE_ERROR_TOLERANCE : SELVAGE_OK;
+}
+
+}  // namespace
+
+selvage_status selvage_draw(const selvage_image* target, const selvage_rect* clip,
+                            const selvage_vertex* vertices, size_t count,
+                            const selvage_texture* texture, const selvage_options* options) {
+  using namespace selvage::mapper;
+  const selvage_options chosen = options != nullptr ? *options : selvage_options{};
+
+  selvage_status status = check_options(chosen);
+  if (status == SELVAGE_OK) status = check_target(target);
+  if (status == SELVAGE_OK) status = check_texture(texture);
+  if (status == SELVAGE_OK) status = check_pair(*target, *texture);
+  if (status == SELVAGE_OK) status = check_vertices(*target, vertices, count);
+  if (status != SELVAGE_OK) return status;
+
+  Polygon polygon;
+  status = examine({vertices, count}, &polygon);
+  if (status != SELVAGE_OK) return status;
+
+  draw(*target, visible_rect(*target, clip), polygon, *texture, chosen.address);
+  return SELVAGE_OK;
+}
+
+const char* selvage_version(void) { return SELVAGE_VERSION; }

@@ -1,0 +1,68 @@
+#include "selvage.h"
+
+const char* selvage_status_text(selvage_status status) {
+  switch (status) {
+    case SELVAGE_OK:
+      return "no error";
+    case SELVAGE_ERROR_TARGET_NULL:
+      return "the target or its pixels are NULL; both must point to memory";
+    case SELVAGE_ERROR_TARGET_FORMAT:
+      return "the target's format is unknown; it must be INDEX8, RGB565 or RGBA8888";
+    case SELVAGE_ERROR_TARGET_SIZE:
+      return "the target is empty; width and height must be at least 1 pixel";
+    case SELVAGE_ERROR_TARGET_PITCH:
+      return "the target's pitch is wrong; its magnitude must be at least a row, a multiple of a "
+             "pixel, and keep the image within PTRDIFF_MAX bytes";
+    case SELVAGE_ERROR_TARGET_ALIGNMENT:
+      return "the target's pixels are misaligned; the address must be a multiple of a pixel";
+    case SELVAGE_ERROR_TEXTURE_NULL:
+      return "the texture or its texels are NULL; both must point to memory";
+    case SELVAGE_ERROR_TEXTURE_FORMAT:
+      return "the texture's format is unknown; it must be INDEX8, RGB565 or RGBA8888";
+    case SELVAGE_ERROR_TEXTURE_SIZE:
+      return "the texture is empty; width and height must be at least 1 texel";
+    case SELVAGE_ERROR_TEXTURE_PITCH:
+      return "the texture's pitch is wrong; its magnitude must be at least a row, a multiple of a "
+             "texel, and keep the image within PTRDIFF_MAX bytes";
+    case SELVAGE_ERROR_TEXTURE_ALIGNMENT:
+      return "the texture's texels are misaligned; the address must be a multiple of a texel";
+    case SELVAGE_ERROR_TEXTURE_LAYOUT:
+      return "the texture's layout is unknown; it must be ROWS, with prepared NULL";
+    case SELVAGE_ERROR_FORMAT_MISMATCH:
+      return "target and texture differ in format; they must have the same one";
+    case SELVAGE_ERROR_OVERLAP:
+      return "the texture or the vertices share memory with the target; they must lie apart";
+    case SELVAGE_ERROR_VERTICES_NULL:
+      return "the vertices are NULL; they must point to at least 3";
+    case SELVAGE_ERROR_VERTEX_COUNT:
+      return "the polygon has fewer than 3 vertices; it must have at least 3";
+    case SELVAGE_ERROR_VERTEX_POSITION:
+      return "a vertex lies out of range; x and y must be in [-32768, 32768) pixels";
+    case SELVAGE_ERROR_VERTEX_Q:
+      return "a vertex's q is out of range; it must be in 1 .. 2^24";
+    case SELVAGE_ERROR_NOT_MONOTONE:
+      return "the polygon is not y-monotone; every scan line must cross two edges or none";
+    case SELVAGE_ERROR_PROFILE:
+      return "the profile is unknown; it must be EXACT";
+    case SELVAGE_ERROR_FILTER:
+      return "the filter is unknown; it must be NEAREST";
+    case SELVAGE_ERROR_ADDRESS:
+      return "the address mode is unknown; it must be CLAMP or WRAP";
+    case SELVAGE_ERROR_TOLERANCE:
+      return "the tolerance is negative; it must be at least 0";
+    case SELVAGE_ERROR_SNAP_NULL:
+      return "there is no vertex to write to; it must not be NULL";
+    case SELVAGE_ERROR_SNAP_NOT_FINITE:
+      return "a coordinate is a NaN or an infinity; all must be finite";
+    case SELVAGE_ERROR_SNAP_POSITION:
+      return "a position is out of range; x and y must round into [-32768, 32768) pixels";
+    case SELVAGE_ERROR_SNAP_TEXTURE:
+      return "a texture coordinate is out of range; u and v must round into [-32768, 32768) texels";
+    case SELVAGE_ERROR_SNAP_W:
+      return "w is out of range; w and w_near must be positive, and 2^24 w_near / w must round "
+             "into "
+             "1 .. 2^24";
+    default:
+      return "unknown status";
+  }
+}
