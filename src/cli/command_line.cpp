@@ -1,0 +1,186 @@
+#include "cli/command_line.h"
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <algorithm>
+#include <exception>
+#include <new>
+
+#include "cli/draw_command.h"
+#include "cli/error.h"
+#include "cli/verify_command.h"
+#include "selvage.h"
+
+namespace selvage::cli {
+namespace {
+
+constexpr const char* kExitCodes =
+    "Exit codes: 0 fine; 1 a law failed; 2 wrong use, or a file that cannot be read or written.";
+
+constexpr const char* kProgramExamples = R"(Examples:
+  selvage draw --texture earth.jpg --polygon '10,10,0,0 200,20,640,0 190,180,640,480' \
+               --size 256x192 -o out.png
+  selvage verify --cases 1000
+  selvage laws
+'selvage COMMAND --help' tells more. )";
+
+constexpr const char* kDrawExamples = R"(Examples:
+  selvage draw --texture earth.jpg --size 256x192 --background '#203040' -o out.png \
+               --polygon '10,10,0,0 200,20,640,0 190,180,640,480 20,170,0,480'
+  selvage draw --texture floor.png --background room.png --address wrap -o out.png \
+               --polygon '80,40,0,0,4 160,40,64,0,4 240,180,64,64,1 0,180,0,64,1'
+  selvage draw --texture earth.jpg --polygon-file globe.json --size 640x480 -o out.png --json
+
+A polygon's vertices go around it, either way; every row of pixels may cross two of its edges or
+none. The texture replaces what is under it: alpha is copied, not blended.
+
+A polygon file:
+  {"vertices": [[10, 10, 0, 0], [200, 20, 640, 0], {"x": 190, "y": 180, "u": 640, "v": 480, "w": 2}],
+   "clip": [0, 0, 128, 128], "address": "wrap", "filter": "nearest"}
+or several, drawn in order: {"polygons": [{"vertices": ...}, ...]}. Only "vertices" is needed.
+)";
+
+constexpr const char* kVerifyExamples = R"(Examples:
+  selvage verify                               every law on 200 cases of a fresh seed
+  selvage verify --law MAP --law CLIP --cases 5000 --seed 7
+  selvage verify --law MAP --case 0200...      one case again, as a failure prints it
+  selvage verify --case-file crash-1f3a        the same from a fuzzer's raw bytes
+
+A law that found no pixel to judge has shown nothing and counts as failed; in a replay, only if no
+law found any.
+)";
+
+constexpr const char* kLawsExamples = R"(Examples:
+  selvage laws
+  selvage laws --json
+)";
+
+[[nodiscard]] std::string footer(const char* examples) {
+  return std::string(examples) + "\n" + kExitCodes;
+}
+
+CLI::App* add_draw(CLI::App& program, DrawOptions& options) {
+  CLI::App* draw = program.add_subcommand("draw", "Draw a picture onto polygons, to PNG");
+  draw->add_option("--texture", options.texture, "PNG or JPEG to draw with")
+      ->required()
+      ->type_name("FILE");
+  CLI::Option* polygon =
+      draw->add_option("--polygon", options.polygons,
+                       "Vertices 'x,y,u,v[,w] ...' in pixels and texels; w is the distance along "
+                       "the view axis, 1 if left out. May be repeated")
+          ->type_name("TEXT")
+          ->allow_extra_args(false);
+  draw->add_option("--polygon-file", options.polygon_file, "The same from a small JSON file")
+      ->type_name("FILE")
+      ->excludes(polygon);
+  draw->add_option("--size", options.size,
+                   "Size of the output; that of the background picture if left out")
+      ->type_name("WxH");
+  draw->add_option("--background", options.background, "#rgb, #rrggbb, #rrggbbaa, or a PNG or JPEG")
+      ->type_name("COLOUR|FILE")
+      ->capture_default_str();
+  draw->add_option("--clip", options.clip,
+                   "Draw only columns [l, r) and rows [t, b); wins over the polygon file")
+      ->type_name("l,t,r,b");
+  draw->add_option("--address", options.address,
+                   "Beyond the texture: clamp (the default) or wrap; wins over the polygon file")
+      ->type_name("MODE");
+  draw->add_option("--format", options.format, "Format to draw in: rgba8888, rgb565 or grey8")
+      ->type_name("FORMAT")
+      ->capture_default_str();
+  draw->add_option("-o,--output", options.output, "PNG to write")->required()->type_name("FILE");
+  draw->add_flag("--json", options.json, "Print size, covered pixels and time as JSON");
+  draw->footer(footer(kDrawExamples));
+  return draw;
+}
+
+CLI::App* add_verify(CLI::App& program, VerifyOptions& options) {
+  CLI::App* verify = program.add_subcommand("verify", "Hold the built-in mapper against the laws");
+  verify->add_option("--law", options.laws, "A law to check; all if left out. May be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  CLI::Option* cases = verify->add_option("--cases", options.cases, "Cases for each law")
+                           ->type_name("N")
+                           ->capture_default_str();
+  CLI::Option* seed =
+      verify->add_option("--seed", options.seed, "Seed of the first case; a fresh one if left out")
+          ->type_name("S");
+  CLI::Option* hex = verify->add_option("--case", options.case_hex, "Replay this one case")
+                         ->type_name("HEX")
+                         ->excludes(cases, seed);
+  verify->add_option("--case-file", options.case_file, "Replay the case of these raw bytes")
+      ->type_name("FILE")
+      ->excludes(cases, seed, hex);
+  verify
+      ->add_option("--picture", options.picture,
+                   "PNG for the counterexample (drawn | expected | difference); "
+                   "selvage-<law>.png if left out")
+      ->type_name("FILE");
+  verify->add_flag("--json", options.json, "Print the verdicts as JSON");
+  verify->footer(footer(kVerifyExamples));
+  return verify;
+}
+
+CLI::App* add_laws(CLI::App& program, bool& json) {
+  CLI::App* laws = program.add_subcommand("laws", "List the laws of the exact profile");
+  laws->add_flag("--json", json, "Print them as JSON");
+  laws->footer(footer(kLawsExamples));
+  return laws;
+}
+
+// An option that was given as an empty text would otherwise count as not given.
+void refuse_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (value.empty()) throw UserError(option->get_name() + " is given without a value");
+    }
+  }
+}
+
+int parse_and_run(std::vector<std::string> arguments, const spec::Subject& subject,
+                  const Console& console) {
+  CLI::App program("Selvage: exact polygon texture mapping, and the laws it is held against",
+                   "selvage");
+  program.set_version_flag("--version", std::string("selvage ") + selvage_version());
+  program.require_subcommand(1);
+  program.footer(footer(kProgramExamples));
+  DrawOptions draw_options;
+  VerifyOptions verify_options;
+  bool laws_json = false;
+  const CLI::App* draw = add_draw(program, draw_options);
+  const CLI::App* verify = add_verify(program, verify_options);
+  add_laws(program, laws_json);
+  std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
+  try {
+    program.parse(std::move(arguments));
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program.exit(error, console.out, console.err);
+    const auto chosen = program.get_subcommands();
+    const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
+    throw UserError(std::string(error.what()) + "\nRun 'selvage" + command +
+                    " --help' for what is possible.");
+  }
+  refuse_empty_values(*program.get_subcommands().front());
+  if (draw->parsed()) return run_draw(draw_options, console);
+  if (verify->parsed()) return run_verify(verify_options, subject, console);
+  return run_laws(laws_json, console);
+}
+
+}  // namespace
+
+int run_program(std::vector<std::string> arguments, const spec::Subject& subject,
+                const Console& console) {
+  try {
+    const int code = parse_and_run(std::move(arguments), subject, console);
+    if (!console.out.flush()) throw UserError("cannot write to the standard output");
+    return code;
+  } catch (const std::bad_alloc&) {
+    console.err << "selvage: out of memory\n";
+  } catch (const std::exception& error) {
+    console.err << "selvage: " << error.what() << '\n';
+  }
+  return kExitUsage;
+}
+
+}  // namespace selvage::cli

@@ -1,0 +1,18 @@
+// Where a command talks to, and what its exit code means.
+#pragma once
+
+#include <ostream>
+
+namespace selvage::cli {
+
+inline constexpr int kExitFine = 0;
+inline constexpr int kExitLawFailed = 1;
+inline constexpr int kExitUsage = 2;  // wrong use, or a file that cannot be read or written
+
+struct Console {
+  std::ostream& out;
+  std::ostream& err;
+  bool show_progress = false;  // err is a terminal
+};
+
+}  // namespace selvage::cli

@@ -1,0 +1,141 @@
+#include "cli/draw_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "cli/error.h"
+#include "cli/file.h"
+#include "cli/picture_file.h"
+#include "cli/png.h"
+#include "cli/polygon_json.h"
+#include "cli/polygon_text.h"
+
+namespace selvage::cli {
+namespace {
+
+void check_png_name(const std::string& output) {
+  const std::string extension = std::filesystem::path(output).extension().string();
+  if (extension == ".jpg" || extension == ".jpeg" || extension == ".JPG") {
+    throw UserError("cannot write '" + output + "': the output is a PNG; name it .png");
+  }
+}
+
+[[nodiscard]] Job read_polygons(const DrawOptions& options) {
+  if (options.polygons.empty() == options.polygon_file.empty()) {
+    throw UserError("exactly one of --polygon and --polygon-file is needed");
+  }
+  if (!options.polygon_file.empty()) {
+    const std::string text = read_text_file(options.polygon_file);
+    return about("'" + options.polygon_file + "'", [&] { return parse_polygon_json(text); });
+  }
+  Job job;
+  for (const std::string& text : options.polygons) {
+    const std::string which =
+        options.polygons.size() > 1 ? " " + std::to_string(job.size() + 1) : "";
+    job.emplace_back().vertices =
+        about("--polygon" + which, [&] { return parse_polygon_text(text); });
+  }
+  return job;
+}
+
+// The command line wins over the polygon file.
+[[nodiscard]] Job read_job(const DrawOptions& options) {
+  Job job = read_polygons(options);
+  for (JobPolygon& polygon : job) {
+    if (!options.clip.empty()) {
+      polygon.clip = about("--clip", [&] { return parse_clip_text(options.clip); });
+    }
+    if (!options.address.empty()) {
+      polygon.options.address = about("--address", [&] { return parse_address(options.address); });
+    }
+  }
+  return job;
+}
+
+[[nodiscard]] Raster read_background(const DrawOptions& options) {
+  std::optional<Size> size;
+  if (!options.size.empty()) {
+    size = about("--size", [&] { return parse_size_text(options.size); });
+  }
+  if (options.background.empty()) throw UserError("--background: a colour or a file is needed");
+  if (options.background.front() == '#') {
+    const Colour colour = about("--background", [&] { return parse_colour(options.background); });
+    if (!size) throw UserError("--size is needed, for the background is not a picture");
+    return filled(size->width_px, size->height_px, colour);
+  }
+  Raster picture = read_picture(options.background);
+  if (size && (size->width_px != picture.width_px || size->height_px != picture.height_px)) {
+    throw UserError("--size " + options.size + " is not the size of the background '" +
+                    options.background + "', " + std::to_string(picture.width_px) + "x" +
+                    std::to_string(picture.height_px) + "; leave --size out");
+  }
+  return picture;
+}
+
+void draw_polygon(const JobPolygon& polygon, const std::vector<selvage_vertex>& vertices,
+                  const Bitmap& texture, Bitmap& target) {
+  const selvage_image image = target.image();
+  const selvage_texture source = texture.texture();
+  const selvage_status status =
+      selvage_draw(&image, polygon.clip ? &*polygon.clip : nullptr, vertices.data(),
+                   vertices.size(), &source, &polygon.options);
+  if (status != SELVAGE_OK) throw UserError(selvage_status_text(status));
+}
+
+void draw_all(const Job& job, const std::vector<std::vector<selvage_vertex>>& vertices,
+              const Bitmap& texture, Bitmap& target) {
+  for (size_t i = 0; i < job.size(); ++i) {
+    about("polygon " + std::to_string(i + 1),
+          [&] { draw_polygon(job[i], vertices[i], texture, target); });
+  }
+}
+
+void report(const DrawOptions& options, const Job& job, const Raster& picture, int64_t time_ns,
+            const Console& console) {
+  const nlohmann::ordered_json values = {
+      {"output", options.output},
+      {"width_px", picture.width_px},
+      {"height_px", picture.height_px},
+      {"format", options.format},
+      {"polygons", job.size()},
+      {"covered_px", covered_px(job, picture.width_px, picture.height_px)},
+      {"draw_ns", time_ns},
+  };
+  console.out << values.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
+
+}  // namespace
+
+int64_t draw_job_ns(const Job& job, const Bitmap& texture, Bitmap& target) {
+  const std::vector<std::vector<selvage_vertex>> vertices = snap(job);
+  const auto start = std::chrono::steady_clock::now();
+  draw_all(job, vertices, texture, target);
+  return std::chrono::nanoseconds(std::chrono::steady_clock::now() - start).count();
+}
+
+int64_t covered_px(const Job& job, int32_t width_px, int32_t height_px) {
+  const size_t area = static_cast<size_t>(width_px) * static_cast<size_t>(height_px);
+  const Bitmap ones{SELVAGE_INDEX8, 1, 1, {1}};
+  Bitmap mask{SELVAGE_INDEX8, width_px, height_px, std::vector<uint8_t>(area)};
+  draw_all(job, snap(job), ones, mask);
+  return std::count(mask.bytes.begin(), mask.bytes.end(), uint8_t{1});
+}
+
+int run_draw(const DrawOptions& options, const Console& console) {
+  check_png_name(options.output);
+  check_output(options.output);
+  const selvage_format format = about("--format", [&] { return parse_format(options.format); });
+  const Job job = read_job(options);
+  Bitmap target = to_bitmap(read_background(options), format);
+  const Bitmap texture = to_bitmap(read_picture(options.texture), format);
+  const int64_t time_ns = draw_job_ns(job, texture, target);
+  const Raster picture = to_raster(std::move(target));
+  write_file(options.output, encode_png(picture));
+  if (options.json) report(options, job, picture, time_ns, console);
+  return kExitFine;
+}
+
+}  // namespace selvage::cli

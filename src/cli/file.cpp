@@ -1,0 +1,144 @@
+#include "cli/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cerrno>
+#include <system_error>
+
+#include "cli/error.h"
+
+namespace selvage::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[nodiscard]] UserError failure(const std::string& doing, const fs::path& path, int error) {
+  return UserError("cannot " + doing + " '" + path.string() +
+                   "': " + std::generic_category().message(error));
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  [[nodiscard]] int number() const { return number_; }
+  // Closes early, for the error that a late write may report only here.
+  [[nodiscard]] bool close() { return ::close(std::exchange(number_, -1)) == 0; }
+
+ private:
+  int number_;
+};
+
+template <typename Bytes>
+Bytes read_all(const fs::path& path, size_t max_bytes) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number() < 0) throw failure("read", path, errno);
+  Bytes bytes;
+  size_t used = 0;
+  for (;;) {
+    bytes.resize(used + std::max<size_t>(65536, used / 2));
+    const ssize_t got = ::read(file.number(), bytes.data() + used, bytes.size() - used);
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw failure("read", path, errno);
+    if (got == 0) break;
+    used += static_cast<size_t>(got);
+    if (used > max_bytes) {
+      throw UserError("'" + path.string() + "' is longer than the " + std::to_string(max_bytes) +
+                      " bytes that are accepted");
+    }
+  }
+  bytes.resize(used);
+  return bytes;
+}
+
+// Where the bytes go: a link keeps pointing where it points, and its target is replaced.
+[[nodiscard]] fs::path resolve_output(const fs::path& path) {
+  if (path.empty()) throw UserError("the name of the output file is empty");
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (error && status.type() != fs::file_type::not_found) {
+    throw failure("write", path, error.value());
+  }
+  if (fs::is_directory(status) || !path.has_filename()) {
+    throw UserError("cannot write '" + path.string() +
+                    "': it is a directory; the name of a file is needed");
+  }
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    throw UserError("cannot write '" + path.string() + "': it is not a regular file");
+  }
+  const fs::path resolved = fs::exists(status) ? fs::canonical(path) : path;
+  if (fs::exists(status) && ::access(resolved.c_str(), W_OK) != 0) {
+    throw failure("write", path, errno);
+  }
+  const fs::path directory = resolved.has_parent_path() ? resolved.parent_path() : ".";
+  if (!fs::is_directory(directory, error)) {
+    throw UserError("cannot write '" + path.string() + "': there is no directory '" +
+                    directory.string() + "'");
+  }
+  if (::access(directory.c_str(), W_OK | X_OK) != 0) throw failure("write", path, errno);
+  return resolved;
+}
+
+[[nodiscard]] fs::path temporary_beside(const fs::path& path) {
+  static std::atomic<unsigned> count{0};
+  return path.parent_path() / (".selvage-" + std::to_string(::getpid()) + "-" +
+                               std::to_string(count.fetch_add(1)) + ".tmp");
+}
+
+void write_all(int descriptor, std::span<const uint8_t> bytes, const fs::path& path) {
+  while (!bytes.empty()) {
+    const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) throw failure("write", path, errno);
+    bytes = bytes.subspan(static_cast<size_t>(put));
+  }
+}
+
+// Creates `temporary` with the permissions of the file it will replace, if there is one.
+void fill_temporary(const fs::path& temporary, const fs::path& path,
+                    std::span<const uint8_t> bytes) {
+  Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (file.number() < 0) throw failure("write", path, errno);
+  struct stat existing {};
+  if (::stat(path.c_str(), &existing) == 0 &&
+      ::fchmod(file.number(), existing.st_mode & 0777) != 0) {
+    throw failure("write", path, errno);
+  }
+  write_all(file.number(), bytes, path);
+  if (::fsync(file.number()) != 0 || !file.close()) throw failure("write", path, errno);
+}
+
+}  // namespace
+
+std::vector<uint8_t> read_file(const fs::path& path, size_t max_bytes) {
+  return read_all<std::vector<uint8_t>>(path, max_bytes);
+}
+
+std::string read_text_file(const fs::path& path, size_t max_bytes) {
+  return read_all<std::string>(path, max_bytes);
+}
+
+void check_output(const fs::path& path) { static_cast<void>(resolve_output(path)); }
+
+void write_file(const fs::path& path, std::span<const uint8_t> bytes) {
+  const fs::path resolved = resolve_output(path);
+  const fs::path temporary = temporary_beside(resolved);
+  try {
+    fill_temporary(temporary, resolved, bytes);
+    if (::rename(temporary.c_str(), resolved.c_str()) != 0) throw failure("write", path, errno);
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+}
+
+}  // namespace selvage::cli

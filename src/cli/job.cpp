@@ -1,0 +1,62 @@
+#include "cli/job.h"
+
+#include <algorithm>
+#include <string>
+
+#include "cli/error.h"
+#include "cli/number.h"
+
+namespace selvage::cli {
+namespace {
+
+[[nodiscard]] std::string describe(const Job& job, size_t polygon, size_t vertex) {
+  const JobVertex& at = job[polygon].vertices[vertex];
+  const std::string which = job.size() > 1 ? "polygon " + std::to_string(polygon + 1) + ", " : "";
+  return which + "vertex " + std::to_string(vertex + 1) + " (x " + show(at.x_px) + ", y " +
+         show(at.y_px) + ", u " + show(at.u_texel) + ", v " + show(at.v_texel) + ", w " +
+         show(at.w) + ")";
+}
+
+[[nodiscard]] double least_w(const Job& job) {
+  double least = 0;
+  for (size_t p = 0; p < job.size(); ++p) {
+    for (size_t i = 0; i < job[p].vertices.size(); ++i) {
+      const double w = job[p].vertices[i].w;
+      if (!(w > 0)) throw UserError(describe(job, p, i) + ": w is a distance, greater than 0");
+      least = least == 0 ? w : std::min(least, w);
+    }
+  }
+  return least;
+}
+
+}  // namespace
+
+selvage_address parse_address(std::string_view name) {
+  if (name == "clamp") return SELVAGE_ADDRESS_CLAMP;
+  if (name == "wrap") return SELVAGE_ADDRESS_WRAP;
+  throw UserError("'" + std::string(name) + "' is no address mode; clamp and wrap are");
+}
+
+selvage_filter parse_filter(std::string_view name) {
+  if (name == "nearest") return SELVAGE_FILTER_NEAREST;
+  throw UserError("'" + std::string(name) + "' is no filter; nearest is");
+}
+
+std::vector<std::vector<selvage_vertex>> snap(const Job& job) {
+  const double w_near = least_w(job);
+  std::vector<std::vector<selvage_vertex>> polygons(job.size());
+  for (size_t p = 0; p < job.size(); ++p) {
+    for (size_t i = 0; i < job[p].vertices.size(); ++i) {
+      const JobVertex& at = job[p].vertices[i];
+      selvage_vertex& vertex = polygons[p].emplace_back();
+      const selvage_status status =
+          selvage_snap(at.x_px, at.y_px, at.u_texel, at.v_texel, at.w, w_near, &vertex);
+      if (status != SELVAGE_OK) {
+        throw UserError(describe(job, p, i) + ": " + selvage_status_text(status));
+      }
+    }
+  }
+  return polygons;
+}
+
+}  // namespace selvage::cli

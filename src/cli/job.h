@@ -1,0 +1,36 @@
+// What `selvage draw` is asked to draw: polygons as people write them.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "selvage.h"
+
+namespace selvage::cli {
+
+struct JobVertex {
+  double x_px = 0, y_px = 0;
+  double u_texel = 0, v_texel = 0;
+  double w = 1;  // distance along the view axis
+  friend bool operator==(const JobVertex&, const JobVertex&) = default;
+};
+
+struct JobPolygon {
+  std::vector<JobVertex> vertices;
+  std::optional<selvage_rect> clip;
+  selvage_options options{};
+};
+
+using Job = std::vector<JobPolygon>;
+
+// "clamp", "wrap"; "nearest".
+[[nodiscard]] selvage_address parse_address(std::string_view name);
+[[nodiscard]] selvage_filter parse_filter(std::string_view name);
+
+// Each polygon's vertices on the mapper's grid. The least w of the whole job is the near one, so
+// that polygons that share an edge agree on it. Errors name the polygon and the vertex.
+[[nodiscard]] std::vector<std::vector<selvage_vertex>> snap(const Job& job);
+
+}  // namespace selvage::cli

@@ -1,0 +1,11 @@
+#include <unistd.h>
+
+#include <iostream>
+
+#include "cli/command_line.h"
+#include "spec/subject.h"
+
+int main(int argc, char** argv) {
+  const selvage::cli::Console console{std::cout, std::cerr, isatty(STDERR_FILENO) != 0};
+  return selvage::cli::run_program({argv + 1, argv + argc}, selvage::spec::built_in(), console);
+}

@@ -1,0 +1,39 @@
+// What a run of `selvage verify` found out, as values for the table and for JSON.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spec/verify.h"
+
+namespace selvage::cli {
+
+struct Verdict {
+  spec::LawVerdict found;
+  int64_t time_ns = 0;
+  std::string picture;  // where the counterexample was drawn; empty if it was not
+};
+
+struct VerifyRun {
+  std::string subject;
+  bool replay = false;  // one given case instead of generated ones
+  uint64_t seed = 0;    // of the first case; meaningless in a replay
+  std::vector<Verdict> verdicts;
+  bool oracle_missing = false;  // this build has no ORACLE law
+};
+
+// "holds", "violated", or "judged nothing": a law without a say has shown nothing.
+[[nodiscard]] std::string_view outcome(const Verdict& verdict);
+
+// Every law must hold. In a replay a law may find nothing to judge in the one case, but not all.
+[[nodiscard]] bool passed(const VerifyRun& run);
+
+// The command that shows the counterexample again.
+[[nodiscard]] std::string replay_line(const Verdict& verdict);
+
+[[nodiscard]] std::string verdict_table(const VerifyRun& run);
+[[nodiscard]] std::string verdict_json(const VerifyRun& run);
+
+}  // namespace selvage::cli

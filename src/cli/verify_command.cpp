@@ -1,0 +1,197 @@
+#include "cli/verify_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <random>
+#include <utility>
+
+#include "cli/counterexample_picture.h"
+#include "cli/error.h"
+#include "cli/file.h"
+#include "cli/number.h"
+#include "cli/png.h"
+#include "cli/progress.h"
+#include "cli/verdict.h"
+
+namespace selvage::cli {
+namespace {
+
+constexpr uint64_t kMaxCases = 1'000'000'000;
+constexpr size_t kMaxCaseBytes = size_t{1} << 20;
+
+[[nodiscard]] const spec::Law& find_law(const std::string& name) {
+  std::string upper = name;
+  std::transform(upper.begin(), upper.end(), upper.begin(), [](char letter) {
+    return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
+  });
+  if (const spec::Law* law = spec::find_law(upper)) return *law;
+  std::string known;
+  for (const spec::Law& law : spec::laws()) known += " " + std::string(law.name);
+  throw UserError("--law: no law is called '" + name + "'; the laws are" + known);
+}
+
+[[nodiscard]] std::vector<const spec::Law*> chosen_laws(const std::vector<std::string>& names) {
+  std::vector<const spec::Law*> chosen;
+  for (const std::string& name : names) {
+    const spec::Law* law = &find_law(name);
+    if (std::find(chosen.begin(), chosen.end(), law) == chosen.end()) chosen.push_back(law);
+  }
+  if (names.empty()) {
+    for (const spec::Law& law : spec::laws()) chosen.push_back(&law);
+  }
+  return chosen;
+}
+
+[[nodiscard]] std::optional<spec::Case> case_to_replay(const VerifyOptions& options) {
+  if (!options.case_file.empty()) {
+    return spec::decode(read_file(options.case_file, kMaxCaseBytes));
+  }
+  if (options.case_hex.empty()) return std::nullopt;
+  std::optional<spec::Case> replayed = spec::from_hex(options.case_hex);
+  if (!replayed) {
+    throw UserError("--case: an even number of hexadecimal digits is needed, as verify prints it");
+  }
+  return replayed;
+}
+
+[[nodiscard]] uint64_t case_count(const std::string& text) {
+  const std::optional<uint64_t> count = parse_integer<uint64_t>(text);
+  if (!count || *count < 1 || *count > kMaxCases) {
+    throw UserError("--cases: '" + text + "' is no number from 1 to " + std::to_string(kMaxCases));
+  }
+  return *count;
+}
+
+// Fresh seeds stay below 2^53, so that every reader of the JSON keeps them exact.
+[[nodiscard]] uint64_t first_seed(const std::string& text) {
+  if (text.empty()) {
+    std::random_device device;
+    return (uint64_t{device()} << 21 ^ device()) & ((uint64_t{1} << 53) - 1);
+  }
+  const std::optional<uint64_t> seed = parse_integer<uint64_t>(text);
+  if (!seed) throw UserError("--seed: '" + text + "' is no number from 0 to 2^64 - 1");
+  return *seed;
+}
+
+[[nodiscard]] spec::LawVerdict replay(const spec::Law& law, const spec::Subject& subject,
+                                      const spec::Case& c) {
+  spec::Judgement judgement = law.check(subject, c);
+  spec::LawVerdict verdict{&law, 1, judgement.judged_px, std::move(judgement.violation), {}};
+  if (verdict.violation) verdict.counterexample = c;
+  return verdict;
+}
+
+[[nodiscard]] Verdict timed(const std::function<spec::LawVerdict()>& check) {
+  const auto start = std::chrono::steady_clock::now();
+  Verdict verdict;
+  verdict.found = check();
+  verdict.time_ns = std::chrono::nanoseconds(std::chrono::steady_clock::now() - start).count();
+  return verdict;
+}
+
+// The first picture takes the name that was asked for, later ones put their law in front of the
+// extension.
+[[nodiscard]] std::string picture_name(const VerifyOptions& options, const std::string& law,
+                                       bool first) {
+  if (options.picture.empty()) return "selvage-" + law + ".png";
+  if (first) return options.picture;
+  const std::filesystem::path asked(options.picture);
+  return (asked.parent_path() / (asked.stem().string() + "-" + law + asked.extension().string()))
+      .string();
+}
+
+// A picture that cannot be written is no reason to lose the verdict: it is reported beside it.
+void write_pictures(const VerifyOptions& options, const spec::Subject& subject, VerifyRun& run,
+                    const Console& console) {
+  bool first = true;
+  for (Verdict& verdict : run.verdicts) {
+    if (!verdict.found.violation) continue;
+    const std::string name =
+        picture_name(options, std::string(verdict.found.law->name), std::exchange(first, false));
+    try {
+      write_file(name, encode_png(counterexample_picture(subject, *verdict.found.violation)));
+      verdict.picture = name;
+    } catch (const UserError& error) {
+      console.err << "selvage: no picture of the violation: " << error.what() << '\n';
+    }
+  }
+}
+
+void explain_violations(const VerifyRun& run, const Console& console) {
+  for (const Verdict& verdict : run.verdicts) {
+    if (!verdict.found.violation) continue;
+    console.out << '\n' << spec::explain(*verdict.found.violation);
+    console.out << "replay: " << replay_line(verdict) << '\n';
+    if (verdict.picture.empty()) continue;
+    console.out << "picture: " << verdict.picture << " (drawn | expected | difference)\n";
+  }
+}
+
+[[nodiscard]] VerifyRun replay_all(const std::vector<const spec::Law*>& laws,
+                                   const spec::Subject& subject, const spec::Case& c) {
+  VerifyRun run{subject.name, true, 0, {}};
+  for (const spec::Law* law : laws) {
+    run.verdicts.push_back(timed([&] { return replay(*law, subject, c); }));
+  }
+  return run;
+}
+
+[[nodiscard]] VerifyRun verify_all(const std::vector<const spec::Law*>& laws,
+                                   const spec::Subject& subject, uint64_t seed, uint64_t cases,
+                                   const Console& console) {
+  VerifyRun run{subject.name, false, seed, {}};
+  for (const spec::Law* law : laws) {
+    Progress progress(console, std::string(law->name), cases);
+    const auto update = [&](uint64_t done) { progress.update(done); };
+    run.verdicts.push_back(timed([&] { return spec::verify(*law, subject, seed, cases, update); }));
+  }
+  return run;
+}
+
+}  // namespace
+
+int run_verify(const VerifyOptions& options, const spec::Subject& subject, const Console& console) {
+  const std::vector<const spec::Law*> laws = chosen_laws(options.laws);
+  const uint64_t cases = case_count(options.cases);
+  const std::optional<spec::Case> replayed = case_to_replay(options);
+  if (!options.picture.empty()) check_output(options.picture);
+  const uint64_t seed = first_seed(options.seed);
+  if (!options.json && replayed) console.out << spec::print(*replayed) << '\n';
+  if (!options.json && !replayed) console.out << "seed " << seed << '\n' << std::flush;
+
+  VerifyRun run = replayed ? replay_all(laws, subject, *replayed)
+                           : verify_all(laws, subject, seed, cases, console);
+  run.oracle_missing = options.laws.empty() && spec::find_law("ORACLE") == nullptr;
+  write_pictures(options, subject, run, console);
+  if (options.json) {
+    console.out << verdict_json(run);
+  } else {
+    console.out << verdict_table(run);
+    explain_violations(run, console);
+  }
+  return passed(run) ? kExitFine : kExitLawFailed;
+}
+
+int run_laws(bool json, const Console& console) {
+  if (!json) {
+    for (const spec::Law& law : spec::laws()) {
+      const std::string name(law.name);
+      console.out << name << std::string(name.size() < 10 ? 10 - name.size() : 1, ' ')
+                  << law.statement << '\n';
+    }
+    return kExitFine;
+  }
+  nlohmann::ordered_json values = nlohmann::ordered_json::array();
+  for (const spec::Law& law : spec::laws()) {
+    values.push_back({{"law", law.name}, {"statement", law.statement}});
+  }
+  console.out << values.dump(2) << '\n';
+  return kExitFine;
+}
+
+}  // namespace selvage::cli
