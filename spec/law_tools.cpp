@@ -1,0 +1,101 @@
+#include "spec/law_tools.h"
+
+#include <utility>
+
+namespace selvage::spec {
+
+// The finalizer of SplitMix64 (Steele, Lea, Flood 2014) over a Weyl sequence.
+int32_t Choices::pick(int32_t least, int32_t end) {
+  state_ += 0x9E3779B97F4A7C15U;
+  uint64_t z = state_;
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
+  z ^= z >> 31;
+  const auto count = static_cast<uint64_t>(int64_t{end} - least);
+  return static_cast<int32_t>(least + static_cast<int64_t>(z % count));
+}
+
+Case with_vertices(const Case& c, std::vector<selvage_vertex> vertices) {
+  Case changed = c;
+  changed.vertices = std::move(vertices);
+  return changed;
+}
+
+std::optional<std::vector<selvage_vertex>> moved(std::span<const selvage_vertex> vertices,
+                                                 int64_t dx_fx8, int64_t dy_fx8) {
+  const auto in_range = [](int64_t fx8) { return SELVAGE_X_MIN <= fx8 && fx8 < SELVAGE_X_END; };
+  std::vector<selvage_vertex> result(vertices.begin(), vertices.end());
+  for (selvage_vertex& v : result) {
+    if (!in_range(v.x + dx_fx8) || !in_range(v.y + dy_fx8)) return std::nullopt;
+    v.x = static_cast<int32_t>(v.x + dx_fx8);
+    v.y = static_cast<int32_t>(v.y + dy_fx8);
+  }
+  return result;
+}
+
+std::optional<Texel> read_texel(const Case& c, uint32_t value) {
+  const int bits = c.format == SELVAGE_INDEX8 ? 4 : c.format == SELVAGE_RGB565 ? 8 : 16;
+  const int32_t sides = 1 << bits;
+  if (c.texture_width_texel > sides || c.texture_height_texel > sides) return std::nullopt;
+  const uint32_t mask = static_cast<uint32_t>(sides) - 1;
+  return Texel{static_cast<int32_t>(value & mask), static_cast<int32_t>(value >> bits & mask)};
+}
+
+void tell_coordinates(Violation* violation, const Case& shown, int32_t x_px, int32_t y_px) {
+  if (!is_valid(shown)) return;
+  const std::optional<Sample> point = sample(shown.vertices, x_px, y_px);
+  if (!point) return;
+  violation->u = point->u.get_str();
+  violation->v = point->v.get_str();
+}
+
+std::string describe_pixel(const Case& c, const std::optional<uint32_t>& pixel) {
+  return pixel ? describe_texel(c.format, *pixel) : "nothing";
+}
+
+Violation violation_at(std::string_view law, std::string what, const Case& shown, int32_t x_px,
+                       int32_t y_px, std::string allowed, const std::optional<uint32_t>& drawn) {
+  Violation violation{.law = std::string(law),
+                      .what = std::move(what),
+                      .x_px = x_px,
+                      .y_px = y_px,
+                      .allowed = std::move(allowed),
+                      .drawn = describe_pixel(shown, drawn),
+                      .shown = shown};
+  tell_coordinates(&violation, shown, x_px, y_px);
+  return violation;
+}
+
+Violation violation_of_call(std::string_view law, std::string what, const Case& shown,
+                            std::string allowed, std::string drawn) {
+  return {.law = std::string(law),
+          .what = std::move(what),
+          .allowed = std::move(allowed),
+          .drawn = std::move(drawn),
+          .shown = shown};
+}
+
+Judgement compare(std::string_view law, std::string_view what, const Case& shown,
+                  const Picture& picture, const Wanted& wanted) {
+  Judgement judgement;
+  for (int32_t y = 0; y < picture.height_px; ++y) {
+    for (int32_t x = 0; x < picture.width_px; ++x) {
+      const auto pixel = wanted(x, y);
+      if (!pixel) continue;
+      ++judgement.judged_px;
+      if (*pixel == picture.at(x, y)) continue;
+      judgement.violation = violation_at(law, std::string(what), shown, x, y,
+                                         describe_pixel(shown, *pixel), picture.at(x, y));
+      return judgement;
+    }
+  }
+  return judgement;
+}
+
+bool add(Judgement* total, Judgement part) {
+  total->judged_px += part.judged_px;
+  if (!total->violation) total->violation = std::move(part.violation);
+  return total->violation.has_value();
+}
+
+}  // namespace selvage::spec

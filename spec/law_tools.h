@@ -1,0 +1,61 @@
+// What the laws share: variations of a case, and the comparison of pictures.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "spec/exact.h"
+#include "spec/laws.h"
+#include "spec/picture.h"
+
+namespace selvage::spec {
+
+// A stream of small choices out of Case::choice: the same case always gives the same ones.
+class Choices {
+ public:
+  explicit Choices(uint32_t choice) : state_(choice) {}
+  // In [least, end).
+  [[nodiscard]] int32_t pick(int32_t least, int32_t end);
+
+ private:
+  uint64_t state_;
+};
+
+// The outline is one that a mapper must draw.
+[[nodiscard]] inline bool is_valid(const Case& c) { return validity(c.vertices) == SELVAGE_OK; }
+
+// The case with another outline.
+[[nodiscard]] Case with_vertices(const Case& c, std::vector<selvage_vertex> vertices);
+
+// Moves by whole units; empty if a vertex would leave the accepted range.
+[[nodiscard]] std::optional<std::vector<selvage_vertex>> moved(
+    std::span<const selvage_vertex> vertices, int64_t dx_fx8, int64_t dy_fx8);
+
+// Reads a coordinate texel back; empty where the format cannot tell the texel of such a texture.
+[[nodiscard]] std::optional<Texel> read_texel(const Case& c, uint32_t value);
+
+// The exact coordinates at a pixel as text, for a violation; empty if it is not covered.
+void tell_coordinates(Violation* violation, const Case& shown, int32_t x_px, int32_t y_px);
+
+[[nodiscard]] std::string describe_pixel(const Case& c, const std::optional<uint32_t>& pixel);
+
+[[nodiscard]] Violation violation_at(std::string_view law, std::string what, const Case& shown,
+                                     int32_t x_px, int32_t y_px, std::string allowed,
+                                     const std::optional<uint32_t>& drawn);
+[[nodiscard]] Violation violation_of_call(std::string_view law, std::string what, const Case& shown,
+                                          std::string allowed, std::string drawn);
+
+// Compares picture (drawn for `shown`) with what is wanted at each pixel of its target.
+// wanted(x, y) gives the pixel that must be there, or nothing where the law does not judge.
+using Wanted = std::function<std::optional<std::optional<uint32_t>>(int32_t x_px, int32_t y_px)>;
+[[nodiscard]] Judgement compare(std::string_view law, std::string_view what, const Case& shown,
+                                const Picture& picture, const Wanted& wanted);
+
+// Adds up the pixels and keeps the first violation; true if there is one.
+bool add(Judgement* total, Judgement part);
+
+}  // namespace selvage::spec
