@@ -1,0 +1,33 @@
+// Bytes -> a case -> every law, on the mapper this program is linked with.
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+
+#include "spec/case.h"
+#include "spec/laws.h"
+#include "spec/subject.h"
+
+namespace {
+
+// The exact model is brute force: larger cases would only run slower, not deeper.
+constexpr int32_t kMaxFuzzedTargetPx = 1024;
+constexpr size_t kMaxFuzzedVertices = 24;
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  namespace spec = selvage::spec;
+  static const spec::Subject mapper = spec::built_in();
+  const spec::Case c = spec::decode({data, size});
+  if (c.target_width_px * c.target_height_px > kMaxFuzzedTargetPx) return -1;
+  if (c.vertices.size() > kMaxFuzzedVertices) return -1;
+  for (const spec::Law& law : spec::laws()) {
+    const spec::Judgement judgement = law.check(mapper, c);
+    if (!judgement.violation) continue;
+    std::fprintf(stderr, "%s\nreplay: selvage verify --law %s --case %s\n",
+                 spec::explain(*judgement.violation).c_str(), judgement.violation->law.c_str(),
+                 spec::to_hex(c).c_str());
+    std::abort();
+  }
+  return 0;
+}
