@@ -1,5 +1,6 @@
 #include "spec/law_tools.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace selvage::spec {
@@ -13,6 +14,13 @@ int32_t Choices::pick(int32_t least, int32_t end) {
   z ^= z >> 31;
   const auto count = static_cast<uint64_t>(int64_t{end} - least);
   return static_cast<int32_t>(least + static_cast<int64_t>(z % count));
+}
+
+Pixel choose_pixel(const Case& c, Choices& choices) {
+  constexpr int32_t kFarthest_px = 30000;
+  const int32_t x_px = choices.pick(0, std::min(c.target_width_px, kFarthest_px));
+  const int32_t y_px = choices.pick(0, std::min(c.target_height_px, kFarthest_px));
+  return {x_px, y_px};
 }
 
 Case with_vertices(const Case& c, std::vector<selvage_vertex> vertices) {

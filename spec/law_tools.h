@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "spec/exact.h"
+#include "spec/geometry.h"
 #include "spec/laws.h"
 #include "spec/picture.h"
 
@@ -24,6 +25,14 @@ class Choices {
  private:
   uint64_t state_;
 };
+
+struct Pixel {
+  int32_t x_px, y_px;
+  [[nodiscard]] Point centre() const { return pixel_centre(x_px, y_px); }
+};
+
+// A pixel of the target, so far from the end of the vertex range that a polygon fits around it.
+[[nodiscard]] Pixel choose_pixel(const Case& c, Choices& choices);
 
 // The outline is one that a mapper must draw.
 [[nodiscard]] inline bool is_valid(const Case& c) { return validity(c.vertices) == SELVAGE_OK; }

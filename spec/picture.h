@@ -14,8 +14,8 @@ namespace selvage::spec {
 struct Picture {
   int32_t width_px = 0, height_px = 0;
   selvage_status status = SELVAGE_OK;
-  std::vector<std::optional<uint32_t>> pixels;  // row by row; empty where nothing was drawn
-  std::string memory_fault;                     // what MEM forbids and was seen; empty if nothing
+  std::vector<std::optional<uint32_t>> pixels{};  // row by row; empty where nothing was drawn
+  std::string memory_fault{};                     // what MEM forbids and was seen; empty if nothing
 
   [[nodiscard]] const std::optional<uint32_t>& at(int32_t x_px, int32_t y_px) const {
     return pixels[static_cast<size_t>(y_px) * static_cast<size_t>(width_px) +

@@ -1,0 +1,175 @@
+#include "spec/hostile_calls.h"
+
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "spec/canvas.h"
+
+namespace selvage::spec {
+namespace {
+
+inline constexpr int32_t kInt32Min = std::numeric_limits<int32_t>::min();
+inline constexpr int32_t kInt32Max = std::numeric_limits<int32_t>::max();
+
+using Calls = std::vector<HostileCall>;
+
+void spoil_options(Calls* calls) {
+  for (const int32_t unknown : {-1, 77, kInt32Min, kInt32Max}) {
+    calls->push_back({"an unknown profile", SELVAGE_ERROR_PROFILE,
+                      [=](Arguments& a) { a.options.profile = unknown; }});
+    calls->push_back({"an unknown filter", SELVAGE_ERROR_FILTER,
+                      [=](Arguments& a) { a.options.filter = unknown; }});
+    calls->push_back({"an unknown address mode", SELVAGE_ERROR_ADDRESS,
+                      [=](Arguments& a) { a.options.address = unknown; }});
+  }
+  calls->push_back({"a negative tolerance", SELVAGE_ERROR_TOLERANCE,
+                    [](Arguments& a) { a.options.tolerance = -1; }});
+}
+
+// The errors that a target and a texture share.
+struct ImageErrors {
+  std::string name;
+  selvage_status null, format, size, pitch, alignment;
+};
+
+[[nodiscard]] ptrdiff_t bytes_per_pixel(selvage_format format) {
+  return format == SELVAGE_INDEX8 ? 1 : format == SELVAGE_RGB565 ? 2 : 4;
+}
+
+// Spoils either image through the accessor `of`, a function from Arguments& to the image.
+template <class Of>
+void spoil_image(Calls* calls, const ImageErrors& errors, selvage_format format, Of of) {
+  const auto add = [&](std::string what, selvage_status wanted, auto spoil) {
+    calls->push_back({errors.name + " with " + what, wanted, [=](Arguments& a) { spoil(of(a)); }});
+  };
+  for (const int32_t unknown : {-1, 3, kInt32Min, kInt32Max}) {
+    add("an unknown format", errors.format, [=](auto& image) { image.format = unknown; });
+  }
+  for (const int32_t empty : {0, -1, kInt32Min}) {
+    add("no width", errors.size, [=](auto& image) { image.width = empty; });
+    add("no height", errors.size, [=](auto& image) { image.height = empty; });
+  }
+  const ptrdiff_t pixel = bytes_per_pixel(format);
+  add("a pitch short of a row", errors.pitch,
+      [=](auto& image) { image.pitch = (image.width - 1) * pixel; });
+  add("a negative pitch short of a row", errors.pitch,
+      [=](auto& image) { image.pitch = -(image.width - 1) * pixel; });
+  add("rows longer than the pitch", errors.pitch, [](auto& image) { image.width = kInt32Max; });
+  add("more bytes than an address can tell", errors.pitch, [=](auto& image) {
+    image.height = kInt32Max;
+    image.pitch = std::numeric_limits<ptrdiff_t>::max() / 4 / pixel * pixel;
+  });
+  add("the least of all pitches", errors.pitch, [](auto& image) {
+    image.height = 2;
+    image.pitch = std::numeric_limits<ptrdiff_t>::min();
+  });
+  if (pixel == 1) return;
+  add("a pitch that splits a pixel", errors.pitch,
+      [](auto& image) { image.pitch += image.pitch > 0 ? 1 : -1; });
+}
+
+void spoil_images(Calls* calls, selvage_format format) {
+  spoil_image(
+      calls,
+      {"a target", SELVAGE_ERROR_TARGET_NULL, SELVAGE_ERROR_TARGET_FORMAT,
+       SELVAGE_ERROR_TARGET_SIZE, SELVAGE_ERROR_TARGET_PITCH, SELVAGE_ERROR_TARGET_ALIGNMENT},
+      format, [](Arguments& a) -> selvage_image& { return a.target; });
+  spoil_image(
+      calls,
+      {"a texture", SELVAGE_ERROR_TEXTURE_NULL, SELVAGE_ERROR_TEXTURE_FORMAT,
+       SELVAGE_ERROR_TEXTURE_SIZE, SELVAGE_ERROR_TEXTURE_PITCH, SELVAGE_ERROR_TEXTURE_ALIGNMENT},
+      format, [](Arguments& a) -> selvage_texture& { return a.texture; });
+}
+
+void spoil_pointers(Calls* calls, selvage_format format) {
+  const auto add = [&](std::string what, selvage_status wanted, auto spoil) {
+    calls->push_back({std::move(what), wanted, spoil});
+  };
+  add("no target", SELVAGE_ERROR_TARGET_NULL, [](Arguments& a) { a.target_pointer = nullptr; });
+  add("no pixels", SELVAGE_ERROR_TARGET_NULL, [](Arguments& a) { a.target.pixels = nullptr; });
+  add("no texture", SELVAGE_ERROR_TEXTURE_NULL, [](Arguments& a) { a.texture_pointer = nullptr; });
+  add("no texels", SELVAGE_ERROR_TEXTURE_NULL, [](Arguments& a) { a.texture.texels = nullptr; });
+  add("no vertices", SELVAGE_ERROR_VERTICES_NULL,
+      [](Arguments& a) { a.vertices_pointer = nullptr; });
+  add("an unknown layout", SELVAGE_ERROR_TEXTURE_LAYOUT,
+      [](Arguments& a) { a.texture.layout = 1; });
+  add("a prepared texture in plain rows", SELVAGE_ERROR_TEXTURE_LAYOUT,
+      [](Arguments& a) { a.texture.prepared = &a; });
+  add("a texture that is the target", SELVAGE_ERROR_OVERLAP, [](Arguments& a) {
+    const auto& [pixels, width, height, pitch, image_format] = a.target;
+    a.texture = {pixels, width, height, pitch, image_format, SELVAGE_LAYOUT_ROWS, nullptr};
+  });
+  add("vertices inside the target", SELVAGE_ERROR_OVERLAP, [](Arguments& a) {
+    a.vertices_pointer = static_cast<const selvage_vertex*>(a.target.pixels);
+  });
+  add("formats that differ", SELVAGE_ERROR_FORMAT_MISMATCH, [](Arguments& a) {
+    a.texture.format = a.texture.format == SELVAGE_INDEX8 ? SELVAGE_RGB565 : SELVAGE_INDEX8;
+    a.texture.width = a.texture.height = 1;
+    a.texture.pitch = 4;
+    a.texture.texels = &a.options;  // aligned for every format
+  });
+  if (format == SELVAGE_INDEX8) return;
+  add("misaligned pixels", SELVAGE_ERROR_TARGET_ALIGNMENT,
+      [](Arguments& a) { a.target.pixels = static_cast<char*>(a.target.pixels) + 1; });
+  add("misaligned texels", SELVAGE_ERROR_TEXTURE_ALIGNMENT,
+      [](Arguments& a) { a.texture.texels = static_cast<const char*>(a.texture.texels) + 1; });
+}
+
+void spoil_vertices(Calls* calls, size_t index) {
+  for (const size_t count : {0, 1, 2}) {
+    calls->push_back({"fewer than 3 vertices", SELVAGE_ERROR_VERTEX_COUNT,
+                      [=](Arguments& a) { a.count = count; }});
+  }
+  for (const int32_t far : {SELVAGE_X_MIN - 1, int32_t{SELVAGE_X_END}, kInt32Min, kInt32Max}) {
+    calls->push_back({"x out of range", SELVAGE_ERROR_VERTEX_POSITION,
+                      [=](Arguments& a) { a.vertices[index].x = far; }});
+    calls->push_back({"y out of range", SELVAGE_ERROR_VERTEX_POSITION,
+                      [=](Arguments& a) { a.vertices[index].y = far; }});
+  }
+  for (const int32_t q : {0, -1, SELVAGE_Q_MAX + 1, kInt32Min, kInt32Max}) {
+    calls->push_back(
+        {"q out of range", SELVAGE_ERROR_VERTEX_Q, [=](Arguments& a) { a.vertices[index].q = q; }});
+  }
+  calls->push_back(
+      {"an outline that goes down twice", SELVAGE_ERROR_NOT_MONOTONE, [](Arguments& a) {
+         a.vertices = {
+             {0, 0, 0, 0, 1}, {256, 512, 0, 0, 1}, {512, 256, 0, 0, 1}, {768, 512, 0, 0, 1}};
+         a.vertices_pointer = a.vertices.data();
+         a.count = a.vertices.size();
+       }});
+}
+
+}  // namespace
+
+std::vector<HostileCall> hostile_calls(const Case& c) {
+  std::vector<HostileCall> calls;
+  spoil_options(&calls);
+  spoil_images(&calls, c.format);
+  spoil_pointers(&calls, c.format);
+  spoil_vertices(&calls, c.choice % 3);
+  return calls;
+}
+
+HostileOutcome make(const Subject& subject, const Case& c, const HostileCall& call) {
+  Canvas target(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target, 0x5A);
+  const Canvas texture(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
+                       c.flip_texture, 0xEE);
+  const Canvas before = target;
+  Arguments a{.target = target.image(),
+              .clip = {0, 0, c.target_width_px, c.target_height_px},
+              .vertices = {{-256, -256, 0, 0, 1}, {4096, 0, 65536, 0, 2}, {0, 4096, 0, 65536, 3}},
+              .texture = texture.texture(),
+              .options = {},
+              .target_pointer = &a.target,
+              .vertices_pointer = nullptr,
+              .texture_pointer = &a.texture,
+              .count = 3};
+  a.vertices_pointer = a.vertices.data();
+  call.spoil(a);
+  const selvage_status status = subject.draw(a.target_pointer, &a.clip, a.vertices_pointer, a.count,
+                                             a.texture_pointer, &a.options);
+  return {status, target == before};
+}
+
+}  // namespace selvage::spec

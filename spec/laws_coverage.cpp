@@ -1,0 +1,153 @@
+// Laws of coverage: COV, PART, PINWHEEL.
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "spec/geometry.h"
+#include "spec/law_list.h"
+#include "spec/law_tools.h"
+
+namespace selvage::spec {
+namespace {
+
+[[nodiscard]] selvage_vertex vertex_at(Point p, const selvage_vertex& like) {
+  return {static_cast<int32_t>(p.x), static_cast<int32_t>(p.y), like.u, like.v, like.q};
+}
+
+// How often each pixel of the target is drawn by the tiles (centre, v_k, v_k+1) of a fan, drawn one
+// at a time: clockwise tiles count +1, the others -1.
+[[nodiscard]] std::vector<int> draw_fan(const Subject& subject, const Case& c,
+                                        const selvage_vertex& centre) {
+  std::vector<int> counts(static_cast<size_t>(c.target_width_px) *
+                          static_cast<size_t>(c.target_height_px));
+  for (size_t k = 0; k < c.vertices.size(); ++k) {
+    const selvage_vertex& a = c.vertices[k];
+    const selvage_vertex& b = c.vertices[(k + 1) % c.vertices.size()];
+    const int sign = doubled_area(position(centre), position(a), position(b)) >= 0 ? 1 : -1;
+    const Picture tile = draw(subject, with_vertices(c, {centre, a, b}));
+    for (size_t i = 0; i < counts.size(); ++i) counts[i] += tile.pixels[i] ? sign : 0;
+  }
+  return counts;
+}
+
+[[nodiscard]] Judgement judge_counts(std::string_view law, const Case& shown,
+                                     const std::vector<int>& counts) {
+  Judgement judgement;
+  size_t index = 0;
+  for (int32_t y = 0; y < shown.target_height_px; ++y) {
+    for (int32_t x = 0; x < shown.target_width_px; ++x, ++index) {
+      ++judgement.judged_px;
+      const int wanted = winding_number(pixel_centre(x, y), shown.vertices);
+      if (counts[index] == wanted) continue;
+      judgement.violation = violation_at(
+          law, "the tiles of a fan cover a pixel as often as the outline winds around it", shown, x,
+          y, std::to_string(wanted) + " tiles", std::nullopt);
+      judgement.violation->drawn = std::to_string(counts[index]) + " tiles";
+      return judgement;
+    }
+  }
+  return judgement;
+}
+
+// The clip would hide tiles.
+[[nodiscard]] Case unclipped(const Case& c) {
+  Case whole = c;
+  whole.has_clip = false;
+  return whole;
+}
+
+// A centre for a fan: a corner of the outline, a point between corners, or one near the target.
+[[nodiscard]] selvage_vertex choose_centre(const Case& c, Choices& choices) {
+  const auto count = static_cast<int32_t>(c.vertices.size());
+  const selvage_vertex& a = c.vertices[static_cast<size_t>(choices.pick(0, count))];
+  const selvage_vertex& b = c.vertices[static_cast<size_t>(choices.pick(0, count))];
+  switch (choices.pick(0, 4)) {
+    case 0:
+      return a;
+    case 1:
+      return vertex_at(choose_pixel(c, choices).centre(), a);
+    case 2:
+      return vertex_at({choose_pixel(c, choices).centre().x + choices.pick(-128, 128),
+                        choose_pixel(c, choices).centre().y + choices.pick(-128, 128)},
+                       a);
+    default:
+      return vertex_at({std::midpoint(a.x, b.x), std::midpoint(a.y, b.y)}, a);
+  }
+}
+
+// Points all around a centre, clockwise, no two neighbours half a turn or more apart.
+[[nodiscard]] std::vector<selvage_vertex> ring_around(Point centre, const Case& c,
+                                                      Choices& choices) {
+  const selvage_vertex& like = c.vertices.front();
+  std::vector<selvage_vertex> ring;
+  for (const selvage_vertex& v : c.vertices) {
+    if (position(v) != centre) ring.push_back(v);
+  }
+  const int32_t a = choices.pick(1, 4096);
+  const int32_t b = choices.pick(0, 2) == 0 ? 0 : choices.pick(0, 4096);
+  for (const Point arm : {Point{a, b}, Point{-b, a}, Point{-a, -b}, Point{b, -a}}) {
+    ring.push_back(vertex_at({centre.x + arm.x, centre.y + arm.y}, like));
+  }
+  const auto lower_half = [&](const selvage_vertex& v) {
+    return v.y > centre.y || (v.y == centre.y && v.x > centre.x);
+  };
+  std::ranges::sort(ring, [&](const selvage_vertex& p, const selvage_vertex& q) {
+    if (lower_half(p) != lower_half(q)) return lower_half(p);
+    return doubled_area(centre, position(p), position(q)) > 0;
+  });
+  return ring;
+}
+
+}  // namespace
+
+Judgement check_cov(const Subject& subject, const Case& c) {
+  if (!is_valid(c)) return {};
+  const Picture model = expected(c);
+  const Picture drawn = draw(subject, c);
+  Judgement judgement;
+  for (int32_t y = 0; y < c.target_height_px; ++y) {
+    for (int32_t x = 0; x < c.target_width_px; ++x) {
+      ++judgement.judged_px;
+      if (model.at(x, y).has_value() == drawn.at(x, y).has_value()) continue;
+      judgement.violation =
+          violation_at("COV", "exactly the pixels whose centres lie in the polygon are drawn", c, x,
+                       y, model.at(x, y) ? "a texel" : "nothing", drawn.at(x, y));
+      return judgement;
+    }
+  }
+  return judgement;
+}
+
+Judgement check_part(const Subject& subject, const Case& c) {
+  if (c.vertices.size() < 3) return {};
+  Choices choices(c.choice);
+  Case region = unclipped(c);
+  if (choices.pick(0, 2) == 0) {
+    std::vector<selvage_vertex> hull = convex_hull(c.vertices);
+    if (hull.size() >= 3) region.vertices = std::move(hull);
+  }
+  return judge_counts("PART", region, draw_fan(subject, region, choose_centre(region, choices)));
+}
+
+Judgement check_pinwheel(const Subject& subject, const Case& c) {
+  if (c.vertices.empty()) return {};
+  Choices choices(c.choice);
+  const Pixel pixel = choose_pixel(c, choices);
+  const auto [x_px, y_px] = pixel;
+  const Point centre = pixel.centre();
+  const Case region = with_vertices(unclipped(c), ring_around(centre, c, choices));
+  const std::vector<int> owners =
+      draw_fan(subject, region, vertex_at(centre, region.vertices.front()));
+  Judgement judgement = {.judged_px = 1};
+  const int owned = owners[static_cast<size_t>(y_px) * static_cast<size_t>(c.target_width_px) +
+                           static_cast<size_t>(x_px)];
+  if (owned == 1) return judgement;
+  judgement.violation =
+      violation_at("PINWHEEL", "of triangles around a sample point exactly one owns it", region,
+                   x_px, y_px, "1 triangle", std::nullopt);
+  judgement.violation->drawn = std::to_string(owned) + " triangles";
+  return judgement;
+}
+
+}  // namespace selvage::spec

@@ -1,0 +1,127 @@
+// Law MIRROR: flips and quarter turns, ties apart.
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+#include "spec/geometry.h"
+#include "spec/law_list.h"
+#include "spec/law_tools.h"
+
+namespace selvage::spec {
+namespace {
+
+using MaybePixel = std::optional<uint32_t>;
+
+// A rigid motion of the plane that takes pixel centres to pixel centres, and the target with it.
+struct Motion {
+  std::string what;
+  bool swaps_axes, flips_x, flips_y;  // swaps first
+
+  [[nodiscard]] Pixel pixel(Pixel p, int32_t width_px, int32_t height_px) const {
+    if (swaps_axes) std::swap(p.x_px, p.y_px);
+    if (flips_x) p.x_px = width_px - 1 - p.x_px;
+    if (flips_y) p.y_px = height_px - 1 - p.y_px;
+    return p;
+  }
+};
+
+[[nodiscard]] selvage_rect moved_rect(const selvage_rect& r, const Motion& motion, const Case& to) {
+  selvage_rect m = motion.swaps_axes ? selvage_rect{r.top, r.left, r.bottom, r.right} : r;
+  const int32_t w = to.target_width_px, h = to.target_height_px;
+  if (motion.flips_x) m = {w - m.right, m.top, w - m.left, m.bottom};
+  if (motion.flips_y) m = {m.left, h - m.bottom, m.right, h - m.top};
+  return m;
+}
+
+// Empty if a vertex would leave the accepted range.
+[[nodiscard]] std::optional<Case> moved_case(const Case& c, const Motion& motion) {
+  Case to = c;
+  if (motion.swaps_axes) std::swap(to.target_width_px, to.target_height_px);
+  to.clip = moved_rect(c.clip, motion, to);
+  for (selvage_vertex& v : to.vertices) {
+    if (motion.swaps_axes) std::swap(v.x, v.y);
+    const int64_t x = motion.flips_x ? int64_t{to.target_width_px} * 256 - v.x : v.x;
+    const int64_t y = motion.flips_y ? int64_t{to.target_height_px} * 256 - v.y : v.y;
+    if (std::min(x, y) < SELVAGE_X_MIN || std::max(x, y) >= SELVAGE_X_END) return std::nullopt;
+    v.x = static_cast<int32_t>(x);
+    v.y = static_cast<int32_t>(y);
+  }
+  return to;
+}
+
+// Where the half-open rule makes a difference: a centre on the outline, or a line through a vertex,
+// where the edge above and the edge below may carry different coordinates.
+[[nodiscard]] bool is_tie(const Case& c, Pixel pixel, bool columns_too) {
+  const Point p = pixel.centre();
+  for (const selvage_vertex& v : c.vertices) {
+    if (v.y == p.y || (columns_too && v.x == p.x)) return true;
+  }
+  return on_outline(p, c.vertices);
+}
+
+[[nodiscard]] Judgement judge_motion(const Subject& subject, const Case& c, const Motion& motion) {
+  const std::optional<Case> to = moved_case(c, motion);
+  if (!to) return {};
+  const Picture before = draw(subject, c);
+  const Picture after = draw(subject, *to);
+  // Turned by a quarter, only a triangle keeps its map: its spans lie elsewhere, its map does not.
+  const bool keeps_texels = !motion.swaps_axes || c.vertices.size() == 3;
+  Judgement judgement;
+  for (int32_t y = 0; y < c.target_height_px; ++y) {
+    for (int32_t x = 0; x < c.target_width_px; ++x) {
+      if (is_tie(c, {x, y}, motion.swaps_axes)) continue;
+      ++judgement.judged_px;
+      const Pixel moved = motion.pixel({x, y}, to->target_width_px, to->target_height_px);
+      const MaybePixel &a = before.at(x, y), &b = after.at(moved.x_px, moved.y_px);
+      if (keeps_texels ? a == b : a.has_value() == b.has_value()) continue;
+      judgement.violation =
+          violation_at("MIRROR", motion.what, *to, moved.x_px, moved.y_px, describe_pixel(c, a), b);
+      return judgement;
+    }
+  }
+  return judgement;
+}
+
+// u becomes width - u, v becomes height - v; texel s then is texel width - 1 - s.
+[[nodiscard]] Judgement judge_texture_flip(const Subject& subject, const Case& c) {
+  Case flipped = c;
+  for (selvage_vertex& v : flipped.vertices) {
+    const int64_t u = int64_t{c.texture_width_texel} * SELVAGE_SUBTEXELS - v.u;
+    const int64_t w = int64_t{c.texture_height_texel} * SELVAGE_SUBTEXELS - v.v;
+    if (u != static_cast<int32_t>(u) || w != static_cast<int32_t>(w)) return {};
+    v.u = static_cast<int32_t>(u);
+    v.v = static_cast<int32_t>(w);
+  }
+  const Picture before = draw(subject, c);
+  return compare("MIRROR", "flipped (u, v) show flipped texels", flipped, draw(subject, flipped),
+                 [&](int32_t x, int32_t y) -> std::optional<MaybePixel> {
+                   const MaybePixel& pixel = before.at(x, y);
+                   const std::optional<Texel> texel = pixel ? read_texel(c, *pixel) : std::nullopt;
+                   const std::optional<Sample> point = sample(c.vertices, x, y);
+                   if (!texel || !point) return std::nullopt;
+                   if (point->u.get_den() == 1 || point->v.get_den() == 1) return std::nullopt;
+                   return coordinate_texel(c.format, c.texture_width_texel - 1 - texel->s,
+                                           c.texture_height_texel - 1 - texel->t);
+                 });
+}
+
+}  // namespace
+
+Judgement check_mirror(const Subject& subject, const Case& c) {
+  if (!is_valid(c)) return {};
+  Judgement judgement = judge_texture_flip(subject, c);
+  const Motion flips[] = {
+      {"a polygon flipped left to right draws the flipped picture", false, true, false},
+      {"a polygon flipped top to bottom draws the flipped picture", false, false, true}};
+  for (const Motion& motion : flips) {
+    if (judgement.violation || add(&judgement, judge_motion(subject, c, motion))) return judgement;
+  }
+  const std::vector<selvage_vertex> hull = convex_hull(c.vertices);
+  if (hull.size() < 3) return judgement;
+  add(&judgement,
+      judge_motion(subject, with_vertices(c, hull),
+                   {"a polygon turned by a quarter draws the turned picture", true, true, false}));
+  return judgement;
+}
+
+}  // namespace selvage::spec

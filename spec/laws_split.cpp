@@ -1,0 +1,89 @@
+// Law SPLIT: a cut along a chord changes nothing.
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "spec/geometry.h"
+#include "spec/law_list.h"
+#include "spec/law_tools.h"
+
+namespace selvage::spec {
+namespace {
+
+// u and v become integer functions a x + b y of the position: an affine map without rounding.
+void map_affinely(std::vector<selvage_vertex>* vertices, Choices& choices) {
+  int32_t reach_fx8 = 1;
+  for (const selvage_vertex& v : *vertices) {
+    reach_fx8 = std::max({reach_fx8, std::abs(v.x), std::abs(v.y)});
+  }
+  const int32_t limit = std::min((1 << 29) / reach_fx8, 2048);
+  int32_t factors[4];
+  for (int32_t& factor : factors) factor = choices.pick(-limit, limit + 1);
+  for (selvage_vertex& v : *vertices) {
+    v.u = factors[0] * v.x + factors[1] * v.y;
+    v.v = factors[2] * v.x + factors[3] * v.y;
+    v.q = 1;
+  }
+}
+
+// A convex outline with a chord between vertices 0 and `end`, both parts with an area.
+struct Chord {
+  std::vector<selvage_vertex> outline;
+  size_t end;
+};
+
+// A triangle has no chord between its corners: one is put on the side opposite to corner 0.
+[[nodiscard]] std::optional<Chord> choose_chord(std::vector<selvage_vertex> hull,
+                                                Choices& choices) {
+  if (hull.size() < 3) return std::nullopt;
+  const auto first = choices.pick(0, static_cast<int32_t>(hull.size()));
+  std::rotate(hull.begin(), hull.begin() + first, hull.end());
+  if (hull.size() > 3) {
+    return Chord{hull, static_cast<size_t>(choices.pick(2, static_cast<int32_t>(hull.size()) - 1))};
+  }
+  const int32_t dx = hull[2].x - hull[1].x, dy = hull[2].y - hull[1].y;
+  const int32_t steps = std::gcd(dx, dy);
+  if (steps < 2) return std::nullopt;
+  const int32_t step = choices.pick(1, steps);
+  selvage_vertex between = hull[1];
+  between.x += dx / steps * step;
+  between.y += dy / steps * step;
+  hull.insert(hull.begin() + 2, between);
+  return Chord{hull, 2};
+}
+
+}  // namespace
+
+Judgement check_split(const Subject& subject, const Case& c) {
+  Choices choices(c.choice);
+  std::optional<Chord> chord = choose_chord(convex_hull(c.vertices), choices);
+  if (!chord) return {};
+  std::vector<selvage_vertex>& outline = chord->outline;
+  map_affinely(&outline, choices);
+  const auto middle = outline.begin() + static_cast<ptrdiff_t>(chord->end);
+  std::vector<selvage_vertex> one(outline.begin(), middle + 1), other(middle, outline.end());
+  other.push_back(outline.front());
+
+  const Case whole_case = with_vertices(c, outline);
+  const Picture whole = draw(subject, whole_case);
+  const Picture a = draw(subject, with_vertices(c, one));
+  const Picture b = draw(subject, with_vertices(c, other));
+  Picture parts = a;
+  for (size_t i = 0; i < parts.pixels.size(); ++i) {
+    if (b.pixels[i]) parts.pixels[i] = b.pixels[i];
+  }
+  Judgement judgement =
+      compare("SPLIT", "two parts of a polygon draw what the whole draws", whole_case, parts,
+              [&](int32_t x, int32_t y) { return std::optional(whole.at(x, y)); });
+  if (judgement.violation) return judgement;
+  add(&judgement, compare("SPLIT", "a pixel lies in one part only", whole_case, b,
+                          [&](int32_t x, int32_t y) -> std::optional<std::optional<uint32_t>> {
+                            if (!a.at(x, y)) return std::nullopt;
+                            return std::optional<uint32_t>();
+                          }));
+  return judgement;
+}
+
+}  // namespace selvage::spec

@@ -1,0 +1,191 @@
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <opencv2/core.hpp>
+#include <opencv2/core/utility.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "spec/geometry.h"
+#include "spec/law_list.h"
+#include "spec/law_tools.h"
+#include "spec/oracle.h"
+
+namespace selvage::spec {
+namespace {
+
+// a i + b j + c over pixel indices (i, j), exactly.
+struct Plane {
+  Rational a, b, c;
+
+  [[nodiscard]] Rational at(int32_t i, int32_t j) const { return a * i + b * j + c; }
+  // |a i| + |b j| + |c|, which bounds the rounding of a sum of the three.
+  [[nodiscard]] double magnitude(int32_t i, int32_t j) const {
+    return std::abs(a.get_d() * i) + std::abs(b.get_d() * j) + std::abs(c.get_d());
+  }
+};
+
+// The plane through three values at three vertices, whose doubled area is not 0.
+[[nodiscard]] Plane plane_through(std::span<const selvage_vertex> v,
+                                  const std::array<Rational, 3>& f) {
+  const auto position_of = [&](size_t k) {
+    return std::pair(Rational(v[k].x) / SELVAGE_SUBPIXELS, Rational(v[k].y) / SELVAGE_SUBPIXELS);
+  };
+  const auto [x0, y0] = position_of(0);
+  const auto [x1, y1] = position_of(1);
+  const auto [x2, y2] = position_of(2);
+  const Rational area = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0);
+  Plane plane;
+  plane.a = ((f[1] - f[0]) * (y2 - y0) - (f[2] - f[0]) * (y1 - y0)) / area;
+  plane.b = ((f[2] - f[0]) * (x1 - x0) - (f[1] - f[0]) * (x2 - x0)) / area;
+  const Rational half(1, 2);  // index (0, 0) is the point (1/2, 1/2)
+  plane.c = f[0] + plane.a * (half - x0) + plane.b * (half - y0);
+  return plane;
+}
+
+// The map of a triangle in OpenCV's convention, where texel centres are integers: (X / W, Y / W).
+struct Homography {
+  Plane x, y, w;
+};
+
+[[nodiscard]] Homography homography_of(std::span<const selvage_vertex> v) {
+  const Rational half(1, 2);
+  std::array<Rational, 3> x, y, w;
+  for (size_t k = 0; k < 3; ++k) {
+    w[k] = v[k].q;
+    x[k] = (Rational(v[k].u) / SELVAGE_SUBTEXELS - half) * w[k];
+    y[k] = (Rational(v[k].v) / SELVAGE_SUBTEXELS - half) * w[k];
+  }
+  return {plane_through(v, x), plane_through(v, y), plane_through(v, w)};
+}
+
+[[nodiscard]] double distance_to_integer(const Rational& number) {
+  const Rational fraction = number - floor(number);
+  return std::min(fraction, Rational(1 - fraction)).get_d();
+}
+
+// Far below the ends of the 16-bit texel coordinates and 32-bit products that OpenCV saturates.
+inline constexpr double kLargestTexel = 32000;
+inline constexpr double kLargestSum = 1 << 20;
+
+// warpAffine rounds each of two terms to 1/1024 texel, halves to even, and floors their sum plus
+// 1/2: the texel is certain where u is further than 1/1024 from an integer, plus what doubles lose
+// in the matrix, its products and their sums, at most 2^-51 of their magnitudes.
+[[nodiscard]] bool is_decided_affine(const Plane& plane, const Rational& u, int32_t i, int32_t j) {
+  const double sum = plane.magnitude(i, j);
+  return sum < kLargestSum && std::abs(u.get_d()) < kLargestTexel &&
+         distance_to_integer(u) > 0x1p-10 + 0x1p-51 * sum;
+}
+
+// warpPerspective divides in double and rounds: relative errors of a few 2^-53 in X, W and X / W.
+// The matrix's own rounding adds one more to each term; a factor 4 covers both.
+[[nodiscard]] bool is_decided_projective(const Plane& x, const Plane& w, const Rational& u,
+                                         int32_t i, int32_t j) {
+  const double depth = std::abs(w.at(i, j).get_d());
+  const double u_magnitude = std::abs(u.get_d()) + 1;
+  const double bound =
+      0x1p-51 * (5 * x.magnitude(i, j) / depth + u_magnitude * (5 * w.magnitude(i, j) / depth + 3));
+  return u_magnitude < kLargestTexel && distance_to_integer(u) > bound;
+}
+
+[[nodiscard]] int channels(selvage_format format) {
+  return format == SELVAGE_INDEX8 ? 1 : format == SELVAGE_RGB565 ? 2 : 4;
+}
+
+[[nodiscard]] cv::Mat coordinate_image(const Case& c) {
+  cv::Mat image(c.texture_height_texel, c.texture_width_texel, CV_8UC(channels(c.format)));
+  for (int32_t t = 0; t < image.rows; ++t) {
+    for (int32_t s = 0; s < image.cols; ++s) {
+      const uint32_t value = coordinate_texel(c.format, s, t);
+      std::memcpy(image.ptr(t, s), &value, image.elemSize());
+    }
+  }
+  return image;
+}
+
+[[nodiscard]] cv::Mat warp(const Case& c, const Homography& map, bool affine) {
+  const Plane* planes[] = {&map.x, &map.y, &map.w};
+  cv::Mat matrix(affine ? 2 : 3, 3, CV_64F);
+  for (int row = 0; row < matrix.rows; ++row) {
+    matrix.at<double>(row, 0) = planes[row]->a.get_d();
+    matrix.at<double>(row, 1) = planes[row]->b.get_d();
+    matrix.at<double>(row, 2) = planes[row]->c.get_d();
+  }
+  const int flags = cv::INTER_NEAREST | cv::WARP_INVERSE_MAP;
+  const int border = c.address == SELVAGE_ADDRESS_CLAMP ? cv::BORDER_REPLICATE : cv::BORDER_WRAP;
+  const cv::Size size(c.target_width_px, c.target_height_px);
+  cv::Mat warped;
+  cv::setNumThreads(1);
+  if (affine) {
+    cv::warpAffine(coordinate_image(c), warped, matrix, size, flags, border);
+  } else {
+    cv::warpPerspective(coordinate_image(c), warped, matrix, size, flags, border);
+  }
+  return warped;
+}
+
+// An affine map with its constant q made 1.
+[[nodiscard]] Homography normalised(Homography map) {
+  for (Plane* plane : {&map.x, &map.y}) {
+    plane->a /= map.w.c;
+    plane->b /= map.w.c;
+    plane->c /= map.w.c;
+  }
+  map.w.c = 1;
+  return map;
+}
+
+[[nodiscard]] bool is_decided(const Homography& map, bool affine, const Sample& point, int32_t i,
+                              int32_t j) {
+  if (affine) {
+    return is_decided_affine(map.x, point.u, i, j) && is_decided_affine(map.y, point.v, i, j);
+  }
+  return is_decided_projective(map.x, map.w, point.u, i, j) &&
+         is_decided_projective(map.y, map.w, point.v, i, j);
+}
+
+[[nodiscard]] OracleTally judge(const Case& shown, const Picture& picture, const cv::Mat& warped,
+                                const Homography& map, bool affine) {
+  OracleTally tally;
+  for (int32_t y = 0; y < shown.target_height_px; ++y) {
+    const std::optional<ScanLine> line = scan_line(shown.vertices, y);
+    for (int32_t x = 0; line && x < shown.target_width_px; ++x) {
+      const std::optional<Sample> point = sample(*line, x);
+      if (!point || !picture.at(x, y)) continue;
+      if (!is_decided(map, affine, *point, x, y)) {
+        ++tally.undecided_px;
+        continue;
+      }
+      ++tally.decided_px;
+      uint32_t theirs = 0;
+      std::memcpy(&theirs, warped.ptr(y, x), warped.elemSize());
+      if (theirs == *picture.at(x, y)) continue;
+      tally.violation =
+          violation_at("ORACLE", "the mapper agrees with OpenCV where OpenCV is decided", shown, x,
+                       y, describe_texel(shown.format, theirs) + " (OpenCV)", picture.at(x, y));
+      return tally;
+    }
+  }
+  return tally;
+}
+
+}  // namespace
+
+OracleTally ask_opencv(const Subject& subject, const Case& c) {
+  if (c.vertices.size() < 3) return {};
+  Case shown = with_vertices(c, {c.vertices[0], c.vertices[1], c.vertices[2]});
+  shown.has_clip = false;
+  const auto& v = shown.vertices;
+  if (doubled_area(position(v[0]), position(v[1]), position(v[2])) == 0) return {};
+  const bool affine = v[0].q == v[1].q && v[1].q == v[2].q;
+  const Homography map = affine ? normalised(homography_of(v)) : homography_of(v);
+  return judge(shown, draw(subject, shown), warp(shown, map, affine), map, affine);
+}
+
+Judgement check_oracle(const Subject& subject, const Case& c) {
+  OracleTally tally = ask_opencv(subject, c);
+  return {tally.decided_px, std::move(tally.violation)};
+}
+
+std::string opencv_build() { return cv::getBuildInformation(); }
+
+}  // namespace selvage::spec
