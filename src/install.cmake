@@ -11,17 +11,13 @@ install(TARGETS selvage selvage_static EXPORT selvageTargets
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES selvage.h selvage.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
-string(TOUPPER "${CMAKE_BUILD_TYPE}" SELVAGE_CONFIGURATION)
-configure_file(selvageConfig.cmake.in selvageConfig.cmake @ONLY)
 write_basic_package_version_file(selvageConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(EXPORT selvageTargets NAMESPACE selvage:: DESTINATION ${SELVAGE_PACKAGE_DIR})
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/selvageConfig.cmake
-              ${CMAKE_CURRENT_BINARY_DIR}/selvageConfigVersion.cmake
+install(FILES selvageConfig.cmake ${CMAKE_CURRENT_BINARY_DIR}/selvageConfigVersion.cmake
   DESTINATION ${SELVAGE_PACKAGE_DIR})
 
 # The prefix is found from the place of the file, so that an installed tree can be moved.
-file(RELATIVE_PATH SELVAGE_PC_PREFIX
-  /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+file(RELATIVE_PATH SELVAGE_PC_PREFIX /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" SELVAGE_PC_PREFIX "${SELVAGE_PC_PREFIX}")
 configure_file(selvage.pc.in selvage.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/selvage.pc
