@@ -1,0 +1,143 @@
+#include "cli/command_line.h"
+
+#include <sstream>
+
+#include "cli/png.h"
+#include "sample_pictures.h"
+#include "selvage.h"
+#include "support.h"
+#include "wrong_subjects.h"
+
+namespace selvage::cli::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+struct Outcome {
+  int code;
+  std::string out, err;
+};
+
+[[nodiscard]] Outcome run(Words arguments, const spec::Subject& subject = spec::built_in()) {
+  std::ostringstream out, err;
+  const int code = run_program(std::move(arguments), subject, {out, err});
+  return {code, out.str(), err.str()};
+}
+
+// A usage error: code 2, a message that contains `part`, nothing on the standard output.
+void expect_refused(const Words& arguments, const std::string& part) {
+  const Outcome outcome = run(arguments);
+  EXPECT_EQ(outcome.code, kExitUsage);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(outcome.err.rfind("selvage: ", 0), 0u) << outcome.err;
+  expect_contains(outcome.err, part);
+}
+
+class CommandLine : public InDirectory {
+ protected:
+  CommandLine() { put("texture.png", encode_png(sample_raster(8, 8))); }
+  const Words draw_ = {"draw",   "--texture", "texture.png", "--polygon", "0,0,0,0 9,0,8,0 0,9,0,8",
+                       "--size", "16x16",     "-o",          "out.png"};
+  [[nodiscard]] Words draw_and(const Words& more) const {
+    Words words = draw_;
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+};
+
+TEST_F(CommandLine, TellsItsVersion) {
+  const Outcome outcome = run({"--version"});
+  EXPECT_EQ(outcome.code, kExitFine);
+  EXPECT_EQ(outcome.out, std::string("selvage ") + selvage_version() + "\n");
+}
+
+TEST_F(CommandLine, HelpsWithExamplesForEveryCommand) {
+  for (const char* command : {"", "draw", "verify", "laws"}) {
+    Words words = {"--help"};
+    if (*command != 0) words.insert(words.begin(), command);
+    const Outcome outcome = run(words);
+    EXPECT_EQ(outcome.code, kExitFine);
+    EXPECT_EQ(outcome.err, "");
+    expect_contains(outcome.out, "Examples:\n  selvage " + std::string(command));
+    expect_contains(outcome.out, "Exit codes: 0 fine; 1 a law failed; 2 wrong use");
+  }
+}
+
+TEST_F(CommandLine, WithoutACommandSaysWhatIsPossible) {
+  expect_refused({}, "Run 'selvage --help'");
+  expect_refused({"paint"}, "Run 'selvage --help'");
+  expect_refused({"draw", "laws"}, "Run 'selvage");
+}
+
+TEST_F(CommandLine, RefusesUnknownAndMissingOptions) {
+  expect_refused(draw_and({"--blur"}), "--blur");
+  expect_refused(draw_and({"stray"}), "stray");
+  expect_refused({"draw"}, "--texture is required");
+  expect_refused({"draw"}, "Run 'selvage draw --help'");
+  expect_refused({"draw", "--texture", "texture.png", "--polygon", "0,0,0,0 9,0,8,0 0,9,0,8"},
+                 "--output is required");
+  expect_refused(draw_and({"--clip"}), "--clip");
+  expect_refused(draw_and({"--format", ""}), "--format is given without a value");
+}
+
+TEST_F(CommandLine, RefusesOptionsThatExcludeEachOther) {
+  expect_refused(draw_and({"--polygon-file", "job.json"}), "--polygon-file excludes --polygon");
+  expect_refused({"verify", "--case", "00", "--seed", "1"}, "excludes");
+  expect_refused({"verify", "--case", "00", "--cases", "1"}, "excludes");
+  expect_refused({"verify", "--case", "00", "--case-file", "x"}, "excludes");
+  expect_refused({"verify", "--case-file", "x", "--seed", "1"}, "excludes");
+}
+
+TEST_F(CommandLine, RefusesAnOptionGivenTwice) {
+  expect_refused(draw_and({"--size", "3x3"}), "--size");
+  expect_refused({"verify", "--seed", "1", "--seed", "2"}, "--seed");
+}
+
+TEST_F(CommandLine, Draws) {
+  const Outcome outcome = run(draw_);
+  EXPECT_EQ(outcome.code, kExitFine) << outcome.err;
+  EXPECT_EQ(outcome.out + outcome.err, "");
+  EXPECT_EQ(files(), (Words{"out.png", "texture.png"}));
+}
+
+TEST_F(CommandLine, TakesSeveralPolygonsAndNegativeNumbers) {
+  const Outcome outcome =
+      run(draw_and({"--polygon", "-5,-5,0,0 3,-5,8,0 3,3,8,8", "--polygon=-1,0,0,0 2,0,0,0 2,2,0,0",
+                    "--clip", "-3,-3,10,10", "--json"}));
+  EXPECT_EQ(outcome.code, kExitFine) << outcome.err;
+  expect_contains(outcome.out, "\"polygons\": 3");
+}
+
+TEST_F(CommandLine, NamesABadFileAndExitsWithTwo) {
+  expect_refused({"draw", "--texture", "none.png", "--polygon", "0,0,0,0 9,0,8,0 0,9,0,8", "--size",
+                  "9x9", "-o", "out.png"},
+                 "selvage: cannot read 'none.png': No such file or directory\n");
+  EXPECT_EQ(files(), Words{"texture.png"});
+}
+
+TEST_F(CommandLine, Verifies) {
+  const Words words = {"verify", "--law", "MAP", "--law", "COV", "--cases", "20", "--seed", "3"};
+  EXPECT_EQ(run(words).code, kExitFine);
+  const Outcome outcome = run(words, blank());
+  EXPECT_EQ(outcome.code, kExitLawFailed);
+  expect_contains(outcome.out, "COV        VIOLATED");
+}
+
+TEST_F(CommandLine, ListsTheLaws) {
+  EXPECT_EQ(run({"laws"}).code, kExitFine);
+  expect_contains(run({"laws", "--json"}).out, "\"law\": \"COV\"");
+}
+
+TEST_F(CommandLine, ReportsASubjectThatThrows) {
+  const spec::Subject thrower{
+      "thrower",
+      [](const selvage_image*, const selvage_rect*, const selvage_vertex*, size_t,
+         const selvage_texture*,
+         const selvage_options*) -> selvage_status { throw std::runtime_error("torn"); }};
+  const Outcome outcome = run({"verify", "--law", "COV"}, thrower);
+  EXPECT_EQ(outcome.code, kExitUsage);
+  EXPECT_EQ(outcome.err, "selvage: torn\n");
+}
+
+}  // namespace
+}  // namespace selvage::cli::test

@@ -1,0 +1,139 @@
+#include "cli/counterexample_picture.h"
+
+#include <algorithm>
+
+#include "spec/picture.h"
+#include "support.h"
+#include "wrong_subjects.h"
+
+namespace selvage::cli::test {
+namespace {
+
+// A rectangle over columns [1, 7) and rows [2, 6) of an 8 x 8 target, u = x, v = y.
+[[nodiscard]] spec::Case rectangle() {
+  const auto vertex = [](int32_t x, int32_t y) {
+    return selvage_vertex{x * 256, y * 256, x * 65536, y * 65536, 1};
+  };
+  spec::Case c;
+  c.target_width_px = c.target_height_px = 8;
+  c.texture_width_texel = c.texture_height_texel = 8;
+  c.vertices = {vertex(1, 2), vertex(7, 2), vertex(7, 6), vertex(1, 6)};
+  return c;
+}
+
+[[nodiscard]] spec::Violation violation_of(const spec::Case& c, int32_t x_px, int32_t y_px) {
+  spec::Violation violation;
+  violation.law = "MAP";
+  violation.x_px = x_px;
+  violation.y_px = y_px;
+  violation.shown = c;
+  return violation;
+}
+
+constexpr int32_t kScale = 32;  // px of the picture for one of an 8 x 8 target
+constexpr int32_t kGap = 8;
+constexpr Colour kRed{255, 0, 0};
+constexpr Colour kWhite{255, 255, 255};
+constexpr Colour kMagenta{255, 0, 255};
+enum Panel { kDrawn, kExpected, kDifference };
+
+// The picture's colour `d` px right of and below the corner of the target's pixel (x, y); 16 is its
+// middle, 0 its frame.
+[[nodiscard]] Colour at(const Raster& picture, Panel panel, int32_t x, int32_t y, int32_t d = 16) {
+  return picture.at(kGap + panel * (8 * kScale + kGap) + x * kScale + d, kGap + y * kScale + d);
+}
+
+[[nodiscard]] bool covered(int32_t x, int32_t y) { return x >= 1 && x < 7 && y >= 2 && y < 6; }
+
+[[nodiscard]] bool is_grey(const Colour& colour) {
+  return colour.red == colour.green && colour.green == colour.blue;
+}
+
+TEST(CounterexamplePicture, HasThreePanels) {
+  const Raster picture = counterexample_picture(spec::built_in(), violation_of(rectangle(), 3, 3));
+  EXPECT_EQ(picture.width_px, 3 * 8 * kScale + 4 * kGap);
+  EXPECT_EQ(picture.height_px, 8 * kScale + 2 * kGap);
+}
+
+TEST(CounterexamplePicture, OfARightDrawingShowsNoDifference) {
+  const Raster picture = counterexample_picture(spec::built_in(), violation_of(rectangle(), 3, 3));
+  for (int32_t y = 0; y < 8; ++y) {
+    for (int32_t x = 0; x < 8; ++x) {
+      EXPECT_EQ(at(picture, kDrawn, x, y), at(picture, kExpected, x, y));
+      EXPECT_NE(at(picture, kDifference, x, y), kRed);
+      EXPECT_EQ(is_grey(at(picture, kDrawn, x, y)), !covered(x, y));
+    }
+  }
+}
+
+// Red grows with the column of the texel and green with its row.
+TEST(CounterexamplePicture, ColoursATexelByItsPlace) {
+  const Raster picture = counterexample_picture(spec::built_in(), violation_of(rectangle(), 3, 3));
+  for (int32_t x = 2; x < 7; ++x) {
+    EXPECT_GT(at(picture, kDrawn, x, 3).red, at(picture, kDrawn, x - 1, 3).red);
+    EXPECT_EQ(at(picture, kDrawn, x, 3).green, at(picture, kDrawn, 1, 3).green);
+  }
+  for (int32_t y = 3; y < 6; ++y) {
+    EXPECT_GT(at(picture, kDrawn, 4, y).green, at(picture, kDrawn, 4, y - 1).green);
+  }
+}
+
+TEST(CounterexamplePicture, OfAWrongTexelIsRedThere) {
+  const Raster picture =
+      counterexample_picture(shifted_texture(1), violation_of(rectangle(), 3, 3));
+  for (int32_t y = 0; y < 8; ++y) {
+    for (int32_t x = 0; x < 8; ++x) {
+      EXPECT_EQ(at(picture, kDifference, x, y) == kRed, covered(x, y)) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(at(picture, kDrawn, 3, 3).red, at(picture, kExpected, 3, 3).red);
+}
+
+TEST(CounterexamplePicture, OfAnEmptyDrawingIsGreyAndRed) {
+  const Raster picture = counterexample_picture(blank(), violation_of(rectangle(), 1, 2));
+  EXPECT_TRUE(is_grey(at(picture, kDrawn, 3, 3)));
+  EXPECT_FALSE(is_grey(at(picture, kExpected, 3, 3)));
+  EXPECT_EQ(at(picture, kDifference, 3, 3), kRed);
+  EXPECT_NE(at(picture, kDifference, 0, 0), kRed);
+}
+
+TEST(CounterexamplePicture, FramesTheBlamedPixelInEveryPanel) {
+  const Raster picture =
+      counterexample_picture(shifted_texture(1), violation_of(rectangle(), 4, 5));
+  for (const Panel panel : {kDrawn, kExpected, kDifference}) {
+    EXPECT_EQ(at(picture, panel, 4, 5, 0), kWhite);
+    EXPECT_EQ(at(picture, panel, 4, 5, kScale - 1), kWhite);
+    EXPECT_NE(at(picture, panel, 3, 5, 0), kWhite);
+  }
+}
+
+TEST(CounterexamplePicture, ShowsAValueThatNoTexelHasInMagenta) {
+  const spec::Subject painter{
+      "painter",
+      [](const selvage_image* target, const selvage_rect*, const selvage_vertex*, size_t,
+         const selvage_texture*, const selvage_options*) -> selvage_status {
+        const uint8_t pixel[] = {77, 77, 77, 77};
+        std::copy(pixel, pixel + 4, static_cast<uint8_t*>(target->pixels));
+        return SELVAGE_OK;
+      }};
+  const Raster picture = counterexample_picture(painter, violation_of(rectangle(), 0, 0));
+  EXPECT_EQ(at(picture, kDrawn, 0, 0), kMagenta);
+}
+
+TEST(CounterexamplePicture, OfALargeTargetShowsTheBlamedPart) {
+  spec::Case c = rectangle();
+  c.target_width_px = 65536;
+  c.target_height_px = 1;
+  for (const int32_t x : {0, 30000, 65535, -1}) {
+    const Raster picture =
+        counterexample_picture(shifted_texture(1), violation_of(c, x, x < 0 ? -1 : 0));
+    EXPECT_LE(picture.width_px, 1300);
+    EXPECT_LE(picture.height_px, 500);
+    const auto& rgba = picture.rgba;
+    const bool framed = std::search_n(rgba.begin(), rgba.end(), 4, uint8_t{255}) != rgba.end();
+    EXPECT_EQ(framed, x >= 0);
+  }
+}
+
+}  // namespace
+}  // namespace selvage::cli::test

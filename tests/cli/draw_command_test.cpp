@@ -1,0 +1,242 @@
+#include "cli/draw_command.h"
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/png.h"
+#include "sample_pictures.h"
+#include "support.h"
+
+namespace selvage::cli::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+constexpr const char* kQuad = "10,10,0,0 100,12.25,24,0 90,70,24,18 4,60,0,18";
+
+class Draw : public InDirectory {
+ protected:
+  Draw() {
+    put("texture.png", encode_png(texture_));
+    options_.texture = "texture.png";
+    options_.polygons = {kQuad};
+    options_.size = "120x80";
+    options_.background = "#203040";
+    options_.output = "out.png";
+  }
+
+  int run() {
+    std::ostringstream err;
+    return run_draw(options_, {out_, err});
+  }
+  // Runs, which must fail, and leave nothing but what was there.
+  std::string refusal() {
+    const Names before = files();
+    const std::string error = error_of([&] { run(); });
+    EXPECT_EQ(files(), before);
+    return error;
+  }
+  [[nodiscard]] static Raster output() { return decode_picture_file("out.png"); }
+  [[nodiscard]] static Raster decode_picture_file(const std::string& name) {
+    const std::string bytes = get(name);
+    return decode_png(std::span(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()));
+  }
+
+  const Raster texture_ = sample_raster(24, 18);
+  DrawOptions options_;
+  std::ostringstream out_;
+};
+
+// By selvage_draw itself, nothing of the program between.
+[[nodiscard]] Raster drawn_directly(Raster target, Raster texture, const selvage_rect* clip,
+                                    selvage_address address,
+                                    const std::vector<selvage_vertex>& vertices) {
+  const selvage_image image{target.rgba.data(), target.width_px, target.height_px,
+                            4 * ptrdiff_t{target.width_px}, SELVAGE_RGBA8888};
+  const selvage_texture source{texture.rgba.data(),
+                               texture.width_px,
+                               texture.height_px,
+                               4 * ptrdiff_t{texture.width_px},
+                               SELVAGE_RGBA8888,
+                               SELVAGE_LAYOUT_ROWS,
+                               nullptr};
+  const selvage_options options{SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST, address, 0};
+  EXPECT_EQ(selvage_draw(&image, clip, vertices.data(), vertices.size(), &source, &options),
+            SELVAGE_OK);
+  return target;
+}
+
+[[nodiscard]] selvage_vertex vertex(double x, double y, int u, int v, int q = SELVAGE_Q_MAX) {
+  return {static_cast<int32_t>(x * 256), static_cast<int32_t>(y * 256), u * 65536, v * 65536, q};
+}
+
+const std::vector<selvage_vertex> kQuadVertices = {vertex(10, 10, 0, 0), vertex(100, 12.25, 24, 0),
+                                                   vertex(90, 70, 24, 18), vertex(4, 60, 0, 18)};
+
+TEST_F(Draw, WritesWhatTheMapperDraws) {
+  EXPECT_EQ(run(), kExitFine);
+  const Raster expected = drawn_directly(filled(120, 80, {0x20, 0x30, 0x40}), texture_, nullptr,
+                                         SELVAGE_ADDRESS_CLAMP, kQuadVertices);
+  EXPECT_EQ(output(), expected);
+  EXPECT_NE(expected, filled(120, 80, {0x20, 0x30, 0x40}));
+  EXPECT_EQ(out_.str(), "");
+  EXPECT_EQ(files(), (Names{"out.png", "texture.png"}));
+}
+
+TEST_F(Draw, ClipsAndWrapsAsAsked) {
+  options_.polygons = {"0,0,-30,-30,1 120,0,60,-30,2 120,80,60,60,2 0,80,-30,60,1"};
+  options_.clip = "5,6,70,40";
+  options_.address = "wrap";
+  EXPECT_EQ(run(), kExitFine);
+  const selvage_rect clip{5, 6, 70, 40};
+  const int half = SELVAGE_Q_MAX / 2;
+  EXPECT_EQ(output(), drawn_directly(filled(120, 80, {0x20, 0x30, 0x40}), texture_, &clip,
+                                     SELVAGE_ADDRESS_WRAP,
+                                     {vertex(0, 0, -30, -30), vertex(120, 0, 60, -30, half),
+                                      vertex(120, 80, 60, 60, half), vertex(0, 80, -30, 60)}));
+}
+
+TEST_F(Draw, DrawsOverAPictureOfItsSize) {
+  const Raster background = sample_raster(120, 80, true);
+  put("background.png", encode_png(background));
+  options_.background = "background.png";
+  for (const char* size : {"", "120x80"}) {
+    options_.size = size;
+    EXPECT_EQ(run(), kExitFine);
+    EXPECT_EQ(output(),
+              drawn_directly(background, texture_, nullptr, SELVAGE_ADDRESS_CLAMP, kQuadVertices));
+  }
+  options_.size = "120x81";
+  EXPECT_EQ(error_of([&] { run(); }),
+            "--size 120x81 is not the size of the background 'background.png', 120x80; leave "
+            "--size out");
+}
+
+TEST_F(Draw, ReadsTheSamePolygonFromAFile) {
+  run();
+  const Raster expected = output();
+  put("job.json", R"({"vertices": [[10,10,0,0],[100,12.25,24,0],{"x":90,"y":70,"u":24,"v":18},
+                                   [4,60,0,18]]})");
+  options_.polygons.clear();
+  options_.polygon_file = "job.json";
+  options_.output = "other.png";
+  EXPECT_EQ(run(), kExitFine);
+  EXPECT_EQ(decode_picture_file("other.png"), expected);
+}
+
+TEST_F(Draw, LetsTheCommandLineWinOverThePolygonFile) {
+  put("job.json", R"({"vertices": [[0,0,-30,0],[120,0,60,0],[120,80,60,18]],
+                      "clip": [0, 0, 1, 1], "address": "clamp"})");
+  options_.polygons.clear();
+  options_.polygon_file = "job.json";
+  options_.clip = "0,0,120,80";
+  options_.address = "wrap";
+  run();
+  EXPECT_EQ(
+      output(),
+      drawn_directly(filled(120, 80, {0x20, 0x30, 0x40}), texture_, nullptr, SELVAGE_ADDRESS_WRAP,
+                     {vertex(0, 0, -30, 0), vertex(120, 0, 60, 0), vertex(120, 80, 60, 18)}));
+}
+
+TEST_F(Draw, DrawsSeveralPolygonsInOrder) {
+  options_.polygons = {"0,0,0,0 120,0,1,0 120,80,1,1 0,80,0,1", kQuad};
+  run();
+  const Raster first = drawn_directly(
+      filled(120, 80, {0x20, 0x30, 0x40}), texture_, nullptr, SELVAGE_ADDRESS_CLAMP,
+      {vertex(0, 0, 0, 0), vertex(120, 0, 1, 0), vertex(120, 80, 1, 1), vertex(0, 80, 0, 1)});
+  EXPECT_EQ(output(),
+            drawn_directly(first, texture_, nullptr, SELVAGE_ADDRESS_CLAMP, kQuadVertices));
+}
+
+TEST_F(Draw, DrawsInTheOtherFormats) {
+  options_.texture = "opaque.png";
+  put("opaque.png", encode_png(sample_raster(24, 18, true)));
+  run();
+  const Raster full = output();
+  for (const selvage_format format : {SELVAGE_RGB565, SELVAGE_INDEX8}) {
+    options_.format = format_name(format);
+    EXPECT_EQ(run(), kExitFine);
+    // Nearest moves texels and computes none: reducing first or last is the same.
+    EXPECT_EQ(output(), to_raster(to_bitmap(full, format)));
+  }
+}
+
+TEST_F(Draw, ReportsInJson) {
+  options_.polygons = {"0,0,0,0 10,0,0,0 10,5,0,0 0,5,0,0", "5,0,0,0 15,0,0,0 15,5,0,0 5,5,0,0",
+                       "119,0,0,0 500,0,0,0 500,2,0,0 119,2,0,0"};
+  options_.json = true;
+  run();
+  const nlohmann::json report = nlohmann::json::parse(out_.str());
+  EXPECT_EQ(report["output"], "out.png");
+  EXPECT_EQ(report["width_px"], 120);
+  EXPECT_EQ(report["height_px"], 80);
+  EXPECT_EQ(report["format"], "rgba8888");
+  EXPECT_EQ(report["polygons"], 3);
+  EXPECT_EQ(report["covered_px"], 75 + 2);  // the first two share 25
+  EXPECT_GT(report["draw_ns"], 0);
+}
+
+TEST_F(Draw, RefusesWhatItCannotDraw) {
+  options_.polygons = {kQuad, "0,0,0,0 40,40,0,0 80,0,0,0 80,80,0,0 40,20,0,0 0,80,0,0"};
+  EXPECT_EQ(refusal(),
+            std::string("polygon 2: ") + selvage_status_text(SELVAGE_ERROR_NOT_MONOTONE));
+  options_.polygons = {"0,0,0,0 99999,0,0,0 80,0,0,0"};
+  expect_contains(refusal(), "vertex 2 (x 99999, ");
+}
+
+TEST_F(Draw, NamesTheFileThatIsWrong) {
+  put("bad.json", "{\"vertices\": 3}");
+  put("bad.png", "no picture");
+  options_.texture = "none.png";
+  EXPECT_EQ(refusal(), "cannot read 'none.png': No such file or directory");
+  options_.texture = "bad.png";
+  EXPECT_EQ(refusal(), "'bad.png': neither a PNG nor a JPEG picture");
+  options_.texture = "texture.png";
+  options_.background = "bad.png";
+  EXPECT_EQ(refusal(), "'bad.png': neither a PNG nor a JPEG picture");
+  options_.background = "#000";
+  options_.polygons.clear();
+  options_.polygon_file = "bad.json";
+  EXPECT_EQ(refusal(), "'bad.json': vertices: an array is needed, not 3");
+}
+
+TEST_F(Draw, NamesTheOptionThatIsWrong) {
+  const auto refused = [&](std::string DrawOptions::*option, const char* value) {
+    const std::string before = std::exchange(options_.*option, value);
+    const std::string error = refusal();
+    options_.*option = before;
+    return error;
+  };
+  expect_contains(refused(&DrawOptions::size, "wide"), "--size: 'wide' is no size");
+  expect_contains(refused(&DrawOptions::size, "99999x1"), "--size: a picture of 99999 x 1 px");
+  EXPECT_EQ(refused(&DrawOptions::size, ""),
+            "--size is needed, for the background is not a picture");
+  expect_contains(refused(&DrawOptions::background, "#12"), "--background: '#12' is no colour");
+  expect_contains(refused(&DrawOptions::clip, "1,2"), "--clip: '1,2' is no clip");
+  expect_contains(refused(&DrawOptions::address, "mirror"), "--address: 'mirror' is no address");
+  expect_contains(refused(&DrawOptions::format, "cmyk"), "--format: 'cmyk' is no format");
+  options_.polygons = {kQuad, "1,2,3,4"};
+  expect_contains(refusal(), "--polygon 2: a polygon needs at least 3 vertices; this one has 1");
+  options_.polygons.clear();
+  EXPECT_EQ(refusal(), "exactly one of --polygon and --polygon-file is needed");
+}
+
+TEST_F(Draw, RefusesAnOutputItCannotWrite) {
+  std::filesystem::create_directory("folder");
+  options_.output = "folder";
+  expect_contains(refusal(), "'folder': it is a directory");
+  options_.output = "nowhere/out.png";
+  expect_contains(refusal(), "there is no directory 'nowhere'");
+  options_.output = "out.jpg";
+  EXPECT_EQ(refusal(), "cannot write 'out.jpg': the output is a PNG; name it .png");
+}
+
+TEST_F(Draw, KeepsTheOldOutputWhenItFails) {
+  put("out.png", "precious");
+  options_.texture = "none.png";
+  refusal();
+  EXPECT_EQ(get("out.png"), "precious");
+}
+
+}  // namespace
+}  // namespace selvage::cli::test
