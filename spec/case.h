@@ -37,17 +37,19 @@ struct Case {
   friend bool operator==(const Case& a, const Case& b);
 };
 
-// Little-endian: 20 bytes of header, then 17 bytes a vertex (x 3, y 3, u 4, v 4, q - 1: 3).
-// Missing header bytes read as zero, trailing bytes short of a vertex are ignored.
+// Little-endian: 22 bytes of header, then 17 bytes a vertex (x 3, y 3, u 4, v 4, q - 1: 3).
+// Missing header bytes read as zero; vertices beyond kMaxVertices and trailing bytes short of a
+// vertex are ignored. decode(encode(c)) == c for every c within the ranges above and kMaxVertices.
 [[nodiscard]] std::vector<uint8_t> encode(const Case& c);
 [[nodiscard]] Case decode(std::span<const uint8_t> bytes);
 
 // Lower-case hexadecimal of the encoding: the one-line form that `selvage verify --case` replays.
 [[nodiscard]] std::string to_hex(const Case& c);
-// Empty if the text has an odd length or holds anything but hexadecimal digits.
+// Either letter case. Empty if the text has an odd length or holds anything but such digits.
 [[nodiscard]] std::optional<Case> from_hex(std::string_view hex);
 
-// A description for people: sizes, options, and each vertex in pixels and texels.
+// A description for people: sizes, options, and each vertex in pixels and texels, exactly. Several
+// lines; the last one is not ended.
 [[nodiscard]] std::string print(const Case& c);
 
 }  // namespace selvage::spec

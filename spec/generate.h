@@ -13,7 +13,7 @@ namespace selvage::spec {
 [[nodiscard]] Case generate(uint64_t seed);
 
 // Cases that are each simpler than c in one way, the greatest simplification first: fewer vertices,
-// smaller images, rounder numbers. Repeated descent ends, for each step lowers a size.
+// smaller images, rounder numbers. Repeated descent ends, for each lowers spec/complexity.h.
 [[nodiscard]] std::vector<Case> simpler(const Case& c);
 
 }  // namespace selvage::spec

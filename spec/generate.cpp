@@ -1,0 +1,124 @@
+#include "spec/generate.h"
+
+#include <algorithm>
+#include <array>
+
+#include "spec/generate_coordinates.h"
+#include "spec/generate_shapes.h"
+#include "spec/random.h"
+
+namespace selvage::spec {
+namespace {
+
+constexpr int32_t kClipLeast_px = -32768, kClipGreatest_px = 32767;
+
+struct Size {
+  int32_t width, height;
+};
+
+// Small, for the exact model works through every pixel in rationals.
+[[nodiscard]] Size random_target(Random& random) {
+  const int kind = random.in(0, 100);
+  if (kind < 10) return {random.in(1, 5), random.in(1, 5)};
+  if (kind < 15) return {1, random.in(1, 65)};
+  if (kind < 20) return {random.in(1, 65), 1};
+  if (kind < 24) return {random.in(1, 49), random.in(1, 49)};
+  return {random.in(1, 25), random.in(1, 25)};
+}
+
+[[nodiscard]] Size random_texture(Random& random) {
+  const int kind = random.in(0, 200);
+  if (kind < 1)
+    return random.pick({Size{65536, 1}, Size{1, 65536}, Size{32768, 2}, Size{3, 21845}});
+  if (kind < 16) return {1, 1};
+  if (kind < 24) return {1, random.in(1, 257)};
+  if (kind < 32) return {random.in(1, 257), 1};
+  if (kind < 42) return random.pick({Size{256, 256}, Size{256, 3}, Size{255, 257}, Size{5, 256}});
+  if (kind < 120) return {1 << random.in(0, 7), 1 << random.in(0, 7)};
+  return {random.in(1, 65), random.in(1, 65)};
+}
+
+struct Interval {
+  int32_t first_px, end_px;
+};
+
+[[nodiscard]] Interval partial(Random& random, int32_t size_px) {
+  const int32_t a = random.in(0, int64_t{size_px} + 1);
+  const int32_t b = random.in(0, int64_t{size_px} + 1);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+[[nodiscard]] Interval one_pixel(Random& random, int32_t size_px) {
+  const int32_t at = random.in(0, size_px);
+  return {at, at + 1};
+}
+
+[[nodiscard]] Interval empty(Random& random, int32_t size_px) {
+  const int32_t at = random.in(-1, int64_t{size_px} + 2);
+  return {at, at};
+}
+
+[[nodiscard]] Interval inverted(Random& random, int32_t size_px) {
+  const int32_t end = random.in(-1, size_px);
+  return {random.in(int64_t{end} + 1, int64_t{size_px} + 2), end};
+}
+
+// Over one end of the target, over both, or past it.
+[[nodiscard]] Interval beyond(Random& random, int32_t size_px) {
+  const int32_t inside = random.in(0, int64_t{size_px} + 1);
+  const int32_t little = random.in(1, 9);
+  return random.pick({Interval{-little, inside}, Interval{inside, size_px + little},
+                      Interval{-little, size_px + little}, Interval{size_px, size_px + little},
+                      Interval{-little, 0}, Interval{kClipLeast_px, kClipGreatest_px},
+                      Interval{kClipLeast_px, inside}, Interval{inside, kClipGreatest_px}});
+}
+
+[[nodiscard]] Interval whole(Random&, int32_t size_px) { return {0, size_px}; }
+
+using MakeInterval = Interval (*)(Random&, int32_t size_px);
+constexpr Weighted<MakeInterval> kIntervals[] = {{50, partial}, {16, one_pixel}, {3, empty},
+                                                 {3, inverted}, {18, beyond},    {10, whole}};
+
+void set_clip(Random& random, Case* c) {
+  c->has_clip = random.percent(40);
+  if (!c->has_clip) return;
+  const MakeInterval make_columns = choose<MakeInterval>(random, kIntervals);
+  const MakeInterval make_rows =
+      random.percent(70) ? make_columns : choose<MakeInterval>(random, kIntervals);
+  const Interval columns = make_columns(random, c->target_width_px);
+  const Interval rows = make_rows(random, c->target_height_px);
+  c->clip = {columns.first_px, rows.first_px, columns.end_px, rows.end_px};
+}
+
+void set_images(Random& random, Case* c) {
+  const Size target = random_target(random);
+  c->target_width_px = target.width;
+  c->target_height_px = target.height;
+  const Size texture = random_texture(random);
+  c->texture_width_texel = texture.width;
+  c->texture_height_texel = texture.height;
+  c->format = SELVAGE_RGBA8888;
+  if (random.percent(30)) c->format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565});
+  c->address = random.percent(50) ? SELVAGE_ADDRESS_WRAP : SELVAGE_ADDRESS_CLAMP;
+  if (random.percent(40)) c->padding_px = random.in(1, 16);
+  c->flip_target = random.percent(20);
+  c->flip_texture = random.percent(20);
+}
+
+}  // namespace
+
+Case generate(uint64_t seed) {
+  Random random(seed);
+  Case c;
+  set_images(random, &c);
+  set_clip(random, &c);
+  for (const Point& point : random_outline(random, {c.target_width_px, c.target_height_px})) {
+    c.vertices.push_back({static_cast<int32_t>(point.x), static_cast<int32_t>(point.y), 0, 0, 1});
+  }
+  set_uv(random, c.vertices, c.texture_width_texel, c.texture_height_texel);
+  set_q(random, c.vertices);
+  c.choice = static_cast<uint32_t>(random.bits() >> 32);
+  return c;
+}
+
+}  // namespace selvage::spec

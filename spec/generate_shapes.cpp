@@ -1,0 +1,94 @@
+#include "spec/generate_shapes.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+
+#include "selvage.h"
+#include "spec/case.h"
+#include "spec/shape_families.h"
+
+namespace selvage::spec {
+namespace {
+
+constexpr Weighted<Family> kFamilies[] = {
+    {11, triangle}, {11, grid_triangle}, {9, sliver}, {6, needle},  {9, rectangle}, {8, slanted},
+    {15, convex},   {13, chains},        {4, flat},   {8, far_off}, {5, broken},    {1, too_few}};
+
+using Index = std::ptrdiff_t;
+
+[[nodiscard]] Index random_index(Random& random, const Outline& outline) {
+  return static_cast<Index>(random.below(outline.size()));
+}
+
+void repeat_a_vertex(Random& random, const Frame&, Outline& outline) {
+  const Index at = random_index(random, outline);
+  const Point again = outline[static_cast<size_t>(at)];
+  outline.insert(outline.begin() + at, 1 + random.below(3), again);
+}
+
+// A horizontal step out of a vertex; back again, or not.
+void add_a_ledge(Random& random, const Frame& frame, Outline& outline) {
+  const Index at = random_index(random, outline);
+  const Point from = outline[static_cast<size_t>(at)];
+  const Point to{position_fx8(random, frame.width_px), from.y};
+  outline.insert(outline.begin() + at, to);
+  if (random.percent(40)) outline.insert(outline.begin() + at, from);
+}
+
+// Vertices on an edge, at equal distances, as far as the grid has any there.
+void add_a_collinear_run(Random& random, const Frame&, Outline& outline) {
+  const Index at = random_index(random, outline);
+  const Point to = outline[static_cast<size_t>(at)];
+  const Point from = at == 0 ? outline.back() : outline[static_cast<size_t>(at - 1)];
+  const Point way{to.x - from.x, to.y - from.y};
+  const int64_t places = std::gcd(way.x, way.y);
+  if (places < 2) return;
+  const int64_t parts = std::min<int64_t>(places, 2 + random.in(0, 3));
+  Outline run;
+  for (int64_t part = 1; part < parts; ++part) {
+    const int64_t place = places * part / parts;
+    run.push_back({from.x + way.x / places * place, from.y + way.y / places * place});
+  }
+  outline.insert(outline.begin() + at, run.begin(), run.end());
+}
+
+void shift(Random& random, const Frame& frame, Outline& outline) {
+  const int32_t unit_fx8 = random.pick({kPixel_fx8, kHalfPixel_fx8, 1});
+  const auto distance_fx8 = [&](int32_t size_px) {
+    const int64_t most = int64_t{size_px + 1} * kPixel_fx8 / unit_fx8;
+    return random.percent(40) ? 0 : unit_fx8 * random.in(-most, most + 1);
+  };
+  const Point distance{distance_fx8(frame.width_px), distance_fx8(frame.height_px)};
+  for (Point& point : outline) point = {point.x + distance.x, point.y + distance.y};
+}
+
+using Change = void (*)(Random&, const Frame&, Outline&);
+struct Likely {
+  int percent;
+  Change change;
+};
+constexpr Likely kChanges[] = {
+    {12, repeat_a_vertex}, {12, add_a_ledge}, {10, add_a_collinear_run}, {10, shift}};
+
+[[nodiscard]] int64_t into_range(int64_t position_fx8) {
+  return std::clamp<int64_t>(position_fx8, SELVAGE_X_MIN, SELVAGE_X_END - 1);
+}
+
+}  // namespace
+
+Outline random_outline(Random& random, const Frame& frame) {
+  const Family family = choose<Family>(random, kFamilies);
+  Outline outline = family(random, frame);
+  if (outline.size() < 3) return outline;
+  for (const Likely& likely : kChanges) {
+    if (random.percent(likely.percent)) likely.change(random, frame, outline);
+  }
+  if (random.percent(50)) std::reverse(outline.begin(), outline.end());
+  const Index first = random_index(random, outline);
+  std::rotate(outline.begin(), outline.begin() + first, outline.end());
+  for (Point& point : outline) point = {into_range(point.x), into_range(point.y)};
+  return outline;
+}
+
+}  // namespace selvage::spec
