@@ -1,0 +1,24 @@
+// The catalogue of wrong mappers: each breaks one thing that real mappers have got wrong. A law
+// that lets its wrong mapper pass is no law.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "spec/subject.h"
+
+namespace selvage::coverage {
+
+struct WrongMapper {
+  std::string_view name;
+  std::string_view bug;     // what it does wrong, in one sentence
+  std::string_view killer;  // a law that must reject it; others may too
+  spec::Subject subject;
+};
+
+[[nodiscard]] std::span<const WrongMapper> wrong_mappers();
+
+// The same recipe with nothing wrong in it: must pass every law, or the catalogue proves nothing.
+[[nodiscard]] spec::Subject right_mapper();
+
+}  // namespace selvage::coverage

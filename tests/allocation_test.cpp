@@ -1,0 +1,67 @@
+// Law MEM, its last part: the draw path allocates nothing. The linker wraps every allocation
+// function that the mapper's objects may call.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "spec/canvas.h"
+#include "spec/generate.h"
+
+namespace {
+size_t allocations = 0;
+}  // namespace
+
+extern "C" {
+// NOLINTBEGIN: these names are the linker's.
+void* __real_malloc(size_t size);
+void* __real_calloc(size_t count, size_t size);
+void* __real_realloc(void* memory, size_t size);
+void* __real__Znwm(size_t size);
+void* __real__Znam(size_t size);
+
+void* __wrap_malloc(size_t size) { return ++allocations, __real_malloc(size); }
+void* __wrap_calloc(size_t count, size_t size) { return ++allocations, __real_calloc(count, size); }
+void* __wrap_realloc(void* memory, size_t size) {
+  return ++allocations, __real_realloc(memory, size);
+}
+void* __wrap__Znwm(size_t size) { return ++allocations, __real__Znwm(size); }
+void* __wrap__Znam(size_t size) { return ++allocations, __real__Znam(size); }
+// NOLINTEND
+}
+
+namespace selvage::spec {
+namespace {
+
+TEST(Allocation, TheCounterCounts) {
+  const size_t before = allocations;
+  const std::vector<int> memory(100);
+  EXPECT_EQ(memory.size(), 100U);
+  EXPECT_GT(allocations, before);
+}
+
+TEST(Allocation, DrawingAllocatesNothing) {
+  uint64_t drawn = 0;
+  for (uint64_t seed = 1; seed <= 2000; ++seed) {
+    const Case c = generate(seed);
+    Canvas canvas(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target, 0);
+    const Canvas texels(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
+                        c.flip_texture, 1);
+    const selvage_image image = canvas.image();
+    const selvage_texture texture = texels.texture();
+    const selvage_options options{SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST, c.address, 0};
+
+    const size_t before = allocations;
+    const selvage_status status =
+        selvage_draw(&image, c.has_clip ? &c.clip : nullptr, c.vertices.data(), c.vertices.size(),
+                     &texture, &options);
+    const size_t after = allocations;
+    ASSERT_EQ(after, before) << print(c);
+    if (status == SELVAGE_OK) ++drawn;
+  }
+  EXPECT_GT(drawn, 1000U);
+}
+
+}  // namespace
+}  // namespace selvage::spec

@@ -1,0 +1,94 @@
+#include "mapper/image.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+namespace selvage::mapper {
+namespace {
+
+alignas(4) std::array<char, 4096> memory;
+
+[[nodiscard]] selvage_image image(ptrdiff_t offset, int32_t width, int32_t height, ptrdiff_t pitch,
+                                  selvage_format format = SELVAGE_RGBA8888) {
+  return {memory.data() + offset, width, height, pitch, format};
+}
+
+[[nodiscard]] selvage_texture texture(ptrdiff_t offset, int32_t width, int32_t height,
+                                      ptrdiff_t pitch, selvage_format format = SELVAGE_RGBA8888) {
+  return {memory.data() + offset, width, height, pitch, format, SELVAGE_LAYOUT_ROWS, nullptr};
+}
+
+[[nodiscard]] selvage_status target_status(const selvage_image& target) {
+  return check_target(&target);
+}
+
+TEST(Image, AcceptsWhatTheHeaderAllows) {
+  EXPECT_EQ(target_status(image(0, 4, 4, 16)), SELVAGE_OK);
+  EXPECT_EQ(target_status(image(64, 4, 4, -16)), SELVAGE_OK);
+  EXPECT_EQ(target_status(image(1, 3, 4, 3, SELVAGE_INDEX8)), SELVAGE_OK);
+  EXPECT_EQ(target_status(image(2, 3, 4, 6, SELVAGE_RGB565)), SELVAGE_OK);
+  const ptrdiff_t most = std::numeric_limits<ptrdiff_t>::max();
+  EXPECT_EQ(target_status(image(0, 1, 1, most, SELVAGE_INDEX8)), SELVAGE_OK);
+  EXPECT_EQ(target_status(image(0, 1, 2, most - 1, SELVAGE_INDEX8)), SELVAGE_OK);
+  EXPECT_EQ(target_status(image(0, 1, 2, most, SELVAGE_INDEX8)), SELVAGE_ERROR_TARGET_PITCH);
+}
+
+TEST(Image, NamesWhatIsWrong) {
+  EXPECT_EQ(check_target(nullptr), SELVAGE_ERROR_TARGET_NULL);
+  EXPECT_EQ(target_status({nullptr, 4, 4, 16, SELVAGE_RGBA8888}), SELVAGE_ERROR_TARGET_NULL);
+  EXPECT_EQ(target_status(image(0, 4, 4, 16, 3)), SELVAGE_ERROR_TARGET_FORMAT);
+  EXPECT_EQ(target_status(image(0, 0, 4, 16)), SELVAGE_ERROR_TARGET_SIZE);
+  EXPECT_EQ(target_status(image(0, 4, -1, 16)), SELVAGE_ERROR_TARGET_SIZE);
+  EXPECT_EQ(target_status(image(0, 4, 4, 12)), SELVAGE_ERROR_TARGET_PITCH);
+  EXPECT_EQ(target_status(image(0, 4, 4, 18)), SELVAGE_ERROR_TARGET_PITCH);
+  EXPECT_EQ(target_status(image(2, 4, 4, 16)), SELVAGE_ERROR_TARGET_ALIGNMENT);
+  EXPECT_EQ(target_status(image(1, 3, 4, 6, SELVAGE_RGB565)), SELVAGE_ERROR_TARGET_ALIGNMENT);
+}
+
+TEST(Pair, RefusesOverlapAndMismatch) {
+  const selvage_image target = image(0, 4, 4, 16);  // bytes [0, 64)
+  EXPECT_EQ(check_pair(target, texture(64, 4, 4, 16)), SELVAGE_OK);
+  EXPECT_EQ(check_pair(target, texture(60, 4, 4, 16)), SELVAGE_ERROR_OVERLAP);
+  EXPECT_EQ(check_pair(target, texture(112, 4, 4, -16)), SELVAGE_OK);
+  EXPECT_EQ(check_pair(target, texture(108, 4, 4, -16)), SELVAGE_ERROR_OVERLAP);
+  EXPECT_EQ(check_pair(target, texture(64, 4, 4, 4, SELVAGE_INDEX8)),
+            SELVAGE_ERROR_FORMAT_MISMATCH);
+}
+
+// Two rectangles of one bitmap of 16 pixels a row.
+TEST(Pair, LetsTwoPartsOfAnAtlasInterleave) {
+  const selvage_image left = image(0, 8, 8, 64);
+  EXPECT_EQ(check_pair(left, texture(32, 8, 8, 64)), SELVAGE_OK);
+  EXPECT_EQ(check_pair(left, texture(28, 8, 8, 64)), SELVAGE_ERROR_OVERLAP);
+  EXPECT_EQ(check_pair(left, texture(36, 8, 8, 64)), SELVAGE_ERROR_OVERLAP);
+  EXPECT_EQ(check_pair(left, texture(32 + 7 * 64, 8, 8, -64)), SELVAGE_OK);
+  EXPECT_EQ(check_pair(left, texture(32, 8, 8, 32)), SELVAGE_ERROR_OVERLAP);
+  EXPECT_EQ(check_pair(image(32, 8, 8, 64), texture(0, 8, 8, 64)), SELVAGE_OK);
+}
+
+TEST(Vertices, MustLieApartFromTheTarget) {
+  const selvage_image target = image(0, 4, 4, 16);
+  const auto at = [](size_t offset) {
+    return reinterpret_cast<const selvage_vertex*>(memory.data() + offset);
+  };
+  EXPECT_EQ(check_vertices(target, at(64), 3), SELVAGE_OK);
+  EXPECT_EQ(check_vertices(target, at(60), 3), SELVAGE_ERROR_OVERLAP);
+  EXPECT_EQ(check_vertices(target, at(64), 2), SELVAGE_ERROR_VERTEX_COUNT);
+  EXPECT_EQ(check_vertices(target, nullptr, 3), SELVAGE_ERROR_VERTICES_NULL);
+}
+
+TEST(Clip, IsCutToTheTarget) {
+  const selvage_image target = image(0, 4, 3, 16);
+  const auto same = [](selvage_rect a, selvage_rect b) {
+    return a.left == b.left && a.top == b.top && a.right == b.right && a.bottom == b.bottom;
+  };
+  EXPECT_TRUE(same(visible_rect(target, nullptr), {0, 0, 4, 3}));
+  const selvage_rect beyond{-5, -5, 99, 99}, inside{1, 1, 2, 2};
+  EXPECT_TRUE(same(visible_rect(target, &beyond), {0, 0, 4, 3}));
+  EXPECT_TRUE(same(visible_rect(target, &inside), inside));
+}
+
+}  // namespace
+}  // namespace selvage::mapper

@@ -1,0 +1,90 @@
+#include "mapper/lanes.h"
+
+#include <gtest/gtest.h>
+
+#include "spec/exact.h"
+#include "tests/span_support.h"
+
+namespace selvage::mapper {
+namespace {
+
+// The law of the filter: lane <= true value < lane + margin.
+void expect_lawful(int64_t lane_fx32, uint32_t margin_fx32, const spec::Rational& exact_texel,
+                   const spec::Case& c) {
+  const spec::Rational exact_fx32 = exact_texel * spec::Rational(4294967296.0);
+  ASSERT_LE(spec::Rational(lane_fx32), exact_fx32) << spec::print(c);
+  ASSERT_LT(exact_fx32, spec::Rational(lane_fx32) + margin_fx32) << spec::print(c);
+}
+
+template <class Lanes>
+void expect_lawful_lanes(const spec::Case& c, const SpanMap& map, const Span& span) {
+  const Lanes lanes(map, span);
+  const int32_t last = span.width_px() - 1;
+  for (const int32_t offset_px : {0, 1, last / 2, last}) {
+    if (offset_px > last) continue;
+    const auto exact = spec::sample(c.vertices, span.left_px + offset_px, span.row);
+    const Lane lane = lanes.at(offset_px);
+    expect_lawful(lane.u_fx32, lanes.margin_fx32(), exact->u, c);
+    expect_lawful(lane.v_fx32, lanes.margin_fx32(), exact->v, c);
+  }
+}
+
+TEST(Lanes, AreLowByLessThanTheirMargin) {
+  int affine = 0, projective = 0;
+  for_each_generated_span(
+      4000, [&](const spec::Case& c, const Polygon& polygon, const SpanMap& map, const Span& span) {
+        if (polygon.affine) {
+          expect_lawful_lanes<AffineLanes>(c, map, span);
+          ++affine;
+        }
+        // The projective lanes must hold on affine spans too: a ratio of 1 is an ordinary ratio.
+        expect_lawful_lanes<ProjectiveLanes>(c, map, span);
+        ++projective;
+      });
+  EXPECT_GT(affine, 3000);
+  EXPECT_GT(projective, affine + 1000);
+}
+
+TEST(Lanes, AreExactWhereCoordinatesAreDyadic) {
+  spec::Case c;
+  c.vertices = {{0, 0, 0, 0, 1},
+                {4096, 0, 32 * 65536, 0, 1},
+                {4096, 4096, 32 * 65536, 65536, 1},
+                {0, 4096, 0, 65536, 1}};
+  for_each_span(c, [](const spec::Case&, const Polygon&, const SpanMap& map, const Span& span) {
+    const AffineLanes lanes(map, span);
+    for (int32_t i = 0; i < span.width_px(); ++i) {
+      // Every centre is a tie, u = 2 i + 1; the lane hits it and needs no decision.
+      ASSERT_EQ(lanes.at(i).u_fx32, int64_t{2 * (span.left_px + i) + 1} << kLaneFraction);
+    }
+  });
+}
+
+// The widest span there is, with the largest coordinates.
+TEST(Lanes, HoldOverTheWholeRange) {
+  spec::Case c;
+  const int32_t least = SELVAGE_X_MIN, last = SELVAGE_X_END - 1;
+  const int32_t u_least = INT32_MIN, u_last = INT32_MAX;
+  c.vertices = {{least, least, u_least, u_last, 1},
+                {last, least, u_last, u_least, 1},
+                {last, last, u_last, u_last, 1},
+                {least, last, u_least, u_least, 1}};
+  for (const int32_t q : {1, 2, 1000, SELVAGE_Q_MAX}) {
+    c.vertices[1].q = q;
+    Polygon polygon;
+    ASSERT_EQ(examine(c.vertices, &polygon), SELVAGE_OK);
+    Chain forward(polygon, Chain::Direction::kForward);
+    Chain backward(polygon, Chain::Direction::kBackward);
+    for (const int32_t row : {-32768, -1, 0, 12345, 32766}) {
+      const Edge& right = forward.at_row(row);
+      const Edge& left = backward.at_row(row);
+      const Span span{row, left.first_px(), right.first_px()};
+      const SpanMap map(left.at(row), right.at(row));
+      if (q == 1) expect_lawful_lanes<AffineLanes>(c, map, span);
+      expect_lawful_lanes<ProjectiveLanes>(c, map, span);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper

@@ -1,0 +1,67 @@
+#include "mapper/polygon.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "spec/exact.h"
+#include "spec/generate.h"
+
+namespace selvage::mapper {
+namespace {
+
+[[nodiscard]] selvage_vertex at(int32_t x, int32_t y, int32_t q = 1) { return {x, y, 0, 0, q}; }
+
+TEST(Polygon, TellsTopRowsAndAffinity) {
+  const std::vector<selvage_vertex> v = {at(0, 300), at(500, -129), at(200, 640)};
+  Polygon polygon;
+  ASSERT_EQ(examine(v, &polygon), SELVAGE_OK);
+  EXPECT_EQ(polygon.top, 1U);
+  EXPECT_EQ(polygon.top_row, -1);
+  EXPECT_EQ(polygon.bottom_row, 2);  // the centre at 640 is row 2's, and is not below the bottom
+  EXPECT_TRUE(polygon.affine);
+  const std::vector<selvage_vertex> w = {at(0, 300), at(500, -129, 2), at(200, 640)};
+  ASSERT_EQ(examine(w, &polygon), SELVAGE_OK);
+  EXPECT_FALSE(polygon.affine);
+}
+
+TEST(Polygon, RefusesWhatIsOutOfRange) {
+  Polygon polygon;
+  const auto status = [&](selvage_vertex odd) {
+    return examine(std::vector{at(0, 0), at(9, 0), odd}, &polygon);
+  };
+  EXPECT_EQ(status(at(SELVAGE_X_MIN, SELVAGE_X_END - 1)), SELVAGE_OK);
+  EXPECT_EQ(status(at(SELVAGE_X_MIN - 1, 5)), SELVAGE_ERROR_VERTEX_POSITION);
+  EXPECT_EQ(status(at(5, SELVAGE_X_END)), SELVAGE_ERROR_VERTEX_POSITION);
+  EXPECT_EQ(status(at(5, 5, 0)), SELVAGE_ERROR_VERTEX_Q);
+  EXPECT_EQ(status(at(5, 5, SELVAGE_Q_MAX)), SELVAGE_OK);
+  EXPECT_EQ(status(at(5, 5, SELVAGE_Q_MAX + 1)), SELVAGE_ERROR_VERTEX_Q);
+  EXPECT_EQ(examine(std::vector{at(0, 0), at(9, 9)}, &polygon), SELVAGE_ERROR_VERTEX_COUNT);
+}
+
+TEST(Polygon, AcceptsLedgesAndRepeatedVerticesButNoSecondDescent) {
+  Polygon polygon;
+  const std::vector ledges = {at(0, 0),  at(9, 0),  at(9, 5), at(12, 5), at(12, 5),
+                              at(12, 9), at(-3, 9), at(0, 4), at(0, 4)};
+  EXPECT_EQ(examine(ledges, &polygon), SELVAGE_OK);
+  const std::vector flat = {at(0, 7), at(9, 7), at(4, 7)};
+  EXPECT_EQ(examine(flat, &polygon), SELVAGE_OK);
+  EXPECT_EQ(polygon.top_row, polygon.bottom_row);
+  const std::vector zigzag = {at(0, 0), at(4, 9), at(8, 3), at(12, 9)};
+  EXPECT_EQ(examine(zigzag, &polygon), SELVAGE_ERROR_NOT_MONOTONE);
+}
+
+// Two definitions of y-monotone, directions around the outline and lines through the vertices.
+TEST(Polygon, AgreesWithTheSpecificationOnWhatIsMonotone) {
+  int refused = 0;
+  for (uint64_t seed = 1; seed <= 20000; ++seed) {
+    const spec::Case c = spec::generate(seed);
+    Polygon polygon;
+    ASSERT_EQ(examine(c.vertices, &polygon), spec::validity(c.vertices)) << spec::print(c);
+    refused += spec::validity(c.vertices) == SELVAGE_ERROR_NOT_MONOTONE ? 1 : 0;
+  }
+  EXPECT_GT(refused, 100);
+}
+
+}  // namespace
+}  // namespace selvage::mapper

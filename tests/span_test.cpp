@@ -1,0 +1,61 @@
+#include "mapper/span.h"
+
+#include <gtest/gtest.h>
+
+#include "spec/exact.h"
+#include "tests/span_support.h"
+
+namespace selvage::mapper {
+namespace {
+
+// floor of numerator / denominator by plain division.
+[[nodiscard]] int64_t floor_ratio(int128 numerator, int128 denominator) {
+  const int128 quotient = numerator / denominator;
+  return static_cast<int64_t>(quotient) - (numerator % denominator < 0 ? 1 : 0);
+}
+
+TEST(SpanMap, EqualsTheExactModel) {
+  uint64_t judged = 0;
+  for_each_generated_span(3000, [&](const spec::Case& c, const Polygon&, const SpanMap& map,
+                                    const Span& span) {
+    for (const int32_t px : {span.left_px, (span.left_px + span.right_px) / 2, span.right_px - 1}) {
+      const auto exact = spec::sample(c.vertices, px, span.row);
+      ASSERT_TRUE(exact) << spec::print(c);
+      ASSERT_GT(map.denominator(px), 0);
+      ASSERT_EQ(floor_ratio(map.u_numerator(px), map.denominator(px)), spec::floor(exact->u));
+      ASSERT_EQ(floor_ratio(map.v_numerator(px), map.denominator(px)), spec::floor(exact->v));
+      ++judged;
+    }
+  });
+  EXPECT_GT(judged, 10000U);
+}
+
+TEST(SpanMap, StepsAreDifferences) {
+  for_each_generated_span(1000, [](const spec::Case&, const Polygon& polygon, const SpanMap& map,
+                                   const Span& span) {
+    if (span.width_px() < 2) return;
+    const int32_t px = span.left_px;
+    const auto difference = [](int128 a, int128 b) {
+      return static_cast<int128>(static_cast<uint128>(b) - static_cast<uint128>(a));
+    };
+    ASSERT_TRUE(difference(map.u_numerator(px), map.u_numerator(px + 1)) == map.u_numerator_step());
+    ASSERT_TRUE(difference(map.v_numerator(px), map.v_numerator(px + 1)) == map.v_numerator_step());
+    ASSERT_TRUE(difference(map.denominator(px), map.denominator(px + 1)) == map.denominator_step());
+    ASSERT_TRUE(!polygon.affine || map.denominator_step() == 0);
+  });
+}
+
+TEST(SpanMap, DecidesBetweenTwoTexels) {
+  for_each_generated_span(
+      1000, [](const spec::Case& c, const Polygon&, const SpanMap& map, const Span& span) {
+        const auto exact = spec::sample(c.vertices, span.left_px, span.row);
+        const int32_t s = spec::floor(exact->u), t = spec::floor(exact->v);
+        for (const int32_t below : {0, 1}) {
+          ASSERT_EQ(map.u_texel(span.left_px, s - below), s);
+          ASSERT_EQ(map.v_texel(span.left_px, t - below), t);
+        }
+      });
+}
+
+}  // namespace
+}  // namespace selvage::mapper
