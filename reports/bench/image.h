@@ -1,0 +1,40 @@
+// The pictures of the benchmark: a target and a texture whose texels tell their own place.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "selvage.h"
+
+namespace selvage::reports {
+
+struct Target {
+  int32_t width_px = 0, height_px = 0;
+  std::vector<uint32_t> pixels;  // row by row, RGBA8888
+
+  Target(int32_t width, int32_t height);
+  [[nodiscard]] uint32_t* row(int32_t y_px);
+  [[nodiscard]] const uint32_t* row(int32_t y_px) const;
+  [[nodiscard]] selvage_image image();
+};
+
+// Square, a power of two a side. Rows are padded by 16 texels: a pitch that is a power of two maps
+// a walk down a column onto few cache sets, which would measure the cache and not the mapper.
+struct Texture {
+  int32_t side_texel = 0;
+  int32_t pitch_texel = 0;
+  std::vector<uint32_t> texels;
+
+  explicit Texture(int32_t side);
+  [[nodiscard]] selvage_texture view() const;
+};
+
+// Texel (s, t) of the texture: s in the low half, t in the high half.
+[[nodiscard]] constexpr uint32_t place_of(int32_t s, int32_t t) {
+  return static_cast<uint32_t>(s) | static_cast<uint32_t>(t) << 16;
+}
+
+// No texel of a texture below 65536 a side.
+inline constexpr uint32_t kUntouched = 0xFFFFFFFFu;
+
+}  // namespace selvage::reports

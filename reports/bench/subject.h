@@ -1,0 +1,41 @@
+// A mapper under measurement: something that draws a workload into a target.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reports/bench/image.h"
+#include "reports/bench/workloads.h"
+
+namespace selvage::reports {
+
+struct Subject {
+  std::string id;  // short, for the table's columns and the plots
+  std::string title;
+  std::string configuration;  // what exactly is timed
+  bool textures = true;       // false: draws no texels, so only its pixels are judged
+  bool reference = false;     // must agree with the exact model or nothing is timed
+
+  // Empty if the subject can draw the workload, else why it cannot.
+  std::function<std::string(const Workload&)> refusal;
+
+  // Makes ready what depends on the workload alone and returns the drawing that is timed. The
+  // workload, the texture and the target outlive it.
+  std::function<std::function<void()>(const Workload&, const Texture&, Target&)> prepare;
+};
+
+[[nodiscard]] Subject subject_exact();
+[[nodiscard]] Subject subject_fixed1616();
+[[nodiscard]] Subject subject_fill();
+
+// The mappers of other projects: one file each under reports/peers.
+struct Peers {
+  std::vector<Subject> subjects;
+  std::vector<std::string> absent;                       // a sentence each
+  std::map<std::string, std::string> build_information;  // by the subject's id
+};
+[[nodiscard]] Peers peers();
+
+}  // namespace selvage::reports

@@ -1,0 +1,28 @@
+// Repeated timing of drawings, through Google Benchmark.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace selvage::reports {
+
+struct Timed {
+  std::string name;
+  std::function<void()> draw;
+};
+
+struct TimingOptions {
+  int32_t repetitions = 15;
+  double min_time_s = 0.03;  // of one repetition of one drawing
+};
+
+// The real time of one draw in ns, a value a repetition, in the order of `timed`. Repetitions of
+// different drawings are interleaved at random, so that a change of the machine's speed during the
+// run widens every spread instead of favouring one drawing. tick is called as each run begins.
+[[nodiscard]] std::vector<std::vector<double>> measure_ns(const std::vector<Timed>& timed,
+                                                          const TimingOptions& options,
+                                                          const std::function<void()>& tick);
+
+}  // namespace selvage::reports

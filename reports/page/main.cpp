@@ -1,0 +1,80 @@
+// selvage_page: the page and the data of its plots, from the JSON of the other steps.
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+
+#include "cli/error.h"
+#include "cli/file.h"
+#include "reports/page/measurements.h"
+#include "reports/page/sections.h"
+
+namespace {
+
+using namespace selvage;
+using namespace selvage::reports;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+json read_json(const fs::path& path) {
+  const std::string text = cli::read_text_file(path);
+  return cli::about(path.string(), [&] {
+    try {
+      return json::parse(text);
+    } catch (const json::parse_error& error) {
+      throw cli::UserError(std::string("not JSON: ") + error.what());
+    }
+  });
+}
+
+void write_text(const fs::path& path, const std::string& text) {
+  cli::write_file(path, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
+}
+
+void write_plot_data(const fs::path& folder) {
+  for (const json& work : read_json(folder / "bench.json").at("workloads"))
+    write_text(folder / (work.at("id").get<std::string>() + ".dat"), plot_data(work));
+}
+
+void write_page(const fs::path& folder, Results results) {
+  results.verify = read_json(folder / "verify.json");
+  results.laws = read_json(folder / "laws.json");
+  results.gallery = read_json(folder / "gallery.json");
+  if (fs::exists(folder / "bench.json")) results.bench = read_json(folder / "bench.json");
+  write_text(folder / "index.html", page(results));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Writes the report's page, or the data of its plots, from the JSON in its folder.");
+  app.footer(
+      "Examples:\n"
+      "  selvage_page plots reports/out\n"
+      "  selvage_page html reports/out --revision \"$(git describe --always)\" --command "
+      "reports/run\n\n"
+      "Exit codes: 0 written, 2 wrong use or a file that is missing, damaged or unwritable.");
+  std::string folder;
+  Results results;
+  CLI::App* plots = app.add_subcommand("plots", "bench.json to one .dat a work item");
+  CLI::App* html = app.add_subcommand("html", "the JSON files to index.html");
+  for (CLI::App* command : {plots, html}) command->add_option("folder", folder)->required();
+  html->add_option("--revision", results.revision, "what source this is about");
+  html->add_option("--unmeasured", results.unmeasured, "why there is no bench.json");
+  html->add_option("--command", results.command, "the commands that make the page");
+  app.require_subcommand(1);
+  try {
+    app.parse(argc, argv);
+    if (plots->parsed())
+      write_plot_data(folder);
+    else
+      write_page(folder, std::move(results));
+    return 0;
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "selvage_page: %s\n", error.what());
+    return 2;
+  }
+}

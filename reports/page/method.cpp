@@ -1,0 +1,92 @@
+// The head of the page, and how it was made.
+#include <algorithm>
+
+#include "reports/page/html.h"
+#include "reports/page/sections.h"
+
+namespace selvage::reports {
+
+namespace {
+
+using nlohmann::json;
+
+std::string tally(const std::string& what, size_t good, size_t all) {
+  return element("li", element("strong", std::to_string(good) + " of " + std::to_string(all),
+                               good == all ? "class=good" : "class=bad") +
+                           " " + what);
+}
+
+std::string machine_table(const json& machine) {
+  std::string rows;
+  for (const auto& [key, value] : machine.items()) {
+    std::string name = key;
+    std::replace(name.begin(), name.end(), '_', ' ');
+    rows += element("tr", element("th", escaped(name), "scope=row") +
+                              element("td", escaped(value.is_string() ? value.get<std::string>()
+                                                                      : value.dump())));
+  }
+  return element("div", element("table", rows), "class=wide");
+}
+
+std::string limits() {
+  return element(
+      "ul",
+      element(
+          "li",
+          "Times are of one run on one machine, which may be shared with other work; the "
+          "quartiles show how much they moved. A ratio within the quartiles is no difference.") +
+          element(
+              "li",
+              "The mapper and the 16.16 loop run on one core without hand-written SIMD, compiled "
+              "for the baseline of the architecture; OpenCV chooses its SIMD code at run time.") +
+          element(
+              "li",
+              "OpenCV warps rectangles: it walks the whole bounding box, and which pixels it "
+              "covers follows from texels in and out of the texture, not from edges. Its missing "
+              "and extra pixels are those of a use it was not made for; its wrong texels are "
+              "pixels it does cover.") +
+          element("li",
+                  "Error counts come from the sampled rows, not from every pixel, and are those of "
+                  "one picture each.") +
+          element("li", "The laws hold for the cases that were tried, not for all there are."));
+}
+
+}  // namespace
+
+std::string summary_section(const Results& results) {
+  size_t laws = 0, equal = 0;
+  for (const json& law : results.verify.at("laws")) laws += law.at("verdict") == "holds";
+  for (const json& scene : results.gallery) equal += scene.at("differing_px") == 0;
+  return element("h1", "Selvage: what it draws, and what it costs") +
+         element(
+             "ul",
+             tally("<a href=#laws>laws</a> hold for the built-in mapper", laws,
+                   results.verify.at("laws").size()) +
+                 tally("<a href=#gallery>pictures</a> equal the exact model's in every pixel",
+                       equal, results.gallery.size()) +
+                 element("li",
+                         "<a href=#speed>Speed against error</a>, beside a plain loop, "
+                         "OpenCV and a solid fill") +
+                 element("li", "<a href=#method>How this was made</a>, and what it does not show"));
+}
+
+std::string method_section(const Results& results) {
+  std::string html = element("h2", "How this was made", "id=method");
+  html += element("p", "Source: " + element("code", escaped(results.revision)) +
+                           " The commands that make it again, from a checkout on Debian 12:");
+  html += element("pre", escaped(results.command));
+  if (!results.bench.is_null()) {
+    html += element("h3", "The machine") + machine_table(results.bench.at("machine"));
+    for (const auto& [peer, text] : results.bench.at("build_information").items()) {
+      html += element("details", element("summary", "Build information of " + escaped(peer)) +
+                                     element("pre", escaped(text.get<std::string>())));
+    }
+  }
+  html += element("h3", "What it does not show") + limits();
+  html += element("p",
+                  "The numbers of this page as files: <a href=verify.json>verify.json</a>, "
+                  "<a href=gallery.json>gallery.json</a>, <a href=bench.json>bench.json</a>.");
+  return html;
+}
+
+}  // namespace selvage::reports

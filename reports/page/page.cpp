@@ -1,0 +1,52 @@
+// The document: everything in one file but the pictures, nothing from outside its folder.
+#include "reports/page/html.h"
+#include "reports/page/sections.h"
+
+namespace selvage::reports {
+
+namespace {
+
+constexpr const char* kStyle = R"(
+:root { color-scheme: light dark; --text: #1d2228; --page: #fdfdfb; --line: #d5d8dc;
+        --good: #14713a; --bad: #b3152a; --soft: #f0f1f3; }
+@media (prefers-color-scheme: dark) {
+  :root { --text: #dfe3e8; --page: #14171c; --line: #363c45; --good: #58c983; --bad: #ff7a85;
+          --soft: #1f242b; } }
+body { margin: 0 auto; max-width: 76rem; padding: 1rem 1.25rem 4rem; background: var(--page);
+       color: var(--text); font: 16px/1.5 system-ui, sans-serif; }
+h2 { margin-top: 2.5rem; border-bottom: 1px solid var(--line); }
+h3 { margin: 2rem 0 .3rem; }
+p, li { max-width: 52rem; }
+a { color: inherit; }
+.good { color: var(--good); } .bad { color: var(--bad); font-weight: 600; }
+.wide { overflow-x: auto; }
+table { border-collapse: collapse; font-size: .92rem; font-variant-numeric: tabular-nums; }
+th, td { padding: .25rem .7rem; border-bottom: 1px solid var(--line); text-align: left;
+         vertical-align: top; }
+td.n, th.n { text-align: right; white-space: nowrap; }
+.seen { background: var(--soft); } .seen code { overflow-wrap: anywhere; }
+.three { display: grid; grid-template-columns: repeat(auto-fit, minmax(15rem, 1fr)); gap: .8rem; }
+figure { margin: 0; } figcaption { font-size: .85rem; }
+img { max-width: 100%; height: auto; display: block; }
+.three img { width: 100%; background: #181c26; }
+.work { display: flex; flex-wrap: wrap; gap: 1.5rem; align-items: flex-start; }
+.plot { flex: none; }
+pre { background: var(--soft); padding: .8rem 1rem; overflow-x: auto; font-size: .85rem; }
+summary { cursor: pointer; }
+)";
+
+}  // namespace
+
+std::string page(const Results& results) {
+  const std::string head =
+      "<meta charset=utf-8>\n"
+      "<meta name=viewport content=\"width=device-width, initial-scale=1\">\n" +
+      element("title", "Selvage: verdicts, pictures, measurements") + element("style", kStyle);
+  const std::string body = summary_section(results) + verdict_section(results) +
+                           gallery_section(results) + measurement_section(results) +
+                           method_section(results);
+  return "<!doctype html>\n" +
+         element("html", element("head", head) + element("body", body), "lang=en");
+}
+
+}  // namespace selvage::reports

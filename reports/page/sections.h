@@ -1,0 +1,28 @@
+// The parts of the page, each from the JSON of the step that found it out.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace selvage::reports {
+
+struct Results {
+  nlohmann::json verify;   // selvage verify --json
+  nlohmann::json laws;     // selvage laws --json
+  nlohmann::json gallery;  // selvage_gallery
+  nlohmann::json bench;    // selvage_bench; null where nothing was measured
+  std::string revision;    // of the source
+  std::string command;     // that made the page
+  std::string unmeasured;  // why, where bench is null
+};
+
+[[nodiscard]] std::string summary_section(const Results& results);
+[[nodiscard]] std::string verdict_section(const Results& results);
+[[nodiscard]] std::string gallery_section(const Results& results);
+[[nodiscard]] std::string measurement_section(const Results& results);
+[[nodiscard]] std::string method_section(const Results& results);
+
+// The whole document.
+[[nodiscard]] std::string page(const Results& results);
+
+}  // namespace selvage::reports
