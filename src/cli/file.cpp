@@ -5,9 +5,10 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
+#include <random>
 #include <system_error>
+#include <utility>
 
 #include "cli/error.h"
 
@@ -89,32 +90,36 @@ Bytes read_all(const fs::path& path, size_t max_bytes) {
 }
 
 [[nodiscard]] fs::path temporary_beside(const fs::path& path) {
-  static std::atomic<unsigned> count{0};
-  return path.parent_path() / (".selvage-" + std::to_string(::getpid()) + "-" +
-                               std::to_string(count.fetch_add(1)) + ".tmp");
+  std::random_device device;
+  return path.parent_path() /
+         (".selvage-" + std::to_string(device()) + "-" + std::to_string(device()) + ".tmp");
 }
 
-void write_all(int descriptor, std::span<const uint8_t> bytes, const fs::path& path) {
+struct SystemFailure {
+  int error;  // as in errno
+};
+
+void write_all(int descriptor, std::span<const uint8_t> bytes) {
   while (!bytes.empty()) {
     const ssize_t put = ::write(descriptor, bytes.data(), bytes.size());
     if (put < 0 && errno == EINTR) continue;
-    if (put < 0) throw failure("write", path, errno);
+    if (put < 0) throw SystemFailure{errno};
     bytes = bytes.subspan(static_cast<size_t>(put));
   }
 }
 
 // Creates `temporary` with the permissions of the file it will replace, if there is one.
-void fill_temporary(const fs::path& temporary, const fs::path& path,
+void fill_temporary(const fs::path& temporary, const fs::path& replaced,
                     std::span<const uint8_t> bytes) {
   Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (file.number() < 0) throw failure("write", path, errno);
+  if (file.number() < 0) throw SystemFailure{errno};
   struct stat existing {};
-  if (::stat(path.c_str(), &existing) == 0 &&
+  if (::stat(replaced.c_str(), &existing) == 0 &&
       ::fchmod(file.number(), existing.st_mode & 0777) != 0) {
-    throw failure("write", path, errno);
+    throw SystemFailure{errno};
   }
-  write_all(file.number(), bytes, path);
-  if (::fsync(file.number()) != 0 || !file.close()) throw failure("write", path, errno);
+  write_all(file.number(), bytes);
+  if (::fsync(file.number()) != 0 || !file.close()) throw SystemFailure{errno};
 }
 
 }  // namespace
@@ -134,10 +139,10 @@ void write_file(const fs::path& path, std::span<const uint8_t> bytes) {
   const fs::path temporary = temporary_beside(resolved);
   try {
     fill_temporary(temporary, resolved, bytes);
-    if (::rename(temporary.c_str(), resolved.c_str()) != 0) throw failure("write", path, errno);
-  } catch (...) {
+    if (::rename(temporary.c_str(), resolved.c_str()) != 0) throw SystemFailure{errno};
+  } catch (const SystemFailure& failed) {
     ::unlink(temporary.c_str());
-    throw;
+    throw failure("write", path, failed.error);
   }
 }
 

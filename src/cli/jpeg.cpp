@@ -39,6 +39,9 @@ Raster decode_jpeg(std::span<const uint8_t> bytes, const SizeLimits& limits) {
                           &subsampling, &colours) != 0) {
     throw damaged(decompressor);
   }
+  if (width == 0 && height == 0) {
+    throw UserError("the JPEG is cut short or damaged: it ends before its size");
+  }
   check_size(width, height, limits);
   if (colours == TJCS_CMYK || colours == TJCS_YCCK) {
     throw UserError("the JPEG is in CMYK; a grey or an RGB one is needed");

@@ -30,21 +30,6 @@ using nlohmann::ordered_json;
   return verdict.found.violation ? "VIOLATED" : outcome(verdict);
 }
 
-[[nodiscard]] std::string summary(const VerifyRun& run) {
-  const auto count = [&](std::string_view which) {
-    return std::count_if(run.verdicts.begin(), run.verdicts.end(),
-                         [&](const Verdict& verdict) { return outcome(verdict) == which; });
-  };
-  std::string text =
-      std::to_string(count("holds")) + " of " + std::to_string(run.verdicts.size()) + " laws hold";
-  if (const auto n = count("violated")) text += ", " + std::to_string(n) + " violated";
-  if (const auto n = count("judged nothing")) {
-    text += ", " + std::to_string(n) + " judged nothing";
-    text += run.replay ? " in this case" : ", which shows nothing and counts as a failure";
-  }
-  return text + ".\n";
-}
-
 [[nodiscard]] ordered_json violation_json(const Verdict& verdict) {
   const spec::Violation& violation = *verdict.found.violation;
   ordered_json values = {{"what", violation.what},   {"u_texel", violation.u},
@@ -80,15 +65,28 @@ std::string replay_line(const Verdict& verdict) {
          spec::to_hex(*verdict.found.counterexample);
 }
 
-std::string verdict_table(const VerifyRun& run) {
-  std::string text = row("law", "verdict", "cases", "pixels judged", "time");
-  for (const Verdict& verdict : run.verdicts) {
-    text +=
-        row(verdict.found.law->name, shown_outcome(verdict), std::to_string(verdict.found.cases),
-            std::to_string(verdict.found.judged_px), seconds(verdict.time_ns));
+std::string table_header() { return row("law", "verdict", "cases", "pixels judged", "time"); }
+
+std::string table_row(const Verdict& verdict) {
+  return row(verdict.found.law->name, shown_outcome(verdict), std::to_string(verdict.found.cases),
+             std::to_string(verdict.found.judged_px), seconds(verdict.time_ns));
+}
+
+std::string table_summary(const VerifyRun& run) {
+  const auto count = [&](std::string_view which) {
+    return std::count_if(run.verdicts.begin(), run.verdicts.end(),
+                         [&](const Verdict& verdict) { return outcome(verdict) == which; });
+  };
+  std::string text =
+      run.oracle_missing ? "ORACLE is not in this build, which found no OpenCV.\n" : "";
+  text +=
+      std::to_string(count("holds")) + " of " + std::to_string(run.verdicts.size()) + " laws hold";
+  if (const auto n = count("violated")) text += ", " + std::to_string(n) + " violated";
+  if (const auto n = count("judged nothing")) {
+    text += ", " + std::to_string(n) + " judged nothing";
+    text += run.replay ? " in this case" : ", which shows nothing and counts as a failure";
   }
-  if (run.oracle_missing) text += "ORACLE is not in this build, which found no OpenCV.\n";
-  return text + summary(run);
+  return text + ".\n";
 }
 
 std::string verdict_json(const VerifyRun& run) {

@@ -33,7 +33,11 @@ struct VerifyRun {
 // The command that shows the counterexample again.
 [[nodiscard]] std::string replay_line(const Verdict& verdict);
 
-[[nodiscard]] std::string verdict_table(const VerifyRun& run);
+// The table, part by part, so that each law can be shown when it is done.
+[[nodiscard]] std::string table_header();
+[[nodiscard]] std::string table_row(const Verdict& verdict);
+[[nodiscard]] std::string table_summary(const VerifyRun& run);
+
 [[nodiscard]] std::string verdict_json(const VerifyRun& run);
 
 }  // namespace selvage::cli

@@ -125,32 +125,27 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
 void explain_violations(const VerifyRun& run, const Console& console) {
   for (const Verdict& verdict : run.verdicts) {
     if (!verdict.found.violation) continue;
-    console.out << '\n' << spec::explain(*verdict.found.violation);
+    const std::string explanation = spec::explain(*verdict.found.violation);
+    console.out << '\n' << explanation << (explanation.ends_with('\n') ? "" : "\n");
     console.out << "replay: " << replay_line(verdict) << '\n';
     if (verdict.picture.empty()) continue;
     console.out << "picture: " << verdict.picture << " (drawn | expected | difference)\n";
   }
 }
 
-[[nodiscard]] VerifyRun replay_all(const std::vector<const spec::Law*>& laws,
-                                   const spec::Subject& subject, const spec::Case& c) {
-  VerifyRun run{subject.name, true, 0, {}};
-  for (const spec::Law* law : laws) {
-    run.verdicts.push_back(timed([&] { return replay(*law, subject, c); }));
-  }
-  return run;
-}
+// Checks one law in the way of this run: on the given case or on generated ones.
+using Check = std::function<spec::LawVerdict(const spec::Law&)>;
 
-[[nodiscard]] VerifyRun verify_all(const std::vector<const spec::Law*>& laws,
-                                   const spec::Subject& subject, uint64_t seed, uint64_t cases,
-                                   const Console& console) {
-  VerifyRun run{subject.name, false, seed, {}};
+[[nodiscard]] std::vector<Verdict> check_all(const std::vector<const spec::Law*>& laws,
+                                             const Check& check, bool show_rows,
+                                             const Console& console) {
+  std::vector<Verdict> verdicts;
+  if (show_rows) console.out << table_header() << std::flush;
   for (const spec::Law* law : laws) {
-    Progress progress(console, std::string(law->name), cases);
-    const auto update = [&](uint64_t done) { progress.update(done); };
-    run.verdicts.push_back(timed([&] { return spec::verify(*law, subject, seed, cases, update); }));
+    verdicts.push_back(timed([&] { return check(*law); }));
+    if (show_rows) console.out << table_row(verdicts.back()) << std::flush;
   }
-  return run;
+  return verdicts;
 }
 
 }  // namespace
@@ -160,20 +155,23 @@ int run_verify(const VerifyOptions& options, const spec::Subject& subject, const
   const uint64_t cases = case_count(options.cases);
   const std::optional<spec::Case> replayed = case_to_replay(options);
   if (!options.picture.empty()) check_output(options.picture);
-  const uint64_t seed = first_seed(options.seed);
-  if (!options.json && replayed) console.out << spec::print(*replayed) << '\n';
-  if (!options.json && !replayed) console.out << "seed " << seed << '\n' << std::flush;
-
-  VerifyRun run = replayed ? replay_all(laws, subject, *replayed)
-                           : verify_all(laws, subject, seed, cases, console);
+  VerifyRun run{subject.name, replayed.has_value(), first_seed(options.seed), {}};
   run.oracle_missing = options.laws.empty() && spec::find_law("ORACLE") == nullptr;
+  const auto check = [&](const spec::Law& law) {
+    if (replayed) return replay(law, subject, *replayed);
+    Progress progress(console, std::string(law.name), cases);
+    return spec::verify(law, subject, run.seed, cases,
+                        [&](uint64_t done) { progress.update(done); });
+  };
+
+  const bool show = !options.json;
+  if (show && replayed) console.out << spec::print(*replayed) << '\n';
+  if (show && !replayed) console.out << "seed " << run.seed << '\n';
+  run.verdicts = check_all(laws, check, show, console);
+  if (show) console.out << table_summary(run);
   write_pictures(options, subject, run, console);
-  if (options.json) {
-    console.out << verdict_json(run);
-  } else {
-    console.out << verdict_table(run);
-    explain_violations(run, console);
-  }
+  if (show) explain_violations(run, console);
+  if (!show) console.out << verdict_json(run);
   return passed(run) ? kExitFine : kExitLawFailed;
 }
 

@@ -81,7 +81,7 @@ TEST_F(CommandLine, RefusesUnknownAndMissingOptions) {
 }
 
 TEST_F(CommandLine, RefusesOptionsThatExcludeEachOther) {
-  expect_refused(draw_and({"--polygon-file", "job.json"}), "--polygon-file excludes --polygon");
+  expect_refused(draw_and({"--polygon-file", "job.json"}), "--polygon excludes --polygon-file");
   expect_refused({"verify", "--case", "00", "--seed", "1"}, "excludes");
   expect_refused({"verify", "--case", "00", "--cases", "1"}, "excludes");
   expect_refused({"verify", "--case", "00", "--case-file", "x"}, "excludes");

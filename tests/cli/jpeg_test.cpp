@@ -61,9 +61,9 @@ TEST(Jpeg, WithAChangedByteIsRefusedOrWhole) {
   const Bytes whole = encode_jpeg(smooth_raster(20, 12), JpegKind::kProgressive);
   size_t refused = 0;
   for (size_t at = 0; at < whole.size(); ++at) {
-    for (const uint8_t value : {0x00, 0x01, 0x7f, 0xd9, 0xff}) {
+    for (const int value : {0x00, 0x01, 0x7f, 0xd9, 0xff}) {
       Bytes damaged = whole;
-      damaged[at] = value;
+      damaged[at] = static_cast<uint8_t>(value);
       try {
         const Raster read = decode_jpeg(damaged, {4096, 1 << 22});
         EXPECT_EQ(read.rgba.size(), size_t{4} * static_cast<size_t>(read.width_px) *

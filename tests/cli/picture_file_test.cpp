@@ -25,8 +25,10 @@ TEST_F(PictureFile, IsKnownByItsBytes) {
 TEST_F(PictureFile, IsNamedInEveryError) {
   put("empty.png", std::string());
   put("text.png", std::string("GIF89a..........."));
-  put("cut.png", std::span(encode_png(smooth_raster(12, 9))).first(60));
-  put("cut.jpg", std::span(encode_jpeg(smooth_raster(12, 9), JpegKind::kColour)).first(60));
+  const std::vector<uint8_t> png = encode_png(smooth_raster(12, 9));
+  const std::vector<uint8_t> jpeg = encode_jpeg(smooth_raster(12, 9), JpegKind::kColour);
+  put("cut.png", std::span(png).first(60));
+  put("cut.jpg", std::span(jpeg).first(jpeg.size() - 20));
   EXPECT_EQ(refusal("empty.png"),
             "'empty.png': the file is empty; a PNG or a JPEG picture is needed");
   EXPECT_EQ(refusal("text.png"), "'text.png': neither a PNG nor a JPEG picture");

@@ -39,7 +39,7 @@ TEST(Verdict, CountsALawWithoutASayAsAFailure) {
   EXPECT_EQ(outcome(holding("MAP", 0)), "judged nothing");
   EXPECT_FALSE(passed(run_of({holding("COV"), holding("MAP", 0)})));
   expect_contains(
-      verdict_table(run_of({holding("COV"), holding("MAP", 0)})),
+      table_summary(run_of({holding("COV"), holding("MAP", 0)})),
       "1 of 2 laws hold, 1 judged nothing, which shows nothing and counts as a failure");
 }
 
@@ -49,17 +49,23 @@ TEST(Verdict, OfAReplayNeedsOneLawWithASay) {
 }
 
 TEST(VerdictTable, HasARowForEachLaw) {
-  EXPECT_EQ(verdict_table(run_of({holding("COV"), violated("MAP")})),
+  EXPECT_EQ(table_header() + table_row(holding("COV")) + table_row(violated("MAP")),
             "law        verdict               cases  pixels judged       time\n"
             "COV        holds                    20            100     1.50 s\n"
-            "MAP        VIOLATED                  7             55     0.00 s\n"
+            "MAP        VIOLATED                  7             55     0.00 s\n");
+}
+
+TEST(VerdictTable, CountsTheLaws) {
+  EXPECT_EQ(table_summary(run_of({holding("COV"), violated("MAP")})),
             "1 of 2 laws hold, 1 violated.\n");
+  EXPECT_EQ(table_summary(run_of({holding("COV"), holding("MAP", 0)}, true)),
+            "1 of 2 laws hold, 1 judged nothing in this case.\n");
 }
 
 TEST(VerdictTable, SaysThatTheOracleIsMissing) {
   VerifyRun run = run_of({holding("COV")});
   run.oracle_missing = true;
-  expect_contains(verdict_table(run), "ORACLE is not in this build");
+  expect_contains(table_summary(run), "ORACLE is not in this build");
 }
 
 TEST(VerdictJson, TellsEverything) {
