@@ -7,7 +7,7 @@
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace selvage::cli;
-  const SizeLimits limits{2048, 1 << 20};  // larger pictures would only run slower
+  const SizeLimits limits{2048, 1 << 18};  // larger pictures would only run slower
   try {
     const Raster picture = decode_jpeg({data, size}, limits);
     const int64_t area_px = int64_t{picture.width_px} * picture.height_px;

@@ -23,7 +23,8 @@ constexpr const char* kProgramExamples = R"(Examples:
                --size 256x192 -o out.png
   selvage verify --cases 1000
   selvage laws
-'selvage COMMAND --help' tells more. )";
+'selvage COMMAND --help' tells more.
+)";
 
 constexpr const char* kDrawExamples = R"(Examples:
   selvage draw --texture earth.jpg --size 256x192 --background '#203040' -o out.png \
