@@ -3,7 +3,7 @@
 # Columns of data, tab-separated: name (one word), errors per million pixels, median ns per pixel,
 # lower and upper quartile. The first row is the solid fill, which draws no texels.
 # The axis of errors is logarithmic in 1 + errors per million, so that zero has a place on it.
-# What is drawn black here takes the text colour of a light or dark page (reports/run).
+# What is drawn black here takes the text colour of a light or dark page (plot.css).
 set terminal svg size 460,330 dynamic enhanced font 'sans-serif,13' linewidth 1.2
 set output svg
 set datafile separator "\t"
@@ -27,6 +27,7 @@ set xtics ('0' 0, '1' place(1), '10' place(10), '100' place(100), '1000' place(1
 set xlabel 'errors per million pixels'
 set ylabel 'ns per covered pixel'
 set format y '%g'
+set pointintervalbox 0
 set key outside top center horizontal
 set label 1 sprintf('solid fill %.2f ns', fill) at graph 0.99, first fill right offset 0, 0.6
 plot fill with lines dashtype 2 linewidth 1 linecolor rgb '#7f7f7f' notitle, \

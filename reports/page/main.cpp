@@ -33,7 +33,8 @@ void write_text(const fs::path& path, const std::string& text) {
 }
 
 void write_plot_data(const fs::path& folder) {
-  for (const json& work : read_json(folder / "bench.json").at("workloads"))
+  const json bench = read_json(folder / "bench.json");
+  for (const json& work : bench.at("workloads"))
     write_text(folder / (work.at("id").get<std::string>() + ".dat"), plot_data(work));
 }
 

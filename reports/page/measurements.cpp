@@ -33,6 +33,16 @@ std::string row(const json& result) {
                            count("extra_px"));
 }
 
+std::string overview_cell(const json& result) {
+  if (result.contains("refusal")) return cell("&ndash;");
+  const std::string time = rounded(result.at("ns_per_px").at("median").get<double>()) + " ns";
+  if (result.at("wrong_texels").is_null()) return cell(time);
+  const double errors = errors_per_million(result);
+  return cell(time + "<br>" +
+              element("small", errors == 0 ? "exact" : rounded(errors) + " errors per million",
+                      errors == 0 ? "class=good" : ""));
+}
+
 std::string work_item(const json& work) {
   std::string rows =
       "<tr><th>mapper<th class=n>ns per covered pixel<th class=n>quartiles<th class=n>times fill"
@@ -57,6 +67,23 @@ std::string work_item(const json& work) {
                      escaped(id) + ".svg\" width=460 height=330 alt=\"" + escaped(id) +
                      ", time against errors\">",
                  "class=work");
+}
+
+// A row a work item, a column a mapper: time, and errors per million pixels.
+std::string overview(const json& bench) {
+  std::string head = "<tr><th>work item";
+  for (const json& subject : bench.at("subjects"))
+    head += "<th class=n>" + escaped(subject.at("id").get<std::string>());
+  std::string rows = head + "</tr>\n";
+  for (const json& work : bench.at("workloads")) {
+    std::string row = element("th",
+                              escaped(work.at("id").get<std::string>()) + ": " +
+                                  escaped(work.at("title").get<std::string>()),
+                              "scope=row");
+    for (const json& result : work.at("results")) row += overview_cell(result);
+    rows += element("tr", row);
+  }
+  return element("div", element("table", rows), "class=wide");
 }
 
 std::string subjects(const json& bench) {
@@ -110,7 +137,7 @@ std::string measurement_section(const Results& results) {
           "differed from the model in one pixel of them, nothing would have been timed. All "
           "mappers read the same RGBA texture, its rows padded by 16 texels, and draw into the "
           "same memory.");
-  html += subjects(bench);
+  html += overview(bench) + subjects(bench);
   for (const json& work : bench.at("workloads")) html += work_item(work);
   return html;
 }

@@ -35,10 +35,10 @@ std::string limits() {
           "li",
           "Times are of one run on one machine, which may be shared with other work; the "
           "quartiles show how much they moved. A ratio within the quartiles is no difference.") +
-          element(
-              "li",
-              "The mapper and the 16.16 loop run on one core without hand-written SIMD, compiled "
-              "for the baseline of the architecture; OpenCV chooses its SIMD code at run time.") +
+          element("li",
+                  "Everything runs on one core. The mapper and the 16.16 loop are compiled for the "
+                  "baseline "
+                  "of the architecture; OpenCV chooses its SIMD code at run time.") +
           element(
               "li",
               "OpenCV warps rectangles: it walks the whole bounding box, and which pixels it "

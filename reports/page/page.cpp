@@ -12,7 +12,7 @@ constexpr const char* kStyle = R"(
 @media (prefers-color-scheme: dark) {
   :root { --text: #dfe3e8; --page: #14171c; --line: #363c45; --good: #58c983; --bad: #ff7a85;
           --soft: #1f242b; } }
-body { margin: 0 auto; max-width: 76rem; padding: 1rem 1.25rem 4rem; background: var(--page);
+body { margin: 0 auto; max-width: 80rem; padding: 1rem 1.25rem 4rem; background: var(--page);
        color: var(--text); font: 16px/1.5 system-ui, sans-serif; }
 h2 { margin-top: 2.5rem; border-bottom: 1px solid var(--line); }
 h3 { margin: 2rem 0 .3rem; }
@@ -30,7 +30,7 @@ figure { margin: 0; } figcaption { font-size: .85rem; }
 img { max-width: 100%; height: auto; display: block; }
 .three img { width: 100%; background: #181c26; }
 .work { display: flex; flex-wrap: wrap; gap: 1.5rem; align-items: flex-start; }
-.plot { flex: none; }
+.plot { flex: none; width: 25rem; }
 pre { background: var(--soft); padding: .8rem 1rem; overflow-x: auto; font-size: .85rem; }
 summary { cursor: pointer; }
 )";
