@@ -59,14 +59,12 @@ void spoil_coverage(Catalogue* catalogue) {
                      return line.left.x < x && x <= line.right.x;
                    };
                  });
-  catalogue->add(
-      "bottom_edges_own", "PINWHEEL",
-      "edges own the rows at their bottom instead of their top, but left edges are right",
-      [](Recipe& r) {
-        r.cross = [](const Job& job, int32_t y) {
-          return spec::scan_line(y % 2 == 0 ? lowered(job.vertices, 1) : job.vertices, y);
-        };
-      });
+  catalogue->add("bottom_edges_own", "COV", "bottom edges own their pixels instead of top ones",
+                 [](Recipe& r) {
+                   r.cross = [](const Job& job, int32_t y) {
+                     return spec::scan_line(lowered(job.vertices, 1), y);
+                   };
+                 });
   catalogue->add("large_area_overflows", "COV", "a doubled area beyond 32 bits counts as none",
                  [](Recipe& r) {
                    r.prepare = [](Job& job) {
@@ -191,7 +189,7 @@ void spoil_mapping(Catalogue* catalogue) {
                      return point;
                    };
                  });
-  catalogue->add("ignores_q", "AFFINE", "perspective is left out", [](Recipe& r) {
+  catalogue->add("ignores_q", "MAP", "perspective is left out", [](Recipe& r) {
     r.prepare = [](Job& job) {
       for (selvage_vertex& v : job.vertices) v.q = 1;
     };

@@ -84,16 +84,16 @@ Violation violation_of_call(std::string_view law, std::string what, const Case& 
 }
 
 Judgement compare(std::string_view law, std::string_view what, const Case& shown,
-                  const Picture& picture, const Wanted& wanted) {
+                  const Picture& picture, const WantedAt& wanted_at) {
   Judgement judgement;
   for (int32_t y = 0; y < picture.height_px; ++y) {
     for (int32_t x = 0; x < picture.width_px; ++x) {
-      const auto pixel = wanted(x, y);
-      if (!pixel) continue;
+      const Wanted wanted = wanted_at(x, y);
+      if (!wanted.judged) continue;
       ++judgement.judged_px;
-      if (*pixel == picture.at(x, y)) continue;
+      if (wanted.pixel == picture.at(x, y)) continue;
       judgement.violation = violation_at(law, std::string(what), shown, x, y,
-                                         describe_pixel(shown, *pixel), picture.at(x, y));
+                                         describe_pixel(shown, wanted.pixel), picture.at(x, y));
       return judgement;
     }
   }

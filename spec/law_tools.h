@@ -58,11 +58,20 @@ void tell_coordinates(Violation* violation, const Case& shown, int32_t x_px, int
 [[nodiscard]] Violation violation_of_call(std::string_view law, std::string what, const Case& shown,
                                           std::string allowed, std::string drawn);
 
+using MaybePixel = std::optional<uint32_t>;
+
+// What a law demands at a pixel.
+struct Wanted {
+  bool judged;
+  MaybePixel pixel;  // nothing: the pixel must not be drawn
+};
+[[nodiscard]] inline Wanted must_be(const MaybePixel& pixel) { return {true, pixel}; }
+[[nodiscard]] inline Wanted unjudged() { return {false, {}}; }
+
 // Compares picture (drawn for `shown`) with what is wanted at each pixel of its target.
-// wanted(x, y) gives the pixel that must be there, or nothing where the law does not judge.
-using Wanted = std::function<std::optional<std::optional<uint32_t>>(int32_t x_px, int32_t y_px)>;
+using WantedAt = std::function<Wanted(int32_t x_px, int32_t y_px)>;
 [[nodiscard]] Judgement compare(std::string_view law, std::string_view what, const Case& shown,
-                                const Picture& picture, const Wanted& wanted);
+                                const Picture& picture, const WantedAt& wanted_at);
 
 // Adds up the pixels and keeps the first violation; true if there is one.
 bool add(Judgement* total, Judgement part);

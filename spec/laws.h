@@ -19,16 +19,16 @@ namespace selvage::spec {
 
 struct Violation {
   std::string law{};
-  std::string what{};              // one sentence: what should have held
+  std::string what{};            // one sentence: what should have held
   int32_t x_px = -1, y_px = -1;  // the pixel, or -1, -1 where no single pixel is to blame
-  std::string u{}, v{};              // exact coordinates there, texels, as fractions; may be empty
-  std::string allowed{};           // what the law allows there
-  std::string drawn{};             // what the subject drew
-  Case shown{};                    // the drawing in which it was seen, derived from the law's case
+  std::string u{}, v{};          // exact coordinates there, texels, as fractions; may be empty
+  std::string allowed{};         // what the law allows there
+  std::string drawn{};           // what the subject drew
+  Case shown{};                  // the drawing in which it was seen, derived from the law's case
 };
 
 struct Judgement {
-  uint64_t judged_px = 0;  // pixels (for TOTAL and MEM: calls) on which the law had its say
+  uint64_t judged_px = 0;  // pixels (for TOTAL: calls too) on which the law had its say
   std::optional<Violation> violation{};
 };
 

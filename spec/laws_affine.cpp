@@ -10,8 +10,6 @@
 namespace selvage::spec {
 namespace {
 
-using MaybePixel = std::optional<uint32_t>;
-
 [[nodiscard]] Judgement judge_equal_q(const Subject& subject, const Case& c, Choices& choices) {
   Case one = c, other = c;
   const int32_t q = choices.pick(0, 3) == 0 ? SELVAGE_Q_MAX : choices.pick(2, SELVAGE_Q_MAX);
@@ -19,7 +17,7 @@ using MaybePixel = std::optional<uint32_t>;
   for (selvage_vertex& v : other.vertices) v.q = q;
   const Picture affine = draw(subject, one);
   return compare("AFFINE", "q that are all equal change nothing", other, draw(subject, other),
-                 [&](int32_t x, int32_t y) { return std::optional(affine.at(x, y)); });
+                 [&](int32_t x, int32_t y) { return must_be(affine.at(x, y)); });
 }
 
 // A closed interval of integers; products of at most four texel differences fit int64_t.

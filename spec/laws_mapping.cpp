@@ -11,8 +11,6 @@
 namespace selvage::spec {
 namespace {
 
-using MaybePixel = std::optional<uint32_t>;
-
 [[nodiscard]] uint32_t texel_value(const Case& c, const Sample& point) {
   const Texel texel =
       nearest_texel(point, c.texture_width_texel, c.texture_height_texel, c.address);
@@ -37,16 +35,16 @@ using MaybePixel = std::optional<uint32_t>;
   const Picture picture = draw(subject, triangle);
   const auto& v = triangle.vertices;
   return compare("VERT", "a pixel on an edge or vertex shows what the edge's two ends say",
-                 triangle, picture, [&](int32_t x, int32_t y) -> std::optional<MaybePixel> {
-                   if (!picture.at(x, y)) return std::nullopt;
+                 triangle, picture, [&](int32_t x, int32_t y) {
+                   if (!picture.at(x, y)) return unjudged();
                    const Point p = pixel_centre(x, y);
                    for (size_t k = 0; k < 3; ++k) {
                      const selvage_vertex &a = v[k], &b = v[(k + 1) % 3];
                      if (position(a) == position(b) || !on_segment(p, position(a), position(b)))
                        continue;
-                     return MaybePixel(texel_value(triangle, sample_on_edge(p, a, b)));
+                     return must_be(texel_value(triangle, sample_on_edge(p, a, b)));
                    }
-                   return std::nullopt;
+                   return unjudged();
                  });
 }
 
@@ -65,10 +63,21 @@ using MaybePixel = std::optional<uint32_t>;
   return result;
 }
 
+// The triangle on the other side of the edge from vertex 0 to vertex 1: what it shows on that edge
+// must not depend on which of the two owns a pixel, nor on the third corner.
+[[nodiscard]] std::optional<std::array<selvage_vertex, 3>> twin_across_edge(
+    const std::array<selvage_vertex, 3>& triangle) {
+  const auto& [a, b, c] = triangle;
+  const int64_t x = int64_t{a.x} + b.x - c.x, y = int64_t{a.y} + b.y - c.y;
+  if (std::min(x, y) < SELVAGE_X_MIN || std::max(x, y) >= SELVAGE_X_END) return std::nullopt;
+  return std::array{
+      a, b, selvage_vertex{static_cast<int32_t>(x), static_cast<int32_t>(y), c.v, c.u, c.q}};
+}
+
 }  // namespace
 
-// Each corner with its neighbours, moved so that the corner lies on a sample point of the target,
-// in four quarter turns, so that every side of a corner and of an edge is drawn in one of them.
+// A corner with its neighbours, moved so that the corner lies on a sample point of the target, and
+// its twin, in four quarter turns, so that every side of a corner and of an edge is drawn in one.
 Judgement check_vert(const Subject& subject, const Case& c) {
   const size_t count = c.vertices.size();
   if (count < 3) return {};
@@ -81,10 +90,13 @@ Judgement check_vert(const Subject& subject, const Case& c) {
                               c.vertices[(k + count - 1) % count]};
   const auto placed = moved(corners, sample_point.x - corner.x, sample_point.y - corner.y);
   if (!placed) return judgement;
-  for (int quarters = 0; quarters < 4; ++quarters) {
-    const auto triangle = turned({(*placed)[0], (*placed)[1], (*placed)[2]}, quarters);
-    if (!triangle) continue;
-    if (add(&judgement, judge_outline(subject, with_vertices(c, *triangle)))) break;
+  const std::array<selvage_vertex, 3> triangle = {(*placed)[0], (*placed)[1], (*placed)[2]};
+  for (const auto& side : {std::optional(triangle), twin_across_edge(triangle)}) {
+    for (int quarters = 0; side && quarters < 4; ++quarters) {
+      const auto outline = turned(*side, quarters);
+      if (!outline) continue;
+      if (add(&judgement, judge_outline(subject, with_vertices(c, *outline)))) return judgement;
+    }
   }
   return judgement;
 }
@@ -94,9 +106,9 @@ Judgement check_map(const Subject& subject, const Case& c) {
   const Picture model = expected(c);
   const Picture drawn = draw(subject, c);
   return compare("MAP", "a drawn pixel shows the texel that holds its exact (u, v)", c, drawn,
-                 [&](int32_t x, int32_t y) -> std::optional<MaybePixel> {
-                   if (!model.at(x, y) || !drawn.at(x, y)) return std::nullopt;
-                   return model.at(x, y);
+                 [&](int32_t x, int32_t y) {
+                   if (!model.at(x, y) || !drawn.at(x, y)) return unjudged();
+                   return must_be(model.at(x, y));
                  });
 }
 
@@ -173,12 +185,12 @@ Judgement check_identity(const Subject& subject, const Case& c) {
     return begin_fx8 <= centre_fx8 && centre_fx8 < end_fx8;
   };
   return compare("IDENTITY", "an axis-aligned one-to-one rectangle is a block copy", shown,
-                 draw(subject, shown), [&](int32_t x, int32_t y) -> std::optional<MaybePixel> {
+                 draw(subject, shown), [&](int32_t x, int32_t y) {
                    const bool clipped = c.has_clip && (x < c.clip.left || c.clip.right <= x ||
                                                        y < c.clip.top || c.clip.bottom <= y);
                    if (clipped || !covers(left, right, x) || !covers(top, bottom, y))
-                     return MaybePixel();
-                   return MaybePixel(coordinate_texel(
+                     return must_be(std::nullopt);
+                   return must_be(coordinate_texel(
                        c.format, address_texel(x + ds, c.texture_width_texel, c.address),
                        address_texel(y + dt, c.texture_height_texel, c.address)));
                  });

@@ -10,8 +10,6 @@
 namespace selvage::spec {
 namespace {
 
-using MaybePixel = std::optional<uint32_t>;
-
 // A rigid motion of the plane that takes pixel centres to pixel centres, and the target with it.
 struct Motion {
   std::string what;
@@ -94,14 +92,14 @@ struct Motion {
   }
   const Picture before = draw(subject, c);
   return compare("MIRROR", "flipped (u, v) show flipped texels", flipped, draw(subject, flipped),
-                 [&](int32_t x, int32_t y) -> std::optional<MaybePixel> {
+                 [&](int32_t x, int32_t y) {
                    const MaybePixel& pixel = before.at(x, y);
                    const std::optional<Texel> texel = pixel ? read_texel(c, *pixel) : std::nullopt;
                    const std::optional<Sample> point = sample(c.vertices, x, y);
-                   if (!texel || !point) return std::nullopt;
-                   if (point->u.get_den() == 1 || point->v.get_den() == 1) return std::nullopt;
-                   return coordinate_texel(c.format, c.texture_width_texel - 1 - texel->s,
-                                           c.texture_height_texel - 1 - texel->t);
+                   if (!texel || !point) return unjudged();
+                   if (point->u.get_den() == 1 || point->v.get_den() == 1) return unjudged();
+                   return must_be(coordinate_texel(c.format, c.texture_width_texel - 1 - texel->s,
+                                                   c.texture_height_texel - 1 - texel->t));
                  });
 }
 

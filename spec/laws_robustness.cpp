@@ -17,11 +17,10 @@ Judgement check_mem(const Subject& subject, const Case& c) {
         "an untouched surrounding", picture.memory_fault);
     return judgement;
   }
-  const auto wanted = [&](int32_t x, int32_t y) -> std::optional<std::optional<uint32_t>> {
+  const auto wanted = [&](int32_t x, int32_t y) {
     const bool clipped = c.has_clip && (x < c.clip.left || c.clip.right <= x || y < c.clip.top ||
                                         c.clip.bottom <= y);
-    if (!clipped) return std::nullopt;
-    return std::optional<uint32_t>();
+    return clipped ? must_be(std::nullopt) : unjudged();
   };
   add(&judgement,
       compare("MEM", "nothing outside the clip rectangle is written", c, picture, wanted));
@@ -45,9 +44,8 @@ namespace {
     return judgement;
   }
   if (wanted == SELVAGE_OK) return judgement;
-  add(&judgement, compare("TOTAL", "an error draws nothing", c, picture, [](int32_t, int32_t) {
-    return std::optional(std::optional<uint32_t>());
-  }));
+  add(&judgement, compare("TOTAL", "an error draws nothing", c, picture,
+                          [](int32_t, int32_t) { return must_be(std::nullopt); }));
   return judgement;
 }
 

@@ -76,13 +76,12 @@ Judgement check_split(const Subject& subject, const Case& c) {
   }
   Judgement judgement =
       compare("SPLIT", "two parts of a polygon draw what the whole draws", whole_case, parts,
-              [&](int32_t x, int32_t y) { return std::optional(whole.at(x, y)); });
+              [&](int32_t x, int32_t y) { return must_be(whole.at(x, y)); });
   if (judgement.violation) return judgement;
-  add(&judgement, compare("SPLIT", "a pixel lies in one part only", whole_case, b,
-                          [&](int32_t x, int32_t y) -> std::optional<std::optional<uint32_t>> {
-                            if (!a.at(x, y)) return std::nullopt;
-                            return std::optional<uint32_t>();
-                          }));
+  add(&judgement,
+      compare("SPLIT", "a pixel lies in one part only", whole_case, b, [&](int32_t x, int32_t y) {
+        return a.at(x, y) ? must_be(std::nullopt) : unjudged();
+      }));
   return judgement;
 }
 

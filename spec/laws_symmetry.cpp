@@ -11,8 +11,6 @@
 namespace selvage::spec {
 namespace {
 
-using MaybePixel = std::optional<uint32_t>;
-
 [[nodiscard]] bool contains(const selvage_rect& r, int32_t x, int32_t y) {
   return r.left <= x && x < r.right && r.top <= y && y < r.bottom;
 }
@@ -20,14 +18,16 @@ using MaybePixel = std::optional<uint32_t>;
 [[nodiscard]] selvage_rect choose_rect(const Case& c, Choices& choices) {
   const int32_t w = c.target_width_px, h = c.target_height_px;
   const int32_t x = choices.pick(0, w), y = choices.pick(0, h);
-  switch (choices.pick(0, 5)) {
+  switch (choices.pick(0, 6)) {
     case 0:  // one pixel
       return {x, y, x + 1, y + 1};
     case 1:  // the rest of the rows, from a column on, with no end
       return {x, y, std::numeric_limits<int32_t>::max(), std::numeric_limits<int32_t>::max()};
     case 2:  // up to a column, from beyond the beginning
       return {std::numeric_limits<int32_t>::min(), -1, x, y};
-    case 3:  // inverted or empty
+    case 3:  // wholly beyond the target
+      return x % 2 == 0 ? selvage_rect{w, -9, w + 9, h} : selvage_rect{-9, h, w, h + 9};
+    case 4:  // inverted or empty
       return {x, y, x - choices.pick(0, 3), h};
     default:
       return {x, y, choices.pick(x, w) + 1, choices.pick(y, h) + 1};
@@ -47,8 +47,8 @@ Judgement check_clip(const Subject& subject, const Case& c) {
     Case clipped = c;
     clipped.has_clip = true;
     if (i > 0 || !c.has_clip) clipped.clip = choose_rect(c, choices);
-    const auto wanted = [&](int32_t x, int32_t y) -> std::optional<MaybePixel> {
-      return contains(clipped.clip, x, y) ? whole.at(x, y) : MaybePixel();
+    const auto wanted = [&](int32_t x, int32_t y) {
+      return must_be(contains(clipped.clip, x, y) ? whole.at(x, y) : MaybePixel());
     };
     if (add(&judgement, compare("CLIP", "drawing clipped is drawing whole and cropping", clipped,
                                 draw(subject, clipped), wanted))) {
@@ -71,9 +71,9 @@ namespace {
   const Picture before = draw(subject, c);
   const selvage_rect target{0, 0, c.target_width_px, c.target_height_px};
   return compare("SHIFT", "polygon and clip shifted by whole pixels shift the picture", shifted,
-                 draw(subject, shifted), [&](int32_t x, int32_t y) -> std::optional<MaybePixel> {
-                   if (!contains(target, x - dx, y - dy)) return std::nullopt;
-                   return before.at(x - dx, y - dy);
+                 draw(subject, shifted), [&](int32_t x, int32_t y) {
+                   if (!contains(target, x - dx, y - dy)) return unjudged();
+                   return must_be(before.at(x - dx, y - dy));
                  });
 }
 
@@ -97,17 +97,17 @@ namespace {
   Case shifted = wrapped;
   if (!shift_texture(&shifted.vertices, ds, dt)) return {};
   const Picture before = draw(subject, wrapped);
-  return compare("SHIFT", "(u, v) shifted by whole texels shift the texels", shifted,
-                 draw(subject, shifted), [&](int32_t x, int32_t y) -> std::optional<MaybePixel> {
-                   const MaybePixel& pixel = before.at(x, y);
-                   if (!pixel) return MaybePixel();
-                   const std::optional<Texel> texel = read_texel(c, *pixel);
-                   if (!texel) return std::nullopt;
-                   return coordinate_texel(
-                       c.format,
-                       address_texel(texel->s + ds, c.texture_width_texel, SELVAGE_ADDRESS_WRAP),
-                       address_texel(texel->t + dt, c.texture_height_texel, SELVAGE_ADDRESS_WRAP));
-                 });
+  return compare(
+      "SHIFT", "(u, v) shifted by whole texels shift the texels", shifted, draw(subject, shifted),
+      [&](int32_t x, int32_t y) {
+        const MaybePixel& pixel = before.at(x, y);
+        if (!pixel) return must_be(std::nullopt);
+        const std::optional<Texel> texel = read_texel(c, *pixel);
+        if (!texel) return unjudged();
+        return must_be(coordinate_texel(
+            c.format, address_texel(texel->s + ds, c.texture_width_texel, SELVAGE_ADDRESS_WRAP),
+            address_texel(texel->t + dt, c.texture_height_texel, SELVAGE_ADDRESS_WRAP)));
+      });
 }
 
 }  // namespace
@@ -124,7 +124,7 @@ Judgement check_order(const Subject& subject, const Case& c) {
   if (!is_valid(c)) return {};
   Choices choices(c.choice);
   const Picture before = draw(subject, c);
-  const auto wanted = [&](int32_t x, int32_t y) { return std::optional(before.at(x, y)); };
+  const auto wanted = [&](int32_t x, int32_t y) { return must_be(before.at(x, y)); };
 
   Case rotated = c;
   const auto first = choices.pick(1, static_cast<int32_t>(c.vertices.size()));

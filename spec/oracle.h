@@ -15,7 +15,7 @@ struct OracleTally {
 };
 
 // Draws the triangle of the case's first three vertices, and lets OpenCV draw the same map.
-// Judges nothing if there is no such triangle or it has no area.
+// Judges nothing if there is no such triangle, it has no area, or an image is too large for OpenCV.
 [[nodiscard]] OracleTally ask_opencv(const Subject& subject, const Case& c);
 
 // OpenCV's build information: version, and what it was built with.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -28,7 +29,8 @@ struct Plane {
 [[nodiscard]] Plane plane_through(std::span<const selvage_vertex> v,
                                   const std::array<Rational, 3>& f) {
   const auto position_of = [&](size_t k) {
-    return std::pair(Rational(v[k].x) / SELVAGE_SUBPIXELS, Rational(v[k].y) / SELVAGE_SUBPIXELS);
+    return std::pair<Rational, Rational>(Rational(v[k].x) / SELVAGE_SUBPIXELS,
+                                         Rational(v[k].y) / SELVAGE_SUBPIXELS);
   };
   const auto [x0, y0] = position_of(0);
   const auto [x1, y1] = position_of(1);
@@ -66,6 +68,8 @@ struct Homography {
 // Far below the ends of the 16-bit texel coordinates and 32-bit products that OpenCV saturates.
 inline constexpr double kLargestTexel = 32000;
 inline constexpr double kLargestSum = 1 << 20;
+// OpenCV refuses larger images.
+inline constexpr int32_t kSideLimit = 32767;
 
 // warpAffine rounds each of two terms to 1/1024 texel, halves to even, and floors their sum plus
 // 1/2: the texel is certain where u is further than 1/1024 from an integer, plus what doubles lose
@@ -174,6 +178,9 @@ OracleTally ask_opencv(const Subject& subject, const Case& c) {
   if (c.vertices.size() < 3) return {};
   Case shown = with_vertices(c, {c.vertices[0], c.vertices[1], c.vertices[2]});
   shown.has_clip = false;
+  const int32_t largest_side = std::max(
+      {c.target_width_px, c.target_height_px, c.texture_width_texel, c.texture_height_texel});
+  if (largest_side >= kSideLimit) return {};
   const auto& v = shown.vertices;
   if (doubled_area(position(v[0]), position(v[1]), position(v[2])) == 0) return {};
   const bool affine = v[0].q == v[1].q && v[1].q == v[2].q;

@@ -9,18 +9,19 @@
 namespace selvage::spec {
 namespace {
 
-// Complementary, so that no single value a subject may write equals both.
+// Complementary, so that no value a subject may write equals both, or comes from outside the
+// texture both times.
 inline constexpr std::array<uint8_t, 2> kBackgrounds = {0x5A, 0xA5};
-inline constexpr uint8_t kOutsideTexture = 0xEE;
+inline constexpr std::array<uint8_t, 2> kOutsideTexture = {0xEE, 0x11};
 
 // How many bits of s and of t a format's coordinate texel holds.
 [[nodiscard]] int coordinate_bits(selvage_format format) {
   return format == SELVAGE_INDEX8 ? 4 : format == SELVAGE_RGB565 ? 8 : 16;
 }
 
-[[nodiscard]] Canvas coordinate_texture(const Case& c) {
+[[nodiscard]] Canvas coordinate_texture(const Case& c, uint8_t outside) {
   Canvas texture(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
-                 c.flip_texture, kOutsideTexture);
+                 c.flip_texture, outside);
   for (int32_t t = 0; t < c.texture_height_texel; ++t) {
     for (int32_t s = 0; s < c.texture_width_texel; ++s) {
       texture.set_pixel(s, t, coordinate_texel(c.format, s, t));
@@ -47,7 +48,8 @@ template <class T>
   Canvas canvas(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target,
                 background);
   const Canvas texture_before = texture;
-  const std::vector<selvage_vertex> vertices = c.vertices;
+  std::vector<selvage_vertex> vertices = c.vertices;
+  vertices.reserve(1);  // no vertices are not NULL vertices
   const selvage_image image = canvas.image();
   const selvage_texture view = texture.texture();
   const selvage_options options{SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST, c.address,
@@ -93,10 +95,11 @@ std::string describe_texel(selvage_format format, uint32_t value) {
 }
 
 Picture draw(const Subject& subject, const Case& c) {
-  const Canvas texture = coordinate_texture(c);
   Picture picture = blank(c);
-  const Drawn first = draw_over(subject, c, texture, kBackgrounds[0], &picture.memory_fault);
-  const Drawn second = draw_over(subject, c, texture, kBackgrounds[1], &picture.memory_fault);
+  const Drawn first = draw_over(subject, c, coordinate_texture(c, kOutsideTexture[0]),
+                                kBackgrounds[0], &picture.memory_fault);
+  const Drawn second = draw_over(subject, c, coordinate_texture(c, kOutsideTexture[1]),
+                                 kBackgrounds[1], &picture.memory_fault);
   picture.status = first.status;
   if (second.status != first.status) picture.memory_fault = "the status depends on the target";
 
@@ -108,7 +111,10 @@ Picture draw(const Subject& subject, const Case& c) {
       const uint32_t a = first.canvas.pixel(x, y), b = second.canvas.pixel(x, y);
       if (a == untouched[0].pixel(0, 0) && b == untouched[1].pixel(0, 0)) continue;
       picture.pixels[index] = a;
-      if (a != b) picture.memory_fault = "a pixel depends on what the target held before";
+      if (a != b) {
+        picture.memory_fault =
+            "a pixel depends on the target's past or on memory beside the texture";
+      }
     }
   }
   return picture;

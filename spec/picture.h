@@ -29,8 +29,9 @@ struct Picture {
 // "texel (s, t)", or the bare value where the format cannot tell the place.
 [[nodiscard]] std::string describe_texel(selvage_format format, uint32_t value);
 
-// Draws the case with the coordinate texture, over two backgrounds (a pixel counts as drawn when it
-// no longer depends on its background), between guard bytes.
+// Draws the case with the coordinate texture, over two complementary backgrounds and between guard
+// bytes. A pixel counts as drawn unless it holds its background both times; one that was drawn and
+// differs between the two is a memory fault.
 [[nodiscard]] Picture draw(const Subject& subject, const Case& c);
 
 // The same by the exact model.

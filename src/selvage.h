@@ -155,7 +155,8 @@ enum {
  * texture   must have the target's format.
  * options   NULL means all zero.
  *
- * No texel may share memory with a pixel, and no vertex with the target: SELVAGE_ERROR_OVERLAP.
+ * No texel may share memory with a pixel, and no vertex with the target's rows or what lies between
+ * them: SELVAGE_ERROR_OVERLAP.
  * Texture and target may interleave in one bitmap (two rectangles of an atlas) if their pitches are
  * equal in magnitude; otherwise their address ranges must not meet.
  *

@@ -69,7 +69,7 @@ TEST(Lanes, HoldOverTheWholeRange) {
                 {last, least, u_last, u_least, 1},
                 {last, last, u_last, u_last, 1},
                 {least, last, u_least, u_least, 1}};
-  for (const int32_t q : {1, 2, 1000, SELVAGE_Q_MAX}) {
+  for (const int32_t q : {1, 2, 1000, int32_t{SELVAGE_Q_MAX}}) {
     c.vertices[1].q = q;
     Polygon polygon;
     ASSERT_EQ(examine(c.vertices, &polygon), SELVAGE_OK);

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <cstdlib>
 #include <ostream>
 #include <string>
 
@@ -50,16 +49,7 @@ TEST_P(LawProperties, HoldForTheBuiltInMapper) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Exact, LawProperties, testing::ValuesIn(every_law()),
-                         [](const auto& info) { return std::string(info.param->name); });
+                         [](const auto& of) { return std::string(of.param->name); });
 
 }  // namespace
 }  // namespace selvage::spec
-
-int main(int argc, char** argv) {
-  testing::InitGoogleTest(&argc, argv);
-  const char* given = std::getenv("RC_PARAMS");
-  std::string parameters = given != nullptr ? given : "";
-  if (parameters.find("max_success") == std::string::npos) parameters += " max_success=1000";
-  setenv("RC_PARAMS", parameters.c_str(), /*overwrite=*/1);
-  return RUN_ALL_TESTS();
-}

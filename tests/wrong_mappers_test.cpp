@@ -46,7 +46,7 @@ TEST_P(WrongMappers, AreRejected) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, WrongMappers, testing::ValuesIn(every_wrong_mapper()),
-                         [](const auto& info) { return std::string(info.param->name); });
+                         [](const auto& of) { return std::string(of.param->name); });
 
 TEST(Catalogue, GivesEveryLawSomethingToReject) {
   std::set<std::string_view> killers;

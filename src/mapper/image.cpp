@@ -103,7 +103,8 @@ selvage_status check_vertices(const selvage_image& target, const selvage_vertex*
   const Footprint a =
       footprint(target.pixels, target.width, target.height, target.pitch, target.format);
   const auto begin = reinterpret_cast<uintptr_t>(vertices);
-  const uintptr_t end = begin + count * sizeof(selvage_vertex);
+  const uintptr_t most = (UINTPTR_MAX - begin) / sizeof(selvage_vertex);
+  const uintptr_t end = begin + std::min(uintptr_t{count}, most) * sizeof(selvage_vertex);
   return ranges_meet(a.first_byte, a.end_byte(), begin, end) ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
 }
 
