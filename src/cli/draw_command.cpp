@@ -12,6 +12,7 @@
 #include "cli/png.h"
 #include "cli/polygon_json.h"
 #include "cli/polygon_text.h"
+#include "cli/status_line.h"
 
 namespace selvage::cli {
 namespace {
@@ -129,9 +130,13 @@ int run_draw(const DrawOptions& options, const Console& console) {
   check_output(options.output);
   const selvage_format format = about("--format", [&] { return parse_format(options.format); });
   const Job job = read_job(options);
+  StatusLine status(console);
+  status.show("reading the pictures");
   Bitmap target = to_bitmap(read_background(options), format);
   const Bitmap texture = to_bitmap(read_picture(options.texture), format);
+  status.show("drawing");
   const int64_t time_ns = draw_job_ns(job, texture, target);
+  status.show("writing " + options.output);
   const Raster picture = to_raster(std::move(target));
   write_file(options.output, encode_png(picture));
   if (options.json) report(options, job, picture, time_ns, console);

@@ -15,7 +15,7 @@
 #include "cli/file.h"
 #include "cli/number.h"
 #include "cli/png.h"
-#include "cli/progress.h"
+#include "cli/status_line.h"
 #include "cli/verdict.h"
 
 namespace selvage::cli {
@@ -159,9 +159,9 @@ int run_verify(const VerifyOptions& options, const spec::Subject& subject, const
   run.oracle_missing = options.laws.empty() && spec::find_law("ORACLE") == nullptr;
   const auto check = [&](const spec::Law& law) {
     if (replayed) return replay(law, subject, *replayed);
-    Progress progress(console, std::string(law.name), cases);
+    StatusLine status(console);
     return spec::verify(law, subject, run.seed, cases,
-                        [&](uint64_t done) { progress.update(done); });
+                        [&](uint64_t done) { status.count(law.name, done, cases); });
   };
 
   const bool show = !options.json;

@@ -176,6 +176,13 @@ TEST_F(Draw, ReportsInJson) {
   EXPECT_GT(report["draw_ns"], 0);
 }
 
+TEST_F(Draw, TellsATerminalWhatItDoesAndWipesIt) {
+  std::ostringstream err;
+  EXPECT_EQ(run_draw(options_, {out_, err, true}), kExitFine);
+  expect_contains(err.str(), "writing out.png");
+  EXPECT_TRUE(err.str().ends_with("\r\x1b[K"));
+}
+
 TEST_F(Draw, RefusesWhatItCannotDraw) {
   options_.polygons = {kQuad, "0,0,0,0 40,40,0,0 80,0,0,0 80,80,0,0 40,20,0,0 0,80,0,0"};
   EXPECT_EQ(refusal(),
