@@ -24,4 +24,14 @@ struct Wrap {
   }
 };
 
+// Wrap without its division, for sizes that are powers of two.
+struct WrapMasked {
+  [[nodiscard]] static bool fits(int32_t size_texel) {
+    return (size_texel & (size_texel - 1)) == 0;
+  }
+  [[nodiscard]] static int32_t index(int32_t texel, int32_t size_texel) {
+    return texel & (size_texel - 1);
+  }
+};
+
 }  // namespace selvage::mapper

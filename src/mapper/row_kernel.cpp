@@ -12,34 +12,40 @@ struct TexelIndex {
   int32_t s, t;
 };
 
-// floor of the true value: the lane's own, unless the lane is a near-tie.
 [[nodiscard]] inline bool is_near_tie(int64_t lane_fx32, uint32_t margin_fx32) {
   return static_cast<uint32_t>(lane_fx32) >= 0U - margin_fx32;
 }
 
-template <class Lanes>
-[[nodiscard]] inline TexelIndex texel_at(const SpanMap& map, const Span& span, const Lanes& lanes,
-                                         int32_t offset_px) {
-  const Lane lane = lanes.at(offset_px);
+// The exact texel under lanes of which one at least is a near-tie. Rare, and kept out of the loop.
+[[nodiscard, gnu::noinline]] TexelIndex decide(const SpanMap& map, int32_t px, Lane lane,
+                                               uint32_t margin_fx32) {
   TexelIndex texel{static_cast<int32_t>(lane.u_fx32 >> kLaneFraction),
                    static_cast<int32_t>(lane.v_fx32 >> kLaneFraction)};
-  const uint32_t margin = lanes.margin_fx32();
-  if (is_near_tie(lane.u_fx32, margin)) [[unlikely]] {
-    texel.s = map.u_texel(span.left_px + offset_px, texel.s);
-  }
-  if (is_near_tie(lane.v_fx32, margin)) [[unlikely]] {
-    texel.t = map.v_texel(span.left_px + offset_px, texel.t);
-  }
+  if (is_near_tie(lane.u_fx32, margin_fx32)) texel.s = map.u_texel(px, texel.s);
+  if (is_near_tie(lane.v_fx32, margin_fx32)) texel.t = map.v_texel(px, texel.t);
   return texel;
 }
 
+// floor u and floor v at a pixel: those of the lanes, which are exact unless near-ties.
+template <class Lanes>
+[[nodiscard]] inline TexelIndex texel_at(const SpanMap& map, int32_t left_px, const Lanes& lanes,
+                                         int32_t offset_px) {
+  const Lane lane = lanes.at(offset_px);
+  const uint32_t margin = lanes.margin_fx32();
+  if (is_near_tie(lane.u_fx32, margin) || is_near_tie(lane.v_fx32, margin)) [[unlikely]] {
+    return decide(map, left_px + offset_px, lane, margin);
+  }
+  return {static_cast<int32_t>(lane.u_fx32 >> kLaneFraction),
+          static_cast<int32_t>(lane.v_fx32 >> kLaneFraction)};
+}
+
+// Lanes, span and texture come by value: no store through `pixel` can change them.
 template <class Pixel, class Address, class Lanes>
-void draw_texels(const SpanMap& map, const Span& span, const Lanes& lanes,
-                 const selvage_texture& texture, char* row) {
+void draw_texels(const SpanMap& map, const Span span, const Lanes lanes,
+                 const selvage_texture texture, char* pixel) {
   const char* texels = static_cast<const char*>(texture.texels);
-  char* pixel = row + ptrdiff_t{span.left_px} * ptrdiff_t{sizeof(Pixel)};
   for (int32_t offset_px = 0; offset_px < span.width_px(); ++offset_px) {
-    const TexelIndex texel = texel_at(map, span, lanes, offset_px);
+    const TexelIndex texel = texel_at(map, span.left_px, lanes, offset_px);
     const ptrdiff_t s = Address::index(texel.s, texture.width);
     const ptrdiff_t t = Address::index(texel.t, texture.height);
     std::memcpy(pixel, texels + t * texture.pitch + s * ptrdiff_t{sizeof(Pixel)}, sizeof(Pixel));
@@ -47,23 +53,25 @@ void draw_texels(const SpanMap& map, const Span& span, const Lanes& lanes,
   }
 }
 
-// u and v are monotone along a span, so its ends tell whether all of it is inside the texture.
 [[nodiscard]] bool is_inside(TexelIndex texel, const selvage_texture& texture) {
   return 0 <= texel.s && texel.s < texture.width && 0 <= texel.t && texel.t < texture.height;
 }
 
+// u and v are monotone along a span, so its ends tell whether all of it is inside the texture.
 template <class Pixel, class Lanes>
 void draw_row(const SpanMap& map, const Span& span, const selvage_texture& texture,
               selvage_address address, void* row) {
   const Lanes lanes(map, span);
-  char* bytes = static_cast<char*>(row);
-  if (is_inside(texel_at(map, span, lanes, 0), texture) &&
-      is_inside(texel_at(map, span, lanes, span.width_px() - 1), texture)) {
-    draw_texels<Pixel, Inside>(map, span, lanes, texture, bytes);
+  char* pixel = static_cast<char*>(row) + ptrdiff_t{span.left_px} * ptrdiff_t{sizeof(Pixel)};
+  if (is_inside(texel_at(map, span.left_px, lanes, 0), texture) &&
+      is_inside(texel_at(map, span.left_px, lanes, span.width_px() - 1), texture)) {
+    draw_texels<Pixel, Inside>(map, span, lanes, texture, pixel);
   } else if (address == SELVAGE_ADDRESS_CLAMP) {
-    draw_texels<Pixel, Clamp>(map, span, lanes, texture, bytes);
+    draw_texels<Pixel, Clamp>(map, span, lanes, texture, pixel);
+  } else if (WrapMasked::fits(texture.width) && WrapMasked::fits(texture.height)) {
+    draw_texels<Pixel, WrapMasked>(map, span, lanes, texture, pixel);
   } else {
-    draw_texels<Pixel, Wrap>(map, span, lanes, texture, bytes);
+    draw_texels<Pixel, Wrap>(map, span, lanes, texture, pixel);
   }
 }
 
