@@ -48,8 +48,8 @@ struct Case {
 // Either letter case. Empty if the text has an odd length or holds anything but such digits.
 [[nodiscard]] std::optional<Case> from_hex(std::string_view hex);
 
-// A description for people: sizes, options, and each vertex in pixels and texels, exactly. Several
-// lines; the last one is not ended.
+// A description for people, in whole lines: sizes, options, and each vertex in pixels and texels,
+// exactly.
 [[nodiscard]] std::string print(const Case& c);
 
 }  // namespace selvage::spec

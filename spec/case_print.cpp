@@ -56,10 +56,10 @@ std::string print(const Case& c) {
         << ", " << c.clip.bottom << ")\n";
   }
   out << c.vertices.size() << (c.vertices.size() == 1 ? " vertex" : " vertices")
-      << ": (x, y) px, (u, v) texels, q";
+      << ": (x, y) px, (u, v) texels, q\n";
   for (const selvage_vertex& vertex : c.vertices) {
-    out << "\n  (" << pixels(vertex.x) << ", " << pixels(vertex.y) << "), (" << texels(vertex.u)
-        << ", " << texels(vertex.v) << "), " << vertex.q;
+    out << "  (" << pixels(vertex.x) << ", " << pixels(vertex.y) << "), (" << texels(vertex.u)
+        << ", " << texels(vertex.v) << "), " << vertex.q << '\n';
   }
   return out.str();
 }

@@ -77,14 +77,14 @@ struct Interval {
 
 using MakeInterval = Interval (*)(Random&, int32_t size_px);
 constexpr Weighted<MakeInterval> kIntervals[] = {{50, partial}, {16, one_pixel}, {3, empty},
-                                                 {3, inverted}, {18, beyond},    {10, whole}};
+                                                 {3, inverted}, {18, beyond},    {22, whole}};
 
 void set_clip(Random& random, Case* c) {
   c->has_clip = random.percent(40);
   if (!c->has_clip) return;
   const MakeInterval make_columns = choose<MakeInterval>(random, kIntervals);
   const MakeInterval make_rows =
-      random.percent(70) ? make_columns : choose<MakeInterval>(random, kIntervals);
+      random.percent(40) ? make_columns : choose<MakeInterval>(random, kIntervals);
   const Interval columns = make_columns(random, c->target_width_px);
   const Interval rows = make_rows(random, c->target_height_px);
   c->clip = {columns.first_px, rows.first_px, columns.end_px, rows.end_px};

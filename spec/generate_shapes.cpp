@@ -12,8 +12,9 @@ namespace selvage::spec {
 namespace {
 
 constexpr Weighted<Family> kFamilies[] = {
-    {11, triangle}, {11, grid_triangle}, {9, sliver}, {6, needle},  {9, rectangle}, {8, slanted},
-    {15, convex},   {13, chains},        {4, flat},   {8, far_off}, {5, broken},    {1, too_few}};
+    {11, triangle}, {11, grid_triangle}, {7, sliver},  {2, smallest}, {5, needle},
+    {8, rectangle}, {8, slanted},        {16, convex}, {14, chains},  {3, flat},
+    {9, far_off},   {6, broken},         {1, too_few}};
 
 using Index = std::ptrdiff_t;
 
@@ -63,13 +64,39 @@ void shift(Random& random, const Frame& frame, Outline& outline) {
   for (Point& point : outline) point = {point.x + distance.x, point.y + distance.y};
 }
 
+// About the middle of the target, so that more of it is covered and more is cut off.
+void enlarge(Random& random, const Frame& frame, Outline& outline) {
+  const int64_t factor = random.in(2, 4);
+  const Point middle{frame.width_px * kHalfPixel_fx8, frame.height_px * kHalfPixel_fx8};
+  for (Point& point : outline) {
+    point = {middle.x + (point.x - middle.x) * factor, middle.y + (point.y - middle.y) * factor};
+  }
+}
+
+// One axis from its least and greatest position to the ends of the target. Order is kept.
+void stretch_axis(int64_t Point::*axis, int32_t size_px, Outline& outline) {
+  const auto before = [=](const Point& a, const Point& b) { return a.*axis < b.*axis; };
+  const auto [least, greatest] = std::minmax_element(outline.begin(), outline.end(), before);
+  const int64_t first = (*least).*axis;
+  const int64_t extent = (*greatest).*axis - first;
+  if (extent == 0) return;
+  for (Point& point : outline) {
+    point.*axis = (point.*axis - first) * size_px * kPixel_fx8 / extent;
+  }
+}
+
+void stretch(Random& random, const Frame& frame, Outline& outline) {
+  if (random.percent(80)) stretch_axis(&Point::x, frame.width_px, outline);
+  if (random.percent(80)) stretch_axis(&Point::y, frame.height_px, outline);
+}
+
 using Change = void (*)(Random&, const Frame&, Outline&);
 struct Likely {
   int percent;
   Change change;
 };
-constexpr Likely kChanges[] = {
-    {12, repeat_a_vertex}, {12, add_a_ledge}, {10, add_a_collinear_run}, {10, shift}};
+constexpr Likely kChanges[] = {{25, stretch},         {8, enlarge},      {8, shift},
+                               {12, repeat_a_vertex}, {12, add_a_ledge}, {10, add_a_collinear_run}};
 
 [[nodiscard]] int64_t into_range(int64_t position_fx8) {
   return std::clamp<int64_t>(position_fx8, SELVAGE_X_MIN, SELVAGE_X_END - 1);

@@ -13,6 +13,10 @@ constexpr int32_t kFirst_fx8 = SELVAGE_X_MIN, kLast_fx8 = SELVAGE_X_END - 1;
   return {position_fx8(random, frame.width_px), position_fx8(random, frame.height_px)};
 }
 
+[[nodiscard]] int32_t centre_fx8(Random& random, int32_t size_px) {
+  return kPixel_fx8 * random.in(0, size_px) + kHalfPixel_fx8;
+}
+
 [[nodiscard]] Point plus(const Point& a, const Point& b) { return {a.x + b.x, a.y + b.y}; }
 
 [[nodiscard]] Point times(const Point& a, int64_t factor) { return {a.x * factor, a.y * factor}; }
@@ -62,26 +66,31 @@ Outline grid_triangle(Random& random, const Frame& frame) {
   return outline;
 }
 
-// Two vectors whose cross product is 1, grown as in the Stern-Brocot tree; then one of them longer.
-Outline sliver(Random& random, const Frame& frame) {
-  const int64_t reach_fx8 = int64_t{kPixel_fx8} * (frame.width_px + frame.height_px) / 2;
+Outline smallest(Random& random, const Frame& frame) {
+  const int32_t reach_fx8 = kPixel_fx8 * (frame.width_px + frame.height_px) / 2;
   Point a{1, 0}, b{0, 1};
   const int lean = random.in(10, 91);
-  for (int i = 0; i < 64; ++i) {
+  for (;;) {
     const Point sum = plus(a, b);
     if (sum.x + sum.y > reach_fx8) break;
     (random.percent(lean) ? a : b) = sum;
   }
-  const int64_t longest_fx8 = std::max(a.x + a.y, b.x + b.y);
-  a = times(a, random.in(1, std::max<int64_t>(2, reach_fx8 / longest_fx8 + 1)));
-  if (random.percent(50)) b = times(b, random.in(1, 4));
-  if (random.percent(50)) b = plus(a, b);
-  const Point start = random_position(random, frame);
-  const int32_t flip_x = random.pick({1, -1});
-  const auto from_start = [&](const Point& point) {
-    return plus(start, {point.x * flip_x, point.y});
-  };
-  return {start, from_start(a), from_start(b)};
+  const int32_t mirror = random.pick({1, -1});
+  const Point start{centre_fx8(random, frame.width_px), centre_fx8(random, frame.height_px)};
+  return {start, {start.x + a.x * mirror, start.y + a.y}, {start.x + b.x * mirror, start.y + b.y}};
+}
+
+// Two ends on pixel centres, so that the long edge runs through any centres between them.
+Outline sliver(Random& random, const Frame& frame) {
+  const Point from{centre_fx8(random, frame.width_px), centre_fx8(random, frame.height_px)};
+  const Point to{centre_fx8(random, frame.width_px), centre_fx8(random, frame.height_px)};
+  const int32_t part = random.in(-20, 121);
+  const int32_t off_fx8 = random.pick({1, 1, 2, 16, 64, 128});
+  const int32_t reach_fx8 = 2 * off_fx8 + 1;
+  Point third{from.x + (to.x - from.x) * part / 100, from.y + (to.y - from.y) * part / 100};
+  third = {third.x + random.in(0, reach_fx8) - off_fx8, third.y};
+  third = {third.x, third.y + random.in(0, reach_fx8) - off_fx8};
+  return {from, to, third};
 }
 
 Outline needle(Random& random, const Frame& frame) {

@@ -20,8 +20,11 @@ using Family = Outline (*)(Random&, const Frame&);
 [[nodiscard]] Outline triangle(Random& random, const Frame& frame);
 // On a half-pixel grid: edges run through pixel centres.
 [[nodiscard]] Outline grid_triangle(Random& random, const Frame& frame);
-// A thin triangle; its area goes down to 1/2 of 1/65536 px^2, the least there is.
+// A thin triangle along pixel centres.
 [[nodiscard]] Outline sliver(Random& random, const Frame& frame);
+// A triangle of the least area there is, 1/2 of 1/65536 px^2, that starts on a pixel centre: its
+// edges are two vectors whose cross product is 1, grown as in the Stern-Brocot tree.
+[[nodiscard]] Outline smallest(Random& random, const Frame& frame);
 // At most a pixel high and as wide as the target, or turned.
 [[nodiscard]] Outline needle(Random& random, const Frame& frame);
 [[nodiscard]] Outline rectangle(Random& random, const Frame& frame);

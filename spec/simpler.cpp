@@ -61,6 +61,7 @@ class Candidates {
   const int32_t last_place = fraction & -fraction;
   const int32_t sign = value < 0 ? -1 : 1;
   values = {whole * unit, value - sign * last_place};
+  if (whole == 0) values.push_back(sign * unit);
   if (whole != 0) {
     values.push_back(whole / 2 * unit + fraction);
     values.push_back(value - sign * unit);
