@@ -22,7 +22,10 @@ std::string verdict(const json& scene) {
   const std::string counts = grouped(scene.at("covered_px").get<uint64_t>()) +
                              " pixels covered by " + grouped(scene.at("polygons").get<uint64_t>()) +
                              (scene.at("polygons") == 1 ? " polygon" : " polygons");
-  return counts + "; " +
+  const auto twice = scene.at("covered_twice_px").get<uint64_t>();
+  const std::string overlap =
+      twice == 0 ? ", none of them twice" : ", " + grouped(twice) + " of them twice";
+  return counts + overlap + "; " +
          element("strong", grouped(differing) + " differ from the model",
                  differing == 0 ? "class=good" : "class=bad");
 }
