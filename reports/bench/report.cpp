@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cli/progress.h"
+#include "cli/status_line.h"
 #include "reports/bench/error_count.h"
 #include "reports/bench/machine.h"
 #include "reports/bench/spans.h"
@@ -73,11 +73,12 @@ std::vector<Prepared> prepare_all(const BenchOptions& options, const std::vector
     all.push_back({std::move(load), Texture(side), 0, {}});
   }
   size_t rows_done = 0;
-  cli::Progress progress(console, "checking answers: row",
-                         all.size() * static_cast<size_t>(options.rows));
+  cli::StatusLine line(console);
+  const size_t rows_all = all.size() * static_cast<size_t>(options.rows);
   for (Prepared& prepared : all) {  // from here on no Prepared moves: drawings point into them
     const auto rows = sample_rows(target.height_px, options.rows, options.seed);
-    const ModelRows model = model_rows(prepared.load, rows, [&] { progress.update(++rows_done); });
+    const ModelRows model = model_rows(
+        prepared.load, rows, [&] { line.count("checking answers: row", ++rows_done, rows_all); });
     prepared.covered_px = count_covered(prepared.load);
     judge(prepared, model, subjects, target);
   }
@@ -97,9 +98,12 @@ std::vector<Spread> time_all(const BenchOptions& options, const std::vector<Prep
   }
   // Before its repetitions a drawing is run a few times more, to find out how often to repeat it.
   size_t runs = 0;
-  cli::Progress progress(console, "measuring: run",
-                         timed.size() * static_cast<size_t>(options.timing.repetitions));
-  auto times_ns = measure_ns(timed, options.timing, [&] { progress.update(++runs); });
+  cli::StatusLine line(console);
+  const std::string all_runs =
+      std::to_string(timed.size() * static_cast<size_t>(options.timing.repetitions + 4));
+  auto times_ns = measure_ns(timed, options.timing, [&] {
+    line.show("measuring: run " + std::to_string(++runs) + " of about " + all_runs);
+  });
   std::vector<Spread> spreads;
   for (size_t i = 0; i < timed.size(); ++i) {
     for (double& ns : times_ns[i]) ns /= covered_px[i];

@@ -12,7 +12,7 @@
 #include "cli/error.h"
 #include "cli/file.h"
 #include "cli/png.h"
-#include "cli/progress.h"
+#include "cli/status_line.h"
 #include "reports/gallery/banner.h"
 #include "reports/gallery/draw.h"
 #include "reports/gallery/scenes.h"
@@ -50,9 +50,9 @@ int draw_gallery(const Pictures& pictures, const fs::path& output) {
   int wrong = 0;
   Json document = Json::array();
   {
-    cli::Progress progress(console, "drawing and comparing: picture", all.size());
+    cli::StatusLine line(console);
     for (const Scene& scene : all) {
-      progress.update(document.size() + 1);
+      line.count("drawing and comparing: picture", document.size() + 1, all.size());
       document.push_back(show(scene, output));
       wrong += document.back()["differing_px"] != 0;
     }
