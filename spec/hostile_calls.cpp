@@ -117,7 +117,7 @@ void spoil_pointers(Calls* calls, selvage_format format) {
 }
 
 void spoil_vertices(Calls* calls, size_t index) {
-  for (const size_t count : {0, 1, 2}) {
+  for (const size_t count : {size_t{0}, size_t{1}, size_t{2}}) {
     calls->push_back({"fewer than 3 vertices", SELVAGE_ERROR_VERTEX_COUNT,
                       [=](Arguments& a) { a.count = count; }});
   }

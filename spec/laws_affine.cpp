@@ -28,9 +28,9 @@ struct Interval {
     return {a.least - b.greatest, a.greatest - b.least};
   }
   friend Interval operator*(Interval a, Interval b) {
-    const auto [least, greatest] = std::minmax(
+    const auto [low, high] = std::minmax(
         {a.least * b.least, a.least * b.greatest, a.greatest * b.least, a.greatest * b.greatest});
-    return {least, greatest};
+    return {low, high};
   }
   [[nodiscard]] bool holds_zero() const { return least <= 0 && 0 <= greatest; }
 };
