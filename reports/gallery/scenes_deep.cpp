@@ -36,7 +36,7 @@ Scene endless_plane(const Pictures& pictures) {
   scene.title = "A tilted plane of maps";
   scene.sentence =
       "One quad in perspective, far wider than the picture, its texture wrapped: 1/w is "
-      "interpolated, every pixel is divided out exactly, and nothing outside is stepped over.";
+      "interpolated, and every pixel is divided out exactly.";
   PlaneView view;
   view.roll_degree = -9;
   view.half_width = 24;

@@ -32,7 +32,7 @@ Scene turned_map(const Pictures& pictures) {
   scene.sentence =
       "One affine quad, turned by 17 degrees and about five texels a pixel each way, so that "
       "neighbouring pixels show texels far apart: any slip would show as another place.";
-  scene.polygons = {turned_rectangle(pictures.earth, 240, 150, 410, 17)};
+  scene.polygons = {turned_rectangle(pictures.earth, 240, 150, 380, 17)};
   return scene;
 }
 

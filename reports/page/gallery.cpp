@@ -6,7 +6,7 @@ namespace selvage::reports {
 
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 std::string picture(const json& scene, const std::string& kind, const std::string& caption) {
   const auto id = scene.at("id").get<std::string>();

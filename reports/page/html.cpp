@@ -50,7 +50,9 @@ std::string rounded(double value) {
 std::string element(std::string_view tag, std::string_view html, std::string_view attributes) {
   std::string text = "<" + std::string(tag);
   if (!attributes.empty()) text += " " + std::string(attributes);
-  return text + ">" + std::string(html) + "</" + std::string(tag) + ">\n";
+  text += ">" + std::string(html) + "</" + std::string(tag) + ">";
+  const bool within_a_line = tag == "strong" || tag == "code" || tag == "small";
+  return within_a_line ? text : text + "\n";
 }
 
 }  // namespace selvage::reports

@@ -16,6 +16,7 @@ namespace selvage::reports {
 // Three significant digits: "0.198", "1.08", "16.3", "336".
 [[nodiscard]] std::string rounded(double value);
 
+// An element; a line of its own unless the tag is one of those within a line of text.
 [[nodiscard]] std::string element(std::string_view tag, std::string_view html,
                                   std::string_view attributes = {});
 

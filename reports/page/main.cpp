@@ -14,7 +14,7 @@ namespace {
 
 using namespace selvage;
 using namespace selvage::reports;
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 json read_json(const fs::path& path) {
@@ -44,6 +44,7 @@ void write_page(const fs::path& folder, Results results) {
   results.gallery = read_json(folder / "gallery.json");
   if (fs::exists(folder / "bench.json")) results.bench = read_json(folder / "bench.json");
   write_text(folder / "index.html", page(results));
+  std::printf("%s\n", summary_line(results).c_str());
 }
 
 }  // namespace

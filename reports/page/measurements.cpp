@@ -7,7 +7,7 @@ namespace selvage::reports {
 
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 std::string cell(const std::string& html) { return element("td", html, "class=n"); }
 

@@ -8,12 +8,31 @@ namespace selvage::reports {
 
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
-std::string tally(const std::string& what, size_t good, size_t all) {
-  return element("li", element("strong", std::to_string(good) + " of " + std::to_string(all),
-                               good == all ? "class=good" : "class=bad") +
-                           " " + what);
+struct Tally {
+  size_t good = 0, all = 0;
+};
+
+Tally laws_of(const Results& results) {
+  Tally tally;
+  for (const json& law : results.verify.at("laws")) tally.good += law.at("verdict") == "holds";
+  tally.all = results.verify.at("laws").size();
+  return tally;
+}
+
+Tally pictures_of(const Results& results) {
+  Tally tally;
+  for (const json& scene : results.gallery) tally.good += scene.at("differing_px") == 0;
+  tally.all = results.gallery.size();
+  return tally;
+}
+
+std::string tally_item(const std::string& what, const Tally& tally) {
+  const std::string count = std::to_string(tally.good) + " of " + std::to_string(tally.all);
+  return element(
+      "li",
+      element("strong", count, tally.good == tally.all ? "class=good" : "class=bad") + " " + what);
 }
 
 std::string machine_table(const json& machine) {
@@ -37,8 +56,7 @@ std::string limits() {
           "quartiles show how much they moved. A ratio within the quartiles is no difference.") +
           element("li",
                   "Everything runs on one core. The mapper and the 16.16 loop are compiled for the "
-                  "baseline "
-                  "of the architecture; OpenCV chooses its SIMD code at run time.") +
+                  "baseline of the architecture; OpenCV chooses its SIMD code at run time.") +
           element(
               "li",
               "OpenCV warps rectangles: it walks the whole bounding box, and which pixels it "
@@ -53,17 +71,20 @@ std::string limits() {
 
 }  // namespace
 
+std::string summary_line(const Results& results) {
+  const Tally laws = laws_of(results), pictures = pictures_of(results);
+  return std::to_string(laws.good) + " of " + std::to_string(laws.all) + " laws hold, " +
+         std::to_string(pictures.good) + " of " + std::to_string(pictures.all) +
+         " pictures equal the exact model's";
+}
+
 std::string summary_section(const Results& results) {
-  size_t laws = 0, equal = 0;
-  for (const json& law : results.verify.at("laws")) laws += law.at("verdict") == "holds";
-  for (const json& scene : results.gallery) equal += scene.at("differing_px") == 0;
   return element("h1", "Selvage: what it draws, and what it costs") +
          element(
              "ul",
-             tally("<a href=#laws>laws</a> hold for the built-in mapper", laws,
-                   results.verify.at("laws").size()) +
-                 tally("<a href=#gallery>pictures</a> equal the exact model's in every pixel",
-                       equal, results.gallery.size()) +
+             tally_item("<a href=#laws>laws</a> hold for the built-in mapper", laws_of(results)) +
+                 tally_item("<a href=#gallery>pictures</a> equal the exact model's in every pixel",
+                            pictures_of(results)) +
                  element("li",
                          "<a href=#speed>Speed against error</a>, beside a plain loop, "
                          "OpenCV and a solid fill") +

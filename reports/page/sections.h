@@ -7,15 +7,17 @@
 namespace selvage::reports {
 
 struct Results {
-  nlohmann::json verify;   // selvage verify --json
-  nlohmann::json laws;     // selvage laws --json
-  nlohmann::json gallery;  // selvage_gallery
-  nlohmann::json bench;    // selvage_bench; null where nothing was measured
-  std::string revision;    // of the source
-  std::string command;     // that made the page
-  std::string unmeasured;  // why, where bench is null
+  nlohmann::ordered_json verify;   // selvage verify --json
+  nlohmann::ordered_json laws;     // selvage laws --json
+  nlohmann::ordered_json gallery;  // selvage_gallery
+  nlohmann::ordered_json bench;    // selvage_bench; null where nothing was measured
+  std::string revision;            // of the source
+  std::string command;             // that made the page
+  std::string unmeasured;          // why, where bench is null
 };
 
+// For a terminal.
+[[nodiscard]] std::string summary_line(const Results& results);
 [[nodiscard]] std::string summary_section(const Results& results);
 [[nodiscard]] std::string verdict_section(const Results& results);
 [[nodiscard]] std::string gallery_section(const Results& results);

@@ -8,7 +8,7 @@ namespace selvage::reports {
 
 namespace {
 
-using nlohmann::json;
+using json = nlohmann::ordered_json;
 
 std::string statement_of(const json& laws, const std::string& name) {
   for (const json& law : laws) {
