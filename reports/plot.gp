@@ -26,6 +26,7 @@ set xtics ('0' 0, '1' place(1), '10' place(10), '100' place(100), '1000' place(1
            '10 000' place(10000))
 set xlabel 'errors per million pixels'
 set ylabel 'ns per covered pixel'
+set ytics (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200)
 set format y '%g'
 set pointintervalbox 0
 set key outside top center horizontal

@@ -52,7 +52,8 @@ Scene moire(const Pictures& pictures) {
   scene.title = "Moir\u00e9";
   scene.sentence =
       "A checker to the horizon without a filter: aliasing makes rings out of the least change of "
-      "a coordinate. It is the exact mapper's moir\u00e9, ring for ring.";
+      "a coordinate. "
+      "This is the moir\u00e9 of the exact map, ring for ring.";
   PlaneView view;
   view.roll_degree = 6;
   view.half_width = 60;

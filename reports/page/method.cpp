@@ -94,7 +94,7 @@ std::string summary_section(const Results& results) {
 std::string method_section(const Results& results) {
   std::string html = element("h2", "How this was made", "id=method");
   html += element("p", "Source: " + element("code", escaped(results.revision)) +
-                           " The commands that make it again, from a checkout on Debian 12:");
+                           ". The commands that make it again, from a checkout on Debian 12:");
   html += element("pre", escaped(results.command));
   if (!results.bench.is_null()) {
     html += element("h3", "The machine") + machine_table(results.bench.at("machine"));
