@@ -52,14 +52,16 @@ AffineLanes::AffineLanes(const SpanMap& map, const Span& span)
   }
 }
 
-// The bound. Let e = 2^-53, N(i) = N0 + i dN and D(i) likewise, U = 2^15 >= |u|, and D_min, D_max
-// the ends' denominators. Converting and stepping costs at most e (|N0| + 2 |i dN| + |N|) <= 7 e U
-// D_max in a numerator and 7 e D_max in a denominator, the quotient and its product 3 e U more.
-// Therefore
-//   |error of u| <= e (14 U D_max / D_min + 3 U) (1 + 2^-20) < 2^5 e U D_max / D_min,
-// in units of 2^-32 texel: 2^(5 - 53 + 15 + 32) D_max / D_min = D_max / D_min / 2. q is at most
-// 2^24, so the ratio is below 2^24 (and the denominator never near 0). One unit more pays for
-// truncation.
+// The bound. Let e = 2^-53, N(i) = N0 + i dN a numerator and D(i) the denominator, U = 2^15 >= |u|,
+// and D_min, D_max the denominators at the span's ends, in either order. Converting and stepping
+// costs less than 7 e U D_max in a numerator: e (|N0| + 2 |i dN| + |N|); likewise less than 7 e
+// D_max in the denominator; the reciprocal and its product less than 3 e U more. Therefore
+//
+//     |error of u| <= e (14 U D_max / D_min + 3 U) (1 + 2^-20) < 2^5 e U D_max / D_min,
+//
+// which in units of 2^-32 texel is 2^(5 - 53 + 15 + 32) D_max / D_min, half the ratio. q is at most
+// 2^24, so the ratio is below 2^24 and the denominator never near 0. Truncation costs one unit
+// more.
 ProjectiveLanes::ProjectiveLanes(const SpanMap& map, const Span& span)
     : u_start_(static_cast<double>(map.u_numerator(span.left_px)) * kLaneUnit),
       u_step_(static_cast<double>(map.u_numerator_step()) * kLaneUnit),
