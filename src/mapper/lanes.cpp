@@ -76,11 +76,4 @@ ProjectiveLanes::ProjectiveLanes(const SpanMap& map, const Span& span)
   margin_fx32_ = static_cast<uint32_t>(2 * error_fx32_);
 }
 
-Lane ProjectiveLanes::at(int32_t offset_px) const {
-  const double i = offset_px;
-  const double w = 1.0 / (denominator_start_ + i * denominator_step_);
-  return Lane{static_cast<int64_t>((u_start_ + i * u_step_) * w) - error_fx32_,
-              static_cast<int64_t>((v_start_ + i * v_step_) * w) - error_fx32_};
-}
-
 }  // namespace selvage::mapper

@@ -44,7 +44,12 @@ class ProjectiveLanes {
   ProjectiveLanes(const SpanMap& map, const Span& span);
 
   [[nodiscard]] uint32_t margin_fx32() const { return margin_fx32_; }
-  [[nodiscard]] Lane at(int32_t offset_px) const;
+  [[nodiscard]] Lane at(int32_t offset_px) const {
+    const double i = offset_px;
+    const double w = 1.0 / (denominator_start_ + i * denominator_step_);
+    return Lane{static_cast<int64_t>((u_start_ + i * u_step_) * w) - error_fx32_,
+                static_cast<int64_t>((v_start_ + i * v_step_) * w) - error_fx32_};
+  }
 
  private:
   double u_start_, u_step_, v_start_, v_step_;  // numerators, scaled so that u comes out in fx32
