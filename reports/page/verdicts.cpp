@@ -53,14 +53,13 @@ std::string verdict_section(const Results& results) {
                       "class=bad");
   }
   return element("h2", "The laws", "id=laws") +
-         element(
-             "p",
-             "Each law was checked on cases made from the seeds from " +
-                 results.verify.at("seed").dump() +
-                 " on, biased to ties, slivers, degenerates and the ends of every "
-                 "range. The counts are of single pixels (for MEM and TOTAL: of calls) on which "
-                 "the law had its say. The tolerance is zero. A law that fails stops at its "
-                 "first violation and shows the shrunk case.") +
+         element("p",
+                 "Each law was checked on cases made from the seeds from " +
+                     results.verify.at("seed").dump() +
+                     " on, biased to ties, slivers, degenerates and the ends of every "
+                     "range. The counts are of single pixels (for TOTAL: of calls too) on which "
+                     "the law had its say. The tolerance is zero. A law that fails stops at its "
+                     "first violation and shows the shrunk case.") +
          element("div", element("table", rows), "class=wide") + missing;
 }
 
