@@ -22,13 +22,13 @@ using spec::Rational;
 }
 
 void expect_exact(const selvage_vertex& a, const selvage_vertex& b) {
-  Edge stepped(a, b, true);
+  Edge stepped(a, b);
   const int32_t top_row = first_centre_px(std::min(a.y, b.y));
   if (top_row >= stepped.bottom_row()) return;
   stepped.seek(top_row);
   const int32_t last = std::min(stepped.bottom_row(), top_row + 200);
   for (int32_t row = top_row; row < last; ++row, stepped.step()) {
-    Edge sought(b, a, true);
+    Edge sought(b, a);
     sought.seek(row);
     ASSERT_EQ(sought.first_px(), exact_first_px(a, b, row)) << row;
     ASSERT_EQ(stepped.first_px(), sought.first_px()) << row;
@@ -56,7 +56,33 @@ TEST(Edge, IsExactAtTheEndsOfTheRange) {
 TEST(Edge, OwnsRowsByTheHalfOpenRule) {
   const selvage_vertex top{0, 128, 0, 0, 1}, bottom{0, 640, 0, 0, 1};
   EXPECT_EQ(first_centre_px(top.y), 0);
-  EXPECT_EQ(Edge(top, bottom, true).bottom_row(), 2);
+  EXPECT_EQ(Edge(top, bottom).bottom_row(), 2);
+}
+
+// An edge that misses a sample point by 1 / height of a unit, on either side, in every row it may.
+TEST(Edge, TellsTheLeastMissFromATouch) {
+  for (const int32_t height : {3, 255, 257, 1021, 4099}) {
+    for (int32_t dx = 1; dx < height; dx += 1 + height / 40) {
+      for (const int32_t shift : {-128, 0, 1, 128}) {
+        expect_exact({shift, 127, 0, 0, 1}, {shift + dx, 127 + height, 0, 0, 1});
+        expect_exact({shift, 128, 0, 0, 1}, {shift - dx, 128 + height, 0, 0, 1});
+      }
+    }
+  }
+}
+
+TEST(Chain, JumpsWithinAnEdgeAndPastSome) {
+  const std::vector<selvage_vertex> v = {
+      {0, 0, 0, 0, 1}, {2560, 3000, 0, 0, 1}, {3000, 5000, 0, 0, 1}, {-500, 9000, 0, 0, 1}};
+  Polygon polygon;
+  ASSERT_EQ(examine(v, &polygon), SELVAGE_OK);
+  for (const int32_t stride : {2, 3, 7, 12}) {
+    Chain chain(polygon, Chain::Direction::kForward);
+    for (int32_t row = 0; row < polygon.bottom_row; row += stride) {
+      Chain fresh(polygon, Chain::Direction::kForward);
+      ASSERT_EQ(chain.at_row(row).first_px(), fresh.at_row(row).first_px()) << row;
+    }
+  }
 }
 
 TEST(Chain, JumpsToARowAndWalksOnFromThere) {

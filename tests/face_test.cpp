@@ -55,5 +55,61 @@ TEST(Face, PassesClipAndOptionsOn) {
   EXPECT_EQ(draw(pictures.target(), corners(), pictures.texture(), unknown), SELVAGE_ERROR_ADDRESS);
 }
 
+TEST(Face, NoOptionsAreAllZero) {
+  Pictures without, zero, tolerant;
+  auto v = corners();
+  for (Vertex& vertex : v) vertex.u -= 20 * SELVAGE_SUBTEXELS;  // clamped, not wrapped
+  for (int32_t i = 0; i < kSide_texel * kSide_texel; ++i) {
+    without.texels[static_cast<size_t>(i)] = static_cast<uint32_t>(i % kSide_texel);
+  }
+  const Texture texture = without.texture();
+  const Image target = without.target();
+  ASSERT_EQ(selvage_draw(&target, nullptr, v.data(), v.size(), &texture, nullptr), SELVAGE_OK);
+  ASSERT_EQ(draw(zero.target(), v, texture, Options{}), SELVAGE_OK);
+  EXPECT_EQ(without.pixels, zero.pixels);
+  const Options generous{SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST, SELVAGE_ADDRESS_CLAMP,
+                         SELVAGE_SUBTEXELS};
+  ASSERT_EQ(draw(tolerant.target(), v, texture, generous), SELVAGE_OK);
+  EXPECT_EQ(without.pixels, tolerant.pixels);
+}
+
+// Options, target, texture, both, vertices: each error hides the later ones.
+TEST(Face, TheFirstErrorIsTheOneReported) {
+  Pictures pictures;
+  Image target = pictures.target();
+  Texture texture = pictures.texture();
+  auto v = corners();
+  Options options{1, 1, 2, -1};
+  target.format = 9, target.width = 0, target.pitch = 3;
+  texture.format = 9, texture.width = 0, texture.pitch = 3;
+  v[2].q = 0;
+  const auto status = [&] { return draw(target, v, texture, options); };
+  EXPECT_EQ(status(), SELVAGE_ERROR_PROFILE);
+  options.profile = SELVAGE_PROFILE_EXACT;
+  EXPECT_EQ(status(), SELVAGE_ERROR_FILTER);
+  options.filter = SELVAGE_FILTER_NEAREST;
+  EXPECT_EQ(status(), SELVAGE_ERROR_ADDRESS);
+  options.address = SELVAGE_ADDRESS_CLAMP;
+  EXPECT_EQ(status(), SELVAGE_ERROR_TOLERANCE);
+  options.tolerance = 0;
+  EXPECT_EQ(status(), SELVAGE_ERROR_TARGET_FORMAT);
+  target.format = SELVAGE_RGBA8888;
+  EXPECT_EQ(status(), SELVAGE_ERROR_TARGET_SIZE);
+  target.width = kSide_px;
+  EXPECT_EQ(status(), SELVAGE_ERROR_TARGET_PITCH);
+  target.pitch = kSide_px * 4;
+  EXPECT_EQ(status(), SELVAGE_ERROR_TEXTURE_FORMAT);
+  texture.format = SELVAGE_INDEX8;
+  EXPECT_EQ(status(), SELVAGE_ERROR_TEXTURE_SIZE);
+  texture.width = kSide_texel;
+  EXPECT_EQ(status(), SELVAGE_ERROR_TEXTURE_PITCH);
+  texture.pitch = kSide_texel * 4;
+  EXPECT_EQ(status(), SELVAGE_ERROR_FORMAT_MISMATCH);
+  texture.format = SELVAGE_RGBA8888;
+  EXPECT_EQ(status(), SELVAGE_ERROR_VERTEX_Q);
+  v[2].q = 1;
+  EXPECT_EQ(status(), SELVAGE_OK);
+}
+
 }  // namespace
 }  // namespace selvage

@@ -51,6 +51,8 @@ TEST(Pair, RefusesOverlapAndMismatch) {
   const selvage_image target = image(0, 4, 4, 16);  // bytes [0, 64)
   EXPECT_EQ(check_pair(target, texture(64, 4, 4, 16)), SELVAGE_OK);
   EXPECT_EQ(check_pair(target, texture(60, 4, 4, 16)), SELVAGE_ERROR_OVERLAP);
+  EXPECT_EQ(check_pair(image(64, 4, 4, 16), texture(0, 4, 4, 16)), SELVAGE_OK);
+  EXPECT_EQ(check_pair(image(60, 4, 4, 16), texture(0, 4, 4, 16)), SELVAGE_ERROR_OVERLAP);
   EXPECT_EQ(check_pair(target, texture(112, 4, 4, -16)), SELVAGE_OK);
   EXPECT_EQ(check_pair(target, texture(108, 4, 4, -16)), SELVAGE_ERROR_OVERLAP);
   EXPECT_EQ(check_pair(target, texture(64, 4, 4, 4, SELVAGE_INDEX8)),
@@ -77,6 +79,10 @@ TEST(Vertices, MustLieApartFromTheTarget) {
   EXPECT_EQ(check_vertices(target, at(60), 3), SELVAGE_ERROR_OVERLAP);
   EXPECT_EQ(check_vertices(target, at(64), 2), SELVAGE_ERROR_VERTEX_COUNT);
   EXPECT_EQ(check_vertices(target, nullptr, 3), SELVAGE_ERROR_VERTICES_NULL);
+  // More vertices than memory: they would run into any target behind them.
+  EXPECT_EQ(check_vertices(image(64, 4, 4, 16), at(0), SIZE_MAX), SELVAGE_ERROR_OVERLAP);
+  EXPECT_EQ(check_vertices(image(64, 4, 4, 16), at(4), 3), SELVAGE_OK);
+  EXPECT_EQ(check_vertices(image(64, 4, 4, 16), at(8), 3), SELVAGE_ERROR_OVERLAP);
 }
 
 TEST(Clip, IsCutToTheTarget) {
@@ -86,6 +92,11 @@ TEST(Clip, IsCutToTheTarget) {
   };
   EXPECT_TRUE(same(visible_rect(target, nullptr), {0, 0, 4, 3}));
   const selvage_rect beyond{-5, -5, 99, 99}, inside{1, 1, 2, 2};
+  const selvage_rect endless{INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX};
+  const selvage_rect nowhere{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN};
+  EXPECT_TRUE(same(visible_rect(target, &endless), {0, 0, 4, 3}));
+  EXPECT_GT(visible_rect(target, &nowhere).left, visible_rect(target, &nowhere).right);
+  EXPECT_GT(visible_rect(target, &nowhere).top, visible_rect(target, &nowhere).bottom);
   EXPECT_TRUE(same(visible_rect(target, &beyond), {0, 0, 4, 3}));
   EXPECT_TRUE(same(visible_rect(target, &inside), inside));
 }

@@ -14,8 +14,7 @@ static_assert(kPositionBits + kPositionBits + kSubpixelBits < 63, "Edge steps fi
 
 }  // namespace
 
-Edge::Edge(const selvage_vertex& a, const selvage_vertex& b, bool affine)
-    : top_(&a), bottom_(&b), affine_(affine) {
+Edge::Edge(const selvage_vertex& a, const selvage_vertex& b) : top_(&a), bottom_(&b) {
   if (bottom_->y < top_->y) std::swap(top_, bottom_);
   bottom_row_ = first_centre_px(bottom_->y);
 }
@@ -36,14 +35,14 @@ void Edge::seek(int32_t row) {
 EdgePoint Edge::at(int32_t row) const {
   const int64_t height = int64_t{bottom_->y} - top_->y;
   const int64_t below_top = centre_fx8(row) - int64_t{top_->y};
-  const int64_t q_top = affine_ ? 1 : top_->q;
-  const int64_t q_bottom = affine_ ? 1 : bottom_->q;
   return EdgePoint{
       .height = height,
       .x = static_cast<int64_t>(interpolate(top_->x, bottom_->x, below_top, height)),
-      .uq = interpolate(top_->u * q_top, bottom_->u * q_bottom, below_top, height),
-      .vq = interpolate(top_->v * q_top, bottom_->v * q_bottom, below_top, height),
-      .q = static_cast<int64_t>(interpolate(q_top, q_bottom, below_top, height)),
+      .uq = interpolate(int64_t{top_->u} * top_->q, int64_t{bottom_->u} * bottom_->q, below_top,
+                        height),
+      .vq = interpolate(int64_t{top_->v} * top_->q, int64_t{bottom_->v} * bottom_->q, below_top,
+                        height),
+      .q = static_cast<int64_t>(interpolate(top_->q, bottom_->q, below_top, height)),
   };
 }
 
@@ -58,7 +57,7 @@ void Chain::next_edge() {
   } else {
     vertex_ = from == 0 ? count - 1 : from - 1;
   }
-  edge_ = Edge(polygon_->vertices[from], polygon_->vertices[vertex_], polygon_->affine);
+  edge_ = Edge(polygon_->vertices[from], polygon_->vertices[vertex_]);
 }
 
 const Edge& Chain::at_row(int32_t row) {

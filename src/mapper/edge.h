@@ -24,7 +24,7 @@ class Edge {
  public:
   // An edge that crosses no row.
   Edge() = default;
-  Edge(const selvage_vertex& a, const selvage_vertex& b, bool affine);
+  Edge(const selvage_vertex& a, const selvage_vertex& b);
 
   // The first row below it: it crosses the rows whose centres lie in [y of its top, y of its
   // bottom).
@@ -50,7 +50,6 @@ class Edge {
  private:
   const selvage_vertex* top_ = nullptr;
   const selvage_vertex* bottom_ = nullptr;
-  bool affine_ = true;
   int32_t bottom_row_ = std::numeric_limits<int32_t>::min();
   int64_t divisor_ = 1;  // 256 * height: what a pixel's width is in the units of EdgePoint::x
   int64_t first_px_ = 0, remainder_ = 0;

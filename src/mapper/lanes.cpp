@@ -36,7 +36,7 @@ class Divisor {
   double reciprocal_fx32_;
 };
 
-static_assert(kPositionBits * 3 + kTexelFraction + 2 < 127, "an affine remainder fits int128");
+static_assert(kDenominatorBits + 2 < 127, "a remainder fits int128");
 
 }  // namespace
 

@@ -4,7 +4,7 @@
 //   x, y         1/256 px          24   |x| <= 2^23; a difference is below 2^24
 //   height       1/256 px          24   of an edge, > 0
 //   u, v         1/65536 texel     32   |u| <= 2^31
-//   q            any               24   1 .. 2^24; 1 in an affine polygon
+//   q            any               24   1 .. 2^24
 //   edge x       x * height        48   |x| <= 2^23 * height
 //   edge uq      u * q * height    80   |u q| <= 2^55
 //   weight       x * height        48   distance to the far edge, >= 0

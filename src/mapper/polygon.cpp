@@ -18,20 +18,19 @@ namespace {
 }
 
 // A closed outline crosses every scan line at most twice if and only if its edges, horizontal ones
-// apart, turn from down to up once around, and so from up to down once.
+// apart, turn from down to up once around, and from up to down once. One of the two turns may lie
+// where the loop starts and ends, unseen; with more than two, three at least are seen.
 [[nodiscard]] bool is_monotone(std::span<const selvage_vertex> vertices) {
   int turns = 0;
-  int32_t first = 0, last = 0;  // direction: +1 down, -1 up, 0 none yet
+  int32_t last = 0;  // direction: +1 down, -1 up, 0 none yet
   const selvage_vertex* from = &vertices.back();
   for (const selvage_vertex& to : vertices) {
     const int32_t direction = (to.y > from->y) - (to.y < from->y);
     from = &to;
     if (direction == 0) continue;
-    if (first == 0) first = direction;
     if (last != 0 && direction != last) ++turns;
     last = direction;
   }
-  if (first != last) ++turns;
   return turns <= 2;
 }
 
