@@ -6,6 +6,7 @@
 
 #include "selvage.h"
 #include "spec/case.h"
+#include "spec/generate_near_ties.h"
 #include "spec/shape_families.h"
 
 namespace selvage::spec {
@@ -14,7 +15,7 @@ namespace {
 constexpr Weighted<Family> kFamilies[] = {
     {11, triangle}, {11, grid_triangle}, {7, sliver},  {2, smallest}, {5, needle},
     {8, rectangle}, {8, slanted},        {16, convex}, {14, chains},  {3, flat},
-    {9, far_off},   {6, broken},         {1, too_few}};
+    {9, far_off},   {6, broken},         {1, too_few}, {10, grazing}};
 
 using Index = std::ptrdiff_t;
 

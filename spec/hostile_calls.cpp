@@ -1,6 +1,7 @@
 #include "spec/hostile_calls.h"
 
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <utility>
 
@@ -140,6 +141,38 @@ void spoil_vertices(Calls* calls, size_t index) {
        }});
 }
 
+// Overlaps that only arithmetic on addresses can tell from neighbours.
+void share_memory(Calls* calls) {
+  calls->push_back({"a texture whose last texel is the target's first pixel", SELVAGE_ERROR_OVERLAP,
+                    [](Arguments& a) {
+                      const ptrdiff_t pixel = bytes_per_pixel(a.target.format);
+                      a.target.height = 1;
+                      a.target.pitch = std::abs(a.target.pitch);
+                      a.texture.width = 3;
+                      a.texture.height = 1;
+                      a.texture.pitch = 1024;
+                      a.texture.texels = static_cast<const char*>(a.target.pixels) - 2 * pixel;
+                    }});
+  calls->push_back({"a texture that ends where the target begins", SELVAGE_OK, [](Arguments& a) {
+                      const ptrdiff_t pixel = bytes_per_pixel(a.target.format);
+                      a.target.height = 1;
+                      a.target.pitch = std::abs(a.target.pitch);
+                      a.texture.width = 3;
+                      a.texture.height = 1;
+                      a.texture.pitch = 1024;
+                      a.texture.texels = static_cast<const char*>(a.target.pixels) - 3 * pixel;
+                    }});
+}
+
+void leave_out(Calls* calls) {
+  calls->push_back({"no options: all of them zero", SELVAGE_OK,
+                    [](Arguments& a) { a.options_pointer = nullptr; }});
+  calls->push_back(
+      {"no clip: the whole target", SELVAGE_OK, [](Arguments& a) { a.clip_pointer = nullptr; }});
+  calls->push_back({"a tolerance that exactness is within", SELVAGE_OK,
+                    [](Arguments& a) { a.options.tolerance = SELVAGE_SUBTEXELS; }});
+}
+
 }  // namespace
 
 std::vector<HostileCall> hostile_calls(const Case& c) {
@@ -148,6 +181,8 @@ std::vector<HostileCall> hostile_calls(const Case& c) {
   spoil_images(&calls, c.format);
   spoil_pointers(&calls, c.format);
   spoil_vertices(&calls, c.choice % 3);
+  share_memory(&calls);
+  leave_out(&calls);
   return calls;
 }
 
@@ -164,11 +199,13 @@ HostileOutcome make(const Subject& subject, const Case& c, const HostileCall& ca
               .target_pointer = &a.target,
               .vertices_pointer = nullptr,
               .texture_pointer = &a.texture,
+              .clip_pointer = &a.clip,
+              .options_pointer = &a.options,
               .count = 3};
   a.vertices_pointer = a.vertices.data();
   call.spoil(a);
-  const selvage_status status = subject.draw(a.target_pointer, &a.clip, a.vertices_pointer, a.count,
-                                             a.texture_pointer, &a.options);
+  const selvage_status status = subject.draw(a.target_pointer, a.clip_pointer, a.vertices_pointer,
+                                             a.count, a.texture_pointer, a.options_pointer);
   return {status, target == before};
 }
 

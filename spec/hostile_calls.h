@@ -1,4 +1,5 @@
-// Calls with one bad argument each, and the error that each must get.
+// Calls with one odd argument each: a bad one and the error that it must get, or one that is legal
+// although it looks bad.
 #pragma once
 
 #include <functional>
@@ -21,6 +22,8 @@ struct Arguments {
   const selvage_image* target_pointer;
   const selvage_vertex* vertices_pointer;
   const selvage_texture* texture_pointer;
+  const selvage_rect* clip_pointer;
+  const selvage_options* options_pointer;
   size_t count;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "selvage.h"
+#include "spec/generate_near_ties.h"
 
 namespace selvage::spec {
 namespace {
@@ -68,13 +69,7 @@ Outline grid_triangle(Random& random, const Frame& frame) {
 
 Outline smallest(Random& random, const Frame& frame) {
   const int32_t reach_fx8 = kPixel_fx8 * (frame.width_px + frame.height_px) / 2;
-  Point a{1, 0}, b{0, 1};
-  const int lean = random.in(10, 91);
-  for (;;) {
-    const Point sum = plus(a, b);
-    if (sum.x + sum.y > reach_fx8) break;
-    (random.percent(lean) ? a : b) = sum;
-  }
+  const auto [a, b] = random_neighbours(random, reach_fx8);
   const int32_t mirror = random.pick({1, -1});
   const Point start{centre_fx8(random, frame.width_px), centre_fx8(random, frame.height_px)};
   return {start, {start.x + a.x * mirror, start.y + a.y}, {start.x + b.x * mirror, start.y + b.y}};

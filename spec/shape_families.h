@@ -22,8 +22,7 @@ using Family = Outline (*)(Random&, const Frame&);
 [[nodiscard]] Outline grid_triangle(Random& random, const Frame& frame);
 // A thin triangle along pixel centres.
 [[nodiscard]] Outline sliver(Random& random, const Frame& frame);
-// A triangle of the least area there is, 1/2 of 1/65536 px^2, that starts on a pixel centre: its
-// edges are two vectors whose cross product is 1, grown as in the Stern-Brocot tree.
+// A triangle of the least area there is, 1/2 of 1/65536 px^2, that starts on a pixel centre.
 [[nodiscard]] Outline smallest(Random& random, const Frame& frame);
 // At most a pixel high and as wide as the target, or turned.
 [[nodiscard]] Outline needle(Random& random, const Frame& frame);

@@ -35,7 +35,10 @@ selvage_status selvage_draw(const selvage_image* target, const selvage_rect* cli
   status = examine({vertices, count}, &polygon);
   if (status != SELVAGE_OK) return status;
 
-  draw(*target, visible_rect(*target, clip), polygon, *texture, chosen.address);
+  // By value: descriptors that lie inside the target must not change while it is drawn on.
+  const selvage_image image = *target;
+  const selvage_texture texels = *texture;
+  draw(image, visible_rect(image, clip), polygon, texels, chosen.address);
   return SELVAGE_OK;
 }
 

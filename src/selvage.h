@@ -151,7 +151,7 @@ enum {
  * clip      NULL means the whole target; otherwise only pixels inside both are drawn.
  * vertices  in order around the polygon, either winding. The polygon must be y-monotone: every scan
  *           line crosses two edges or none. Convex polygons are. Horizontal edges, repeated
- *           vertices and collinear runs are legal; a polygon without area draws nothing.
+ *           vertices and collinear runs are legal; so are chains that cross.
  * texture   must have the target's format.
  * options   NULL means all zero.
  *

@@ -1,5 +1,5 @@
 // Law MEM, its last part: the draw path allocates nothing. The linker wraps every allocation
-// function that the mapper's objects may call.
+// function that the mapper's objects may call, aligned and nothrow forms included.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -28,6 +28,22 @@ void* __wrap_realloc(void* memory, size_t size) {
 }
 void* __wrap__Znwm(size_t size) { return ++allocations, __real__Znwm(size); }
 void* __wrap__Znam(size_t size) { return ++allocations, __real__Znam(size); }
+
+// The other forms of new, and what aligns: nothing here may call them either.
+void* __wrap__ZnwmRKSt9nothrow_t(size_t size, const void*) {
+  return ++allocations, __real__Znwm(size);
+}
+void* __wrap__ZnamRKSt9nothrow_t(size_t size, const void*) {
+  return ++allocations, __real__Znwm(size);
+}
+void* __wrap__ZnwmSt11align_val_t(size_t size, size_t) { return ++allocations, __real__Znwm(size); }
+void* __wrap__ZnamSt11align_val_t(size_t size, size_t) { return ++allocations, __real__Znwm(size); }
+void* __wrap_aligned_alloc(size_t, size_t size) { return ++allocations, __real_malloc(size); }
+int __wrap_posix_memalign(void** memory, size_t, size_t size) {
+  ++allocations;
+  *memory = __real_malloc(size);
+  return 0;
+}
 // NOLINTEND
 }
 
@@ -39,6 +55,11 @@ TEST(Allocation, TheCounterCounts) {
   void* memory = ::operator new(100);  // a new expression the compiler may leave out
   EXPECT_GT(allocations, before);
   ::operator delete(memory);
+
+  const size_t before_nothrow = allocations;
+  memory = ::operator new(100, std::nothrow);
+  EXPECT_GT(allocations, before_nothrow);
+  ::operator delete(memory, std::nothrow);
 }
 
 TEST(Allocation, DrawingAllocatesNothing) {

@@ -60,6 +60,17 @@ TEST(Lanes, AreExactWhereCoordinatesAreDyadic) {
   });
 }
 
+// One pixel of a span so narrow that u would run far out of range in the next.
+TEST(Lanes, NeedNoStepForOnePixel) {
+  const auto at = [](int64_t x, int64_t u) {
+    return EdgePoint{.height = 256, .x = x, .uq = int128{u} * 256, .vq = 0, .q = 256};
+  };
+  const SpanMap map(at(128 * 256 - 1, INT32_MIN), at(128 * 256 + 1, INT32_MAX));
+  const AffineLanes lanes(map, Span{0, 0, 1});
+  EXPECT_EQ(lanes.at(0).u_fx32 >> kLaneFraction, -1);  // half way, -1/2 of 1/65536 texel
+  EXPECT_EQ(lanes.margin_fx32(), 1U);
+}
+
 // The widest span there is, with the largest coordinates.
 TEST(Lanes, HoldOverTheWholeRange) {
   spec::Case c;

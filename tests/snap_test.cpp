@@ -38,6 +38,8 @@ TEST(Snap, TurnsDepthIntoQ) {
   EXPECT_EQ(snap(0, 0, 0, 0, 0x1p24, 1).vertex.q, 1);
   EXPECT_EQ(snap(0, 0, 0, 0, 0x1p25, 1).vertex.q, 1);
   EXPECT_EQ(snap(0, 0, 0, 0, std::nextafter(0x1p25, 0x1p26), 1).status, SELVAGE_ERROR_SNAP_W);
+  EXPECT_EQ(snap(0, 0, 0, 0, 1 - 0x1p-24, 1).status, SELVAGE_ERROR_SNAP_W);  // q = 2^24 + 1
+  EXPECT_EQ(snap(0, 0, 0, 0, 1 - 0x1p-26, 1).vertex.q, SELVAGE_Q_MAX);
 }
 
 TEST(Snap, AcceptsTheEndsOfTheRange) {

@@ -9,7 +9,8 @@ inline constexpr double kLaneUnit = 4294967296.0;  // 2^kLaneFraction
 
 // Floors of many quotients by one divisor, at the price of one floating-point division.
 //
-// |n / d| < 2^16: the estimate's relative error is below 5 * 2^-53 (two conversions, one division,
+// |n / d| < 2^16 texels: a coordinate is below 2^15, and so is its change between two pixels of a
+// span below 2^16. The estimate's relative error is below 5 * 2^-53 (two conversions, one division,
 // one product), so it is off by less than 2^48 * 5 * 2^-53 < 1/4 unit, and its floor by at most
 // one. The remainder, exact modulo 2^128 and known to lie in [-2d, 2d), tells which way.
 class Divisor {
@@ -71,7 +72,7 @@ ProjectiveLanes::ProjectiveLanes(const SpanMap& map, const Span& span)
       denominator_step_(static_cast<double>(map.denominator_step())) {
   const double at_end = static_cast<double>(map.denominator(span.right_px - 1));
   const double ratio = std::max(denominator_start_, at_end) / std::min(denominator_start_, at_end);
-  static_assert(kQBits <= 24, "error_fx32 stays below 2^24, a margin below 2^26");
+  static_assert(kQBits <= 24, "error_fx32 is at most 2^24 + 2, a margin below 2^26");
   error_fx32_ = static_cast<int64_t>(ratio) + 2;
   margin_fx32_ = static_cast<uint32_t>(2 * error_fx32_);
 }

@@ -16,6 +16,8 @@ namespace selvage::mapper {
 
 inline constexpr int kLaneFraction = 32;
 static_assert(kTexelBits - kTexelFraction + 1 + kLaneFraction < 63, "a lane fits int64_t");
+// A step times an offset is the difference of two lanes, and less than one unit an offset off.
+static_assert(kTexelBits - kTexelFraction + 2 + kLaneFraction < 63, "a lane's walk fits int64_t");
 
 struct Lane {
   int64_t u_fx32, v_fx32;

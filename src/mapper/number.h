@@ -11,7 +11,6 @@
 //   numerator    edge uq * weight  128  see kNumeratorBits
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 namespace selvage::mapper {
@@ -34,6 +33,14 @@ inline constexpr int kEdgeBits = kTexelBits + kQBits + kPositionBits;
 inline constexpr int kNumeratorBits = kEdgeBits + 2 * kPositionBits;
 static_assert(kEdgeBits <= 79);
 static_assert(kNumeratorBits <= 127, "a numerator fits a signed 128-bit integer");
+
+// A weight is a distance, as the numerator of a fraction over both heights of which one cancels.
+inline constexpr int kWeightBits = 2 * kPositionBits;
+static_assert(kWeightBits + 1 < 64 && kQBits + kPositionBits < 64, "EdgePoint::x, q fit int64_t");
+
+// From a pixel to the next, a numerator changes by two edge values times a height, 256 times over.
+static_assert(kEdgeBits + kPositionBits + 1 + kSubpixelBits < 127);
+static_assert(kQBits + 2 * kPositionBits + 1 + kSubpixelBits + kTexelFraction < 127);
 
 // A denominator is q * height_left * height_right * width, in units of 1/65536 texel; times a texel
 // column of at most 2^15 it is no longer than a numerator.

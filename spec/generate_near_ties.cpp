@@ -1,0 +1,94 @@
+#include "spec/generate_near_ties.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <numeric>
+#include <utility>
+
+#include "spec/geometry.h"
+#include "spec/shape_families.h"
+
+namespace selvage::spec {
+
+Neighbours random_neighbours(Random& random, int32_t reach_fx8) {
+  Neighbours pair{{1, 0}, {0, 1}};
+  const int lean = random.in(10, 91);
+  for (;;) {
+    const Point sum{pair.a.x + pair.b.x, pair.a.y + pair.b.y};
+    if (sum.x + sum.y > reach_fx8) return pair;
+    (random.percent(lean) ? pair.a : pair.b) = sum;
+  }
+}
+
+Outline grazing(Random& random, const Frame& frame) {
+  const int32_t side_fx8 = kPixel_fx8 * std::max(frame.width_px, frame.height_px);
+  const int32_t reach_fx8 = random.pick({side_fx8, side_fx8, 8 * side_fx8, 1 << 22});
+  const auto [a, b] = random_neighbours(random, reach_fx8);
+  const int32_t mirror = random.pick({1, -1});
+  const int32_t column_px = random.in(0, frame.width_px);
+  const int32_t row_px = random.in(0, frame.height_px);
+  const Point centre = pixel_centre(column_px, row_px);
+  const Point above{centre.x - a.x * mirror, centre.y - a.y};
+  const Point below{centre.x + b.x * mirror, centre.y + b.y};
+  const int32_t x_fx8 = position_fx8(random, frame.width_px);
+  const int32_t y_fx8 = position_fx8(random, frame.height_px);
+  return {above, below, {x_fx8, y_fx8}};
+}
+
+namespace {
+
+// x with a x = 1 (mod m), for coprime a and m > 0, by the extended Euclidean algorithm.
+[[nodiscard]] int64_t inverse(int64_t a, int64_t m) {
+  int64_t r = m, next_r = ((a % m) + m) % m, x = 0, next_x = 1;
+  while (next_r != 0) {
+    const int64_t quotient = r / next_r;
+    r = std::exchange(next_r, r - quotient * next_r);
+    x = std::exchange(next_x, x - quotient * next_x);
+  }
+  return ((x % m) + m) % m;
+}
+
+// How much each vertex weighs in the coordinates at a point: its barycentric weight times q.
+[[nodiscard]] std::array<int64_t, 3> weights_at(Point p, std::span<const selvage_vertex> v) {
+  const Point a = position(v[0]), b = position(v[1]), c = position(v[2]);
+  const int64_t sign = doubled_area(a, b, c) < 0 ? -1 : 1;
+  return {sign * doubled_area(p, b, c) * v[0].q, sign * doubled_area(a, p, c) * v[1].q,
+          sign * doubled_area(a, b, p) * v[2].q};
+}
+
+// Solves w[0] f[0] + w[1] f[1] + w[2] f[2] = 65536 texel (w[0] + w[1] + w[2]) + miss for the 16.16
+// coordinates f, where the first two weights are coprime and f fits; false otherwise.
+[[nodiscard]] bool solve(Random& random, const std::array<int64_t, 3>& w, int64_t miss,
+                         std::array<int32_t, 3>* f) {
+  constexpr int64_t kMostWeight = int64_t{1} << 28;
+  for (const int64_t weight : w) {
+    if (weight <= 0 || weight > kMostWeight) return false;
+  }
+  if (std::gcd(w[0], w[1]) != 1) return false;
+  const int64_t texel = random.in(-3, 40);
+  const int64_t third = random.in(-4 * SELVAGE_SUBTEXELS, 40 * SELVAGE_SUBTEXELS);
+  const int64_t rest = SELVAGE_SUBTEXELS * texel * (w[0] + w[1] + w[2]) + miss - w[2] * third;
+  const int64_t rest_in_range = ((rest % w[1]) + w[1]) % w[1];
+  const int64_t first = rest_in_range * inverse(w[0], w[1]) % w[1];
+  const int64_t second = (rest - w[0] * first) / w[1];
+  if (second != static_cast<int32_t>(second)) return false;
+  *f = {static_cast<int32_t>(first), static_cast<int32_t>(second), static_cast<int32_t>(third)};
+  return true;
+}
+
+}  // namespace
+
+void graze_a_texel(Random& random, const Frame& frame, std::span<selvage_vertex> triangle) {
+  const int32_t column_px = random.in(0, frame.width_px);
+  const int32_t row_px = random.in(0, frame.height_px);
+  const std::array<int64_t, 3> weights = weights_at(pixel_centre(column_px, row_px), triangle);
+  for (const auto axis : {&selvage_vertex::u, &selvage_vertex::v}) {
+    const int64_t miss = random.pick({-1, -1, 0, 1});
+    std::array<int32_t, 3> coordinates{};
+    if (!solve(random, weights, miss, &coordinates)) continue;
+    for (size_t k = 0; k < 3; ++k) triangle[k].*axis = coordinates[k];
+  }
+}
+
+}  // namespace selvage::spec
