@@ -57,21 +57,24 @@ namespace {
           sign * doubled_area(a, b, p) * v[2].q};
 }
 
+[[nodiscard]] bool all_positive(const std::array<int64_t, 3>& w) { return std::ranges::min(w) > 0; }
+
 // Solves w[0] f[0] + w[1] f[1] + w[2] f[2] = 65536 texel (w[0] + w[1] + w[2]) + miss for the 16.16
-// coordinates f, where the first two weights are coprime and f fits; false otherwise.
-[[nodiscard]] bool solve(Random& random, const std::array<int64_t, 3>& w, int64_t miss,
+// coordinates f, the weights reduced by their common divisor; false where f does not fit.
+[[nodiscard]] bool solve(Random& random, std::array<int64_t, 3> w, int64_t miss,
                          std::array<int32_t, 3>* f) {
-  constexpr int64_t kMostWeight = int64_t{1} << 28;
-  for (const int64_t weight : w) {
-    if (weight <= 0 || weight > kMostWeight) return false;
-  }
-  if (std::gcd(w[0], w[1]) != 1) return false;
+  constexpr int64_t kMostWeight = int64_t{1} << 28, kMostTries = 4096;
+  const int64_t common = std::gcd(std::gcd(w[0], w[1]), w[2]);
+  for (int64_t& weight : w) weight /= common;
+  const int64_t shared = std::gcd(w[0], w[1]);  // coprime to w[2], so some f[2] makes up for it
+  if (std::ranges::max(w) > kMostWeight || shared > kMostTries) return false;
   const int64_t texel = random.in(-3, 40);
-  const int64_t third = random.in(-4 * SELVAGE_SUBTEXELS, 40 * SELVAGE_SUBTEXELS);
-  const int64_t rest = SELVAGE_SUBTEXELS * texel * (w[0] + w[1] + w[2]) + miss - w[2] * third;
-  const int64_t rest_in_range = ((rest % w[1]) + w[1]) % w[1];
-  const int64_t first = rest_in_range * inverse(w[0], w[1]) % w[1];
-  const int64_t second = (rest - w[0] * first) / w[1];
+  int64_t third = random.in(-4 * SELVAGE_SUBTEXELS, 40 * SELVAGE_SUBTEXELS);
+  const int64_t sum = SELVAGE_SUBTEXELS * texel * (w[0] + w[1] + w[2]) + miss;
+  while ((sum - w[2] * third) % shared != 0) ++third;
+  const int64_t a = w[0] / shared, b = w[1] / shared, rest = (sum - w[2] * third) / shared;
+  const int64_t first = ((rest % b) + b) % b * inverse(a, b) % b;
+  const int64_t second = (rest - a * first) / b;
   if (second != static_cast<int32_t>(second)) return false;
   *f = {static_cast<int32_t>(first), static_cast<int32_t>(second), static_cast<int32_t>(third)};
   return true;
@@ -80,9 +83,13 @@ namespace {
 }  // namespace
 
 void graze_a_texel(Random& random, const Frame& frame, std::span<selvage_vertex> triangle) {
-  const int32_t column_px = random.in(0, frame.width_px);
-  const int32_t row_px = random.in(0, frame.height_px);
-  const std::array<int64_t, 3> weights = weights_at(pixel_centre(column_px, row_px), triangle);
+  std::array<int64_t, 3> weights{};
+  for (int tries = 0; tries < 16 && !all_positive(weights); ++tries) {
+    const int32_t column_px = random.in(0, frame.width_px);
+    const int32_t row_px = random.in(0, frame.height_px);
+    weights = weights_at(pixel_centre(column_px, row_px), triangle);
+  }
+  if (!all_positive(weights)) return;
   for (const auto axis : {&selvage_vertex::u, &selvage_vertex::v}) {
     const int64_t miss = random.pick({-1, -1, 0, 1});
     std::array<int32_t, 3> coordinates{};

@@ -1,0 +1,191 @@
+// Wrong mappers: which texel they show, and what the call returns.
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "coverage/catalogue.h"
+#include "coverage/recipe.h"
+
+namespace selvage::coverage {
+namespace {
+
+using spec::Rational;
+using spec::Sample;
+using spec::ScanLine;
+
+[[nodiscard]] Rational half() { return {1, 2}; }
+
+void spoil_prestep(Catalogue* catalogue) {
+  catalogue->add("no_prestep_x", "VERT", "u and v are taken at the pixel's left side",
+                 [](Recipe& r) {
+                   r.map = [](const Job&, const ScanLine& line, const Rational& x) {
+                     return Recipe::interpolate(line, std::max(line.left.x, Rational(x - half())));
+                   };
+                 });
+  catalogue->add("half_a_pixel_off", "IDENTITY", "u and v are taken half a pixel to the right",
+                 [](Recipe& r) {
+                   r.map = [](const Job&, const ScanLine& line, const Rational& x) {
+                     return Recipe::interpolate(line, x + half());
+                   };
+                 });
+  catalogue->add("reads_past_the_edge", "GAMUT", "u and v are extrapolated by a whole pixel",
+                 [](Recipe& r) {
+                   r.map = [](const Job&, const ScanLine& line, const Rational& x) {
+                     return Recipe::interpolate(line, x + 1);
+                   };
+                 });
+}
+
+void spoil_gradient(Catalogue* catalogue) {
+  catalogue->add("drifts", "MAP", "u gathers 1/256 texel a pixel along a span", [](Recipe& r) {
+    r.map = [](const Job&, const ScanLine& line, const Rational& x) {
+      Sample point = Recipe::interpolate(line, x);
+      point.u += (x - line.left.x) / 256;
+      return point;
+    };
+  });
+  catalogue->add("gradient_of_four_bits", "SPLIT", "the gradient along a span keeps 4 bits",
+                 [](Recipe& r) {
+                   r.map = [](const Job&, const ScanLine& line, const Rational& x) {
+                     const Sample from = Recipe::interpolate(line, line.left.x);
+                     const Sample to = Recipe::interpolate(line, line.left.x + 1);
+                     const auto walk = [&](const Rational& a, const Rational& b) {
+                       const Rational step = Rational(spec::floor((b - a) * 16)) / 16;
+                       return Rational(a + step * (x - line.left.x));
+                     };
+                     return Sample{walk(from.u, to.u), walk(from.v, to.v)};
+                   };
+                 });
+  catalogue->add("reversed_uv_ignored", "MAP", "u that falls along a span is made to rise",
+                 [](Recipe& r) {
+                   r.map = [](const Job&, const ScanLine& line, const Rational& x) {
+                     ScanLine rising = line;
+                     if (rising.right.uq / rising.right.q < rising.left.uq / rising.left.q) {
+                       std::swap(rising.left.uq, rising.right.uq);
+                     }
+                     return Recipe::interpolate(rising, x);
+                   };
+                 });
+}
+
+void spoil_origin(Catalogue* catalogue) {
+  catalogue->add("depends_on_the_column", "SHIFT", "every fourth column is shifted by half a texel",
+                 [](Recipe& r) {
+                   r.map = [](const Job&, const ScanLine& line, const Rational& x) {
+                     Sample point = Recipe::interpolate(line, x);
+                     if (spec::floor(x) % 4 == 0) point.u += half();
+                     return point;
+                   };
+                 });
+  catalogue->add("first_vertex_wins", "ORDER",
+                 "u is offset by the first vertex's fraction of a texel", [](Recipe& r) {
+                   r.map = [](const Job& job, const ScanLine& line, const Rational& x) {
+                     Sample point = Recipe::interpolate(line, x);
+                     point.u += Rational(job.vertices[0].u & 65535) / 65536;
+                     return point;
+                   };
+                 });
+}
+
+void spoil_perspective(Catalogue* catalogue) {
+  catalogue->add("ignores_q", "MAP", "perspective is left out", [](Recipe& r) {
+    r.prepare = [](Job& job) {
+      for (selvage_vertex& v : job.vertices) v.q = 1;
+    };
+  });
+  catalogue->add("divides_at_span_ends", "AFFINE", "perspective is divided at span ends only",
+                 [](Recipe& r) {
+                   r.map = [](const Job&, const ScanLine& line, const Rational& x) {
+                     ScanLine flat = line;
+                     for (spec::Crossing* end : {&flat.left, &flat.right}) {
+                       end->uq /= end->q;
+                       end->vq /= end->q;
+                       end->q = 1;
+                     }
+                     return Recipe::interpolate(flat, x);
+                   };
+                 });
+  catalogue->add("w_is_linear", "MAP", "w is interpolated along a span instead of 1 / w",
+                 [](Recipe& r) {
+                   r.map = [](const Job&, const ScanLine& line, const Rational& x) {
+                     ScanLine flat = line;
+                     for (spec::Crossing* end : {&flat.left, &flat.right}) end->q = 1 / end->q;
+                     const Rational t = (x - line.left.x) / (line.right.x - line.left.x);
+                     const Rational w = flat.left.q + t * (flat.right.q - flat.left.q);
+                     for (spec::Crossing* end : {&flat.left, &flat.right}) end->q = 1;
+                     const Sample point = Recipe::interpolate(flat, x);
+                     return Sample{point.u * w, point.v * w};
+                   };
+                 });
+  catalogue->add("q_of_sixteen_bits", "MAP", "q keeps its low 16 bits", [](Recipe& r) {
+    r.prepare = [](Job& job) {
+      for (selvage_vertex& v : job.vertices) v.q = std::max(v.q & 65535, 1);
+    };
+  });
+}
+
+void spoil_rounding(Catalogue* catalogue) {
+  catalogue->add(
+      "rounds_texels", "MAP", "texels are rounded where flooring is meant",
+      [](Recipe& r) { r.round = [](const Rational& u) { return spec::floor(u + half()); }; });
+  catalogue->add("truncates_texels", "MAP", "texels are truncated toward zero", [](Recipe& r) {
+    r.round = [](const Rational& u) { return sgn(u) < 0 ? -spec::floor(-u) : spec::floor(u); };
+  });
+  catalogue->add(
+      "u_of_32_bits", "MAP", "u is rounded to 2^-32 texel before it is floored", [](Recipe& r) {
+        r.round = [](const Rational& u) {
+          const Rational unit(4294967296.0);
+          mpz_class nearest;
+          const Rational scaled = u * unit + half();
+          mpz_fdiv_q(nearest.get_mpz_t(), scaled.get_num_mpz_t(), scaled.get_den_mpz_t());
+          return spec::floor(Rational(nearest) / unit);
+        };
+      });
+}
+
+void spoil_address(Catalogue* catalogue) {
+  catalogue->add("wraps_by_truncation", "SHIFT", "a negative texel wraps by the remainder's sign",
+                 [](Recipe& r) {
+                   r.address = [](int32_t texel, int32_t size, selvage_address mode) {
+                     return mode == SELVAGE_ADDRESS_WRAP ? std::abs(texel % size)
+                                                         : spec::address_texel(texel, size, mode);
+                   };
+                 });
+  catalogue->add("clamps_to_size", "GAMUT", "clamping stops one texel past the edge",
+                 [](Recipe& r) {
+                   r.address = [](int32_t texel, int32_t size, selvage_address mode) {
+                     return mode == SELVAGE_ADDRESS_CLAMP ? std::clamp(texel, 0, size)
+                                                          : spec::address_texel(texel, size, mode);
+                   };
+                 });
+  catalogue->add("swaps_u_and_v", "ORACLE", "u and v are exchanged", [](Recipe& r) {
+    r.map = [](const Job&, const ScanLine& line, const Rational& x) {
+      const Sample point = Recipe::interpolate(line, x);
+      return Sample{point.v, point.u};
+    };
+  });
+}
+
+void spoil_errors(Catalogue* catalogue) {
+  catalogue->add("hides_errors", "TOTAL", "errors are reported as success",
+                 [](Recipe& r) { r.status = [](selvage_status) { return SELVAGE_OK; }; });
+  catalogue->add("blames_the_wrong_thing", "TOTAL", "every error is the same one", [](Recipe& r) {
+    r.status = [](selvage_status status) {
+      return status == SELVAGE_OK ? SELVAGE_OK : SELVAGE_ERROR_TARGET_NULL;
+    };
+  });
+}
+
+}  // namespace
+
+void add_wrong_mapping(Catalogue* catalogue) {
+  spoil_prestep(catalogue);
+  spoil_gradient(catalogue);
+  spoil_origin(catalogue);
+  spoil_perspective(catalogue);
+  spoil_rounding(catalogue);
+  spoil_address(catalogue);
+  spoil_errors(catalogue);
+}
+
+}  // namespace selvage::coverage
