@@ -33,11 +33,11 @@ extern "C" {
 /* ---- Vertices ------------------------------------------------------------------------------ */
 
 enum {
-  SELVAGE_SUBPIXELS = 256,    /* units of x, y in a pixel */
-  SELVAGE_SUBTEXELS = 65536,  /* units of u, v in a texel */
-  SELVAGE_Q_MAX = 16777216,   /* 2^24 */
-  SELVAGE_X_MIN = -8388608,   /* x, y lie in [SELVAGE_X_MIN, SELVAGE_X_END), */
-  SELVAGE_X_END = 8388608     /* that is [-32768, 32768) px */
+  SELVAGE_SUBPIXELS = 256,   /* units of x, y in a pixel */
+  SELVAGE_SUBTEXELS = 65536, /* units of u, v in a texel */
+  SELVAGE_Q_MAX = 16777216,  /* 2^24 */
+  SELVAGE_X_MIN = -8388608,  /* x, y lie in [SELVAGE_X_MIN, SELVAGE_X_END), */
+  SELVAGE_X_END = 8388608    /* that is [-32768, 32768) px */
 };
 
 typedef struct selvage_vertex {
@@ -97,7 +97,7 @@ enum { SELVAGE_FILTER_NEAREST = 0 /* the texel that holds (u, v): (floor u, floo
 typedef int32_t selvage_address;
 enum {
   SELVAGE_ADDRESS_CLAMP = 0, /* texels beyond the edge repeat the edge's texel */
-  SELVAGE_ADDRESS_WRAP = 1   /* the texture repeats: s mod width, in [0, width) for negative s too */
+  SELVAGE_ADDRESS_WRAP = 1 /* the texture repeats: s mod width, in [0, width) for negative s too */
 };
 
 typedef struct selvage_options {
