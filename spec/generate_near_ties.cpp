@@ -49,12 +49,19 @@ namespace {
   return ((x % m) + m) % m;
 }
 
-// How much each vertex weighs in the coordinates at a point: its barycentric weight times q.
+// How much each vertex weighs in the coordinates at a point: its barycentric weight times q. All 0
+// where that would not fit.
 [[nodiscard]] std::array<int64_t, 3> weights_at(Point p, std::span<const selvage_vertex> v) {
+  constexpr int64_t kMostArea = int64_t{1} << 38;
   const Point a = position(v[0]), b = position(v[1]), c = position(v[2]);
   const int64_t sign = doubled_area(a, b, c) < 0 ? -1 : 1;
-  return {sign * doubled_area(p, b, c) * v[0].q, sign * doubled_area(a, p, c) * v[1].q,
-          sign * doubled_area(a, b, p) * v[2].q};
+  std::array<int64_t, 3> weights = {sign * doubled_area(p, b, c), sign * doubled_area(a, p, c),
+                                    sign * doubled_area(a, b, p)};
+  for (size_t k = 0; k < 3; ++k) {
+    if (std::abs(weights[k]) > kMostArea) return {};
+    weights[k] *= v[k].q;
+  }
+  return weights;
 }
 
 [[nodiscard]] bool all_positive(const std::array<int64_t, 3>& w) { return std::ranges::min(w) > 0; }
