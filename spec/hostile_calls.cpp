@@ -141,27 +141,22 @@ void spoil_vertices(Calls* calls, size_t index) {
        }});
 }
 
-// Overlaps that only arithmetic on addresses can tell from neighbours.
+// A texture of three texels that starts so many pixels before the target's first.
+void start_before(Arguments& a, ptrdiff_t distance_px) {
+  a.target.height = 1;
+  a.target.pitch = std::abs(a.target.pitch);
+  a.texture.width = 3;
+  a.texture.height = 1;
+  a.texture.pitch = 1024;
+  a.texture.texels =
+      static_cast<const char*>(a.target.pixels) - distance_px * bytes_per_pixel(a.target.format);
+}
+
 void share_memory(Calls* calls) {
   calls->push_back({"a texture whose last texel is the target's first pixel", SELVAGE_ERROR_OVERLAP,
-                    [](Arguments& a) {
-                      const ptrdiff_t pixel = bytes_per_pixel(a.target.format);
-                      a.target.height = 1;
-                      a.target.pitch = std::abs(a.target.pitch);
-                      a.texture.width = 3;
-                      a.texture.height = 1;
-                      a.texture.pitch = 1024;
-                      a.texture.texels = static_cast<const char*>(a.target.pixels) - 2 * pixel;
-                    }});
-  calls->push_back({"a texture that ends where the target begins", SELVAGE_OK, [](Arguments& a) {
-                      const ptrdiff_t pixel = bytes_per_pixel(a.target.format);
-                      a.target.height = 1;
-                      a.target.pitch = std::abs(a.target.pitch);
-                      a.texture.width = 3;
-                      a.texture.height = 1;
-                      a.texture.pitch = 1024;
-                      a.texture.texels = static_cast<const char*>(a.target.pixels) - 3 * pixel;
-                    }});
+                    [](Arguments& a) { start_before(a, 2); }});
+  calls->push_back({"a texture that ends where the target begins", SELVAGE_OK,
+                    [](Arguments& a) { start_before(a, 3); }});
 }
 
 void leave_out(Calls* calls) {
