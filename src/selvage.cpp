@@ -1,6 +1,9 @@
 // The C interface: every argument is checked here, then the profile's mapper draws.
 #include "selvage.h"
 
+#include "historic/classroom.h"
+#include "historic/two_stage.h"
+#include "historic/whole_px.h"
 #include "mapper/draw.h"
 #include "mapper/image.h"
 #include "mapper/polygon.h"
@@ -8,12 +11,33 @@
 namespace {
 
 [[nodiscard]] selvage_status check_options(const selvage_options& options) {
-  if (options.profile != SELVAGE_PROFILE_EXACT) return SELVAGE_ERROR_PROFILE;
+  if (options.profile < SELVAGE_PROFILE_EXACT || options.profile > SELVAGE_PROFILE_DKIT) {
+    return SELVAGE_ERROR_PROFILE;
+  }
   if (options.filter != SELVAGE_FILTER_NEAREST) return SELVAGE_ERROR_FILTER;
   if (options.address != SELVAGE_ADDRESS_CLAMP && options.address != SELVAGE_ADDRESS_WRAP) {
     return SELVAGE_ERROR_ADDRESS;
   }
   return options.tolerance < 0 ? SELVAGE_ERROR_TOLERANCE : SELVAGE_OK;
+}
+
+// The arguments have passed every check.
+void draw_by_profile(const selvage_image& target, const selvage_rect& visible,
+                     const selvage::mapper::Polygon& polygon, const selvage_texture& texture,
+                     const selvage_options& options) {
+  using namespace selvage;
+  switch (options.profile) {
+    case SELVAGE_PROFILE_ABRASH56:
+      return historic::draw_two_stage(target, visible, polygon, texture, options.address,
+                                      historic::Prestep::kNone);
+    case SELVAGE_PROFILE_ABRASH57:
+      return historic::draw_two_stage(target, visible, polygon, texture, options.address,
+                                      historic::Prestep::kHalf);
+    case SELVAGE_PROFILE_DKIT:
+      return historic::draw_classroom(target, visible, polygon, texture, options.address);
+    default:
+      return mapper::draw(target, visible, polygon, texture, options.address);
+  }
 }
 
 }  // namespace
@@ -33,12 +57,15 @@ selvage_status selvage_draw(const selvage_image* target, const selvage_rect* cli
 
   Polygon polygon;
   status = examine({vertices, count}, &polygon);
+  if (status == SELVAGE_OK && chosen.profile != SELVAGE_PROFILE_EXACT) {
+    status = selvage::historic::check_whole_px(polygon);
+  }
   if (status != SELVAGE_OK) return status;
 
   // By value: descriptors that lie inside the target must not change while it is drawn on.
   const selvage_image image = *target;
   const selvage_texture texels = *texture;
-  draw(image, visible_rect(image, clip), polygon, texels, chosen.address);
+  draw_by_profile(image, visible_rect(image, clip), polygon, texels, chosen);
   return SELVAGE_OK;
 }
 

@@ -88,8 +88,20 @@ typedef struct selvage_rect {
 
 /* ---- Options: all zero is exact, nearest, clamp ---------------------------------------------- */
 
+/* The conventions that are drawn by; spec/README.md has each in full. The historic ones want whole
+ * pixels for x and y and all q equal, and have arithmetic of their own: tolerance is nothing to
+ * them. */
 typedef int32_t selvage_profile;
-enum { SELVAGE_PROFILE_EXACT = 0 };
+enum {
+  SELVAGE_PROFILE_EXACT = 0, /* as above: the profile to draw with */
+  SELVAGE_PROFILE_ABRASH56 = 1, /* two-stage 16.16 DDA of 1992: pixels sampled at whole positions,
+                                   half-open; texels floor(u); polygons clockwise on the screen,
+                                   the other winding draws nothing */
+  SELVAGE_PROFILE_ABRASH57 = 2, /* its sequel: source prestepped by half a step, texel centres at
+                                   whole u: floor(u + 1/2) */
+  SELVAGE_PROFILE_DKIT = 3 /* the classroom scan-line mapper: edges and texels rounded, both ends
+                              of a span and of a polygon drawn, either winding */
+};
 
 typedef int32_t selvage_filter;
 enum { SELVAGE_FILTER_NEAREST = 0 /* the texel that holds (u, v): (floor u, floor v) */ };
@@ -132,6 +144,8 @@ enum {
   SELVAGE_ERROR_VERTEX_POSITION,   /* x or y outside [SELVAGE_X_MIN, SELVAGE_X_END) */
   SELVAGE_ERROR_VERTEX_Q,          /* q outside [1, SELVAGE_Q_MAX] */
   SELVAGE_ERROR_NOT_MONOTONE,      /* some scan line crosses more than two edges */
+  SELVAGE_ERROR_VERTEX_FRACTION,   /* historic profiles: x or y is no whole pixel */
+  SELVAGE_ERROR_VERTEX_Q_DIFFERS,  /* historic profiles: the q are not all equal */
   SELVAGE_ERROR_PROFILE,           /* not a selvage_profile */
   SELVAGE_ERROR_FILTER,            /* not a selvage_filter */
   SELVAGE_ERROR_ADDRESS,           /* not a selvage_address */
@@ -141,6 +155,10 @@ enum {
   SELVAGE_ERROR_SNAP_POSITION,     /* selvage_snap: x or y beyond the accepted range */
   SELVAGE_ERROR_SNAP_TEXTURE,      /* selvage_snap: u or v beyond [-32768, 32768) texels */
   SELVAGE_ERROR_SNAP_W,            /* selvage_snap: w gives a q outside [1, SELVAGE_Q_MAX] */
+  SELVAGE_ERROR_FIT_NULL,          /* selvage_fit: no corners, or no vertices to write to */
+  SELVAGE_ERROR_FIT_COUNT,         /* selvage_fit: neither 3 nor 4 corners */
+  SELVAGE_ERROR_FIT_DOUBLED,       /* selvage_fit: the doubled corner is not one of the three */
+  SELVAGE_ERROR_FIT_SIZE,          /* selvage_fit: width or height outside [1, 32767] texels */
   SELVAGE_STATUS_COUNT
 };
 
@@ -179,6 +197,19 @@ SELVAGE_API selvage_status selvage_draw(const selvage_image* target, const selva
  * On an error *vertex is left as it was. */
 SELVAGE_API selvage_status selvage_snap(double x_px, double y_px, double u_texel, double v_texel,
                                         double w, double w_near, selvage_vertex* vertex);
+
+/* Parameterised mapping: the whole texture onto a polygon.
+ *
+ * corners  4, in order around a quadrilateral: they get the texture's corners (0, 0), (0, height),
+ *          (width, height) and (width, 0), in this order. Or 3: corner `doubled`, 0 .. 2, is taken
+ *          twice, so that two corners of the texture meet in it. x, y and q are kept.
+ * doubled  not looked at where there are 4 corners
+ * fitted   4 vertices for selvage_draw; may be `corners` itself
+ *
+ * On an error nothing is written. */
+SELVAGE_API selvage_status selvage_fit(const selvage_vertex* corners, size_t count, size_t doubled,
+                                       int32_t width_texel, int32_t height_texel,
+                                       selvage_vertex fitted[4]);
 
 /* One sentence: what was wrong and what would be right. Never NULL; a value that is no
  * selvage_status gives "unknown status". */

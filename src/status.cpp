@@ -42,8 +42,12 @@ const char* selvage_status_text(selvage_status status) {
       return "a vertex's q is out of range; it must be in 1 .. 2^24";
     case SELVAGE_ERROR_NOT_MONOTONE:
       return "the polygon is not y-monotone; every scan line must cross two edges or none";
+    case SELVAGE_ERROR_VERTEX_FRACTION:
+      return "a vertex lies between pixels; in a historic profile x and y must be whole pixels";
+    case SELVAGE_ERROR_VERTEX_Q_DIFFERS:
+      return "the vertices differ in q; in a historic profile all must be equal";
     case SELVAGE_ERROR_PROFILE:
-      return "the profile is unknown; it must be EXACT";
+      return "the profile is unknown; it must be EXACT, ABRASH56, ABRASH57 or DKIT";
     case SELVAGE_ERROR_FILTER:
       return "the filter is unknown; it must be NEAREST";
     case SELVAGE_ERROR_ADDRESS:
@@ -62,6 +66,14 @@ const char* selvage_status_text(selvage_status status) {
       return "w is out of range; w and w_near must be positive, and 2^24 w_near / w must round "
              "into "
              "1 .. 2^24";
+    case SELVAGE_ERROR_FIT_NULL:
+      return "the corners or the fitted vertices are NULL; both must point to memory";
+    case SELVAGE_ERROR_FIT_COUNT:
+      return "the texture fits onto 3 or 4 corners only; the count must be one of these";
+    case SELVAGE_ERROR_FIT_DOUBLED:
+      return "the doubled corner is none of the three; it must be 0, 1 or 2";
+    case SELVAGE_ERROR_FIT_SIZE:
+      return "the texture's size is out of range; width and height must be in 1 .. 32767 texels";
     default:
       return "unknown status";
   }

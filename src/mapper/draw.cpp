@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "mapper/copy_row.h"
 #include "mapper/edge.h"
+#include "mapper/image.h"
 #include "mapper/row_kernel.h"
 #include "mapper/span.h"
 
@@ -26,8 +28,13 @@ void draw(const selvage_image& target, const selvage_rect& visible, const Polygo
                     .left_px = std::max(left.first_px(), visible.left),
                     .right_px = std::min(right.first_px(), visible.right)};
     if (span.empty()) continue;
-    const SpanMap map(left.at(row), right.at(row));
-    draw_row(map, span, texture, address, static_cast<char*>(target.pixels) + row * target.pitch);
+    char* const pixels = static_cast<char*>(target.pixels) + row * target.pitch;
+    if (polygon.untransformed) {
+      copy_row(texture, address, span.left_px + polygon.ds, row + polygon.dt, span.width_px(),
+               pixels + span.left_px * bytes_per_pixel(target.format));
+    } else {
+      draw_row(SpanMap(left.at(row), right.at(row)), span, texture, address, pixels);
+    }
   }
 }
 

@@ -34,6 +34,28 @@ namespace {
   return turns <= 2;
 }
 
+// u - x, in 1/65536 of either unit.
+[[nodiscard]] int64_t shift_fx16(int32_t position_fx8, int32_t texel_fx16) {
+  return int64_t{texel_fx16} - (int64_t{position_fx8} << (kTexelFraction - kSubpixelBits));
+}
+
+[[nodiscard]] bool is_whole(int64_t fx16) {
+  return (fx16 & ((int64_t{1} << kTexelFraction) - 1)) == 0;
+}
+
+// One shift for all vertices is one shift for all that is interpolated between them.
+void find_shift(Polygon* polygon) {
+  const selvage_vertex& first = polygon->vertices[0];
+  const int64_t ds = shift_fx16(first.x, first.u), dt = shift_fx16(first.y, first.v);
+  polygon->untransformed = polygon->affine && is_whole(ds) && is_whole(dt);
+  if (!polygon->untransformed) return;
+  for (const selvage_vertex& v : polygon->vertices) {
+    if (shift_fx16(v.x, v.u) != ds || shift_fx16(v.y, v.v) != dt) polygon->untransformed = false;
+  }
+  polygon->ds = static_cast<int32_t>(ds >> kTexelFraction);
+  polygon->dt = static_cast<int32_t>(dt >> kTexelFraction);
+}
+
 }  // namespace
 
 selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygon) {
@@ -51,6 +73,7 @@ selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygo
   }
   polygon->top_row = first_centre_px(vertices[polygon->top].y);
   polygon->bottom_row = first_centre_px(bottom_fx8);
+  find_shift(polygon);
   return SELVAGE_OK;
 }
 

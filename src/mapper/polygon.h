@@ -14,6 +14,8 @@ struct Polygon {
   size_t top = 0;                       // a vertex of least y
   int32_t top_row = 0, bottom_row = 0;  // rows whose centres lie in [least y, greatest y)
   bool affine = true;                   // all q are equal
+  bool untransformed = false;           // u = x + ds and v = y + dt, ds and dt whole, everywhere
+  int32_t ds = 0, dt = 0;               // texels; of an untransformed polygon
 };
 
 // Checks count, ranges and y-monotonicity. On SELVAGE_OK *polygon refers to `vertices`.

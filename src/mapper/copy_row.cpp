@@ -1,0 +1,53 @@
+#include "mapper/copy_row.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+
+#include "mapper/address.h"
+#include "mapper/image.h"
+
+namespace selvage::mapper {
+namespace {
+
+[[nodiscard]] int32_t index(int32_t texel, int32_t size_texel, selvage_address address) {
+  return address == SELVAGE_ADDRESS_CLAMP ? Clamp::index(texel, size_texel)
+                                          : Wrap::index(texel, size_texel);
+}
+
+// Fills `total` bytes with copies of the first `unit` bytes of `source`.
+void repeat(const char* source, size_t unit, size_t total, char* pixels) {
+  std::memcpy(pixels, source, unit);
+  for (size_t filled = unit; filled < total;) {
+    const size_t piece = std::min(filled, total - filled);
+    std::memcpy(pixels + filled, pixels, piece);
+    filled += piece;
+  }
+}
+
+}  // namespace
+
+void copy_row(const selvage_texture& texture, selvage_address address, int32_t s, int32_t t,
+              int32_t width_px, char* pixels) {
+  const auto unit = static_cast<size_t>(bytes_per_pixel(texture.format));
+  const char* row = static_cast<const char*>(texture.texels) +
+                    index(t, texture.height, address) * texture.pitch;
+  while (width_px > 0) {
+    const int32_t column = index(s, texture.width, address);
+    const char* source = row + static_cast<size_t>(column) * unit;
+    const bool clamped = column != s && address == SELVAGE_ADDRESS_CLAMP;
+    const int32_t run_px = !clamped ? texture.width - column : s < 0 ? -s : width_px;
+    const int32_t piece_px = std::min(run_px, width_px);
+    const size_t bytes = static_cast<size_t>(piece_px) * unit;
+    if (clamped) {
+      repeat(source, unit, bytes, pixels);
+    } else {
+      std::memcpy(pixels, source, bytes);
+    }
+    pixels += bytes;
+    s += piece_px;
+    width_px -= piece_px;
+  }
+}
+
+}  // namespace selvage::mapper
