@@ -14,10 +14,12 @@ namespace {
 //         18   choice: 4 bytes
 constexpr size_t kVertexBytes = 17;
 
-// Flags: the format in the low bits, modulo 3 when read.
+// Flags: the format in the low bits, modulo 3 when read; the profile in the high ones.
 constexpr uint64_t kFormatMask = 3;
 constexpr uint64_t kFormatCount = 3;
 constexpr uint64_t kWrap = 4, kFlipTarget = 8, kFlipTexture = 16, kHasClip = 32;
+constexpr int kProfileShift = 6;
+static_assert(SELVAGE_PROFILE_DKIT < 1 << (8 - kProfileShift));
 
 class Writer {
  public:
@@ -70,7 +72,8 @@ class Reader {
 [[nodiscard]] uint64_t flags(const Case& c) {
   return (static_cast<uint64_t>(c.format) & kFormatMask) |
          (c.address == SELVAGE_ADDRESS_WRAP ? kWrap : 0) | (c.flip_target ? kFlipTarget : 0) |
-         (c.flip_texture ? kFlipTexture : 0) | (c.has_clip ? kHasClip : 0);
+         (c.flip_texture ? kFlipTexture : 0) | (c.has_clip ? kHasClip : 0) |
+         static_cast<uint64_t>(c.profile) << kProfileShift;
 }
 
 void set_flags(uint64_t flags, Case* c) {
@@ -79,6 +82,7 @@ void set_flags(uint64_t flags, Case* c) {
   c->flip_target = (flags & kFlipTarget) != 0;
   c->flip_texture = (flags & kFlipTexture) != 0;
   c->has_clip = (flags & kHasClip) != 0;
+  c->profile = static_cast<selvage_profile>(flags >> kProfileShift);
 }
 
 [[nodiscard]] std::optional<int> hex_digit(char digit) {
@@ -91,8 +95,8 @@ void set_flags(uint64_t flags, Case* c) {
 }  // namespace
 
 bool operator==(const Case& a, const Case& b) {
-  return a.format == b.format && a.address == b.address && a.target_width_px == b.target_width_px &&
-         a.target_height_px == b.target_height_px &&
+  return a.profile == b.profile && a.format == b.format && a.address == b.address &&
+         a.target_width_px == b.target_width_px && a.target_height_px == b.target_height_px &&
          a.texture_width_texel == b.texture_width_texel &&
          a.texture_height_texel == b.texture_height_texel && a.padding_px == b.padding_px &&
          a.flip_target == b.flip_target && a.flip_texture == b.flip_texture &&

@@ -22,6 +22,7 @@ inline constexpr int32_t kMaxTextureTexels = 65536;  // width x height of a case
 inline constexpr size_t kMaxVertices = 256;
 
 struct Case {
+  selvage_profile profile = SELVAGE_PROFILE_EXACT;
   selvage_format format = SELVAGE_RGBA8888;
   selvage_address address = SELVAGE_ADDRESS_CLAMP;
   int32_t target_width_px = 16, target_height_px = 16;  // 1 .. 65536, product <= kMaxTargetPx

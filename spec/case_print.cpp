@@ -1,6 +1,7 @@
 #include <sstream>
 
 #include "spec/case.h"
+#include "spec/profiles.h"
 
 namespace selvage::spec {
 namespace {
@@ -45,7 +46,8 @@ void print_image(std::ostream& out, const Case& c, bool flipped) {
 
 std::string print(const Case& c) {
   std::ostringstream out;
-  out << format_name(c.format) << ", " << (c.address == SELVAGE_ADDRESS_WRAP ? "wrap" : "clamp")
+  out << "profile  " << profile_of(c).name << '\n'
+      << format_name(c.format) << ", " << (c.address == SELVAGE_ADDRESS_WRAP ? "wrap" : "clamp")
       << ", choice " << c.choice << '\n';
   out << "target   " << c.target_width_px << " x " << c.target_height_px << " px";
   print_image(out, c, c.flip_target);

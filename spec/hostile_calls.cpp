@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "spec/canvas.h"
+#include "spec/profiles.h"
 
 namespace selvage::spec {
 namespace {
@@ -141,6 +142,18 @@ void spoil_vertices(Calls* calls, size_t index) {
        }});
 }
 
+// What the historic profiles refuse and the exact one draws.
+void spoil_wholeness(Calls* calls, size_t index) {
+  for (const int32_t fraction : {1, 128, 255}) {
+    calls->push_back({"x between pixels", SELVAGE_ERROR_VERTEX_FRACTION,
+                      [=](Arguments& a) { a.vertices[index].x += fraction; }});
+    calls->push_back({"y between pixels", SELVAGE_ERROR_VERTEX_FRACTION,
+                      [=](Arguments& a) { a.vertices[index].y += fraction; }});
+  }
+  calls->push_back({"q that differ", SELVAGE_ERROR_VERTEX_Q_DIFFERS,
+                    [=](Arguments& a) { a.vertices[index].q += 1; }});
+}
+
 // A texture of three texels that starts so many pixels before the target's first.
 void start_before(Arguments& a, ptrdiff_t distance_px) {
   a.target.height = 1;
@@ -176,6 +189,7 @@ std::vector<HostileCall> hostile_calls(const Case& c) {
   spoil_images(&calls, c.format);
   spoil_pointers(&calls, c.format);
   spoil_vertices(&calls, c.choice % 3);
+  if (profile_of(c).whole_px) spoil_wholeness(&calls, c.choice % 3);
   share_memory(&calls);
   leave_out(&calls);
   return calls;
@@ -190,13 +204,14 @@ HostileOutcome make(const Subject& subject, const Case& c, const HostileCall& ca
               .clip = {0, 0, c.target_width_px, c.target_height_px},
               .vertices = {{-256, -256, 0, 0, 1}, {4096, 0, 65536, 0, 2}, {0, 4096, 0, 65536, 3}},
               .texture = texture.texture(),
-              .options = {},
+              .options = {c.profile, SELVAGE_FILTER_NEAREST, SELVAGE_ADDRESS_CLAMP, 0},
               .target_pointer = &a.target,
               .vertices_pointer = nullptr,
               .texture_pointer = &a.texture,
               .clip_pointer = &a.clip,
               .options_pointer = &a.options,
               .count = 3};
+  make_acceptable(profile_of(c), a.vertices);
   a.vertices_pointer = a.vertices.data();
   call.spoil(a);
   const selvage_status status = subject.draw(a.target_pointer, a.clip_pointer, a.vertices_pointer,

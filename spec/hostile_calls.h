@@ -38,7 +38,7 @@ struct HostileOutcome {
   bool target_untouched;
 };
 
-// Those that make sense for the case's format and size.
+// Those that make sense for the case's profile, format and size.
 [[nodiscard]] std::vector<HostileCall> hostile_calls(const Case& c);
 
 // Draws a good triangle with the case's images, spoiled.

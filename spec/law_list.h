@@ -11,6 +11,7 @@ namespace selvage::spec {
 [[nodiscard]] Judgement check_clip(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_vert(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_map(const Subject& subject, const Case& c);
+[[nodiscard]] Judgement check_dda(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_gamut(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_shift(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_order(const Subject& subject, const Case& c);

@@ -26,6 +26,7 @@ Pixel choose_pixel(const Case& c, Choices& choices) {
 Case with_vertices(const Case& c, std::vector<selvage_vertex> vertices) {
   Case changed = c;
   changed.vertices = std::move(vertices);
+  make_acceptable(profile_of(c), changed.vertices);
   return changed;
 }
 
@@ -51,7 +52,7 @@ std::optional<Texel> read_texel(const Case& c, uint32_t value) {
 
 void tell_coordinates(Violation* violation, const Case& shown, int32_t x_px, int32_t y_px) {
   if (!is_valid(shown)) return;
-  const std::optional<Sample> point = sample(shown.vertices, x_px, y_px);
+  const std::optional<Sample> point = ModelRow(shown, y_px).coordinates(x_px);
   if (!point) return;
   violation->u = point->u.get_str();
   violation->v = point->v.get_str();
@@ -98,6 +99,20 @@ Judgement compare(std::string_view law, std::string_view what, const Case& shown
     }
   }
   return judgement;
+}
+
+bool TexelRange::holds(int32_t texel) const {
+  if (texel < 0 || texel >= size) return false;
+  if (address == SELVAGE_ADDRESS_CLAMP) {
+    return std::clamp(first, 0, size - 1) <= texel && texel <= std::clamp(last, 0, size - 1);
+  }
+  const int32_t from_first =
+      address_texel(texel - address_texel(first, size, address), size, SELVAGE_ADDRESS_WRAP);
+  return from_first <= last - first;
+}
+
+std::string TexelRange::text() const {
+  return std::to_string(first) + " .. " + std::to_string(last);
 }
 
 bool add(Judgement* total, Judgement part) {

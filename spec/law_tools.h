@@ -11,7 +11,9 @@
 #include "spec/exact.h"
 #include "spec/geometry.h"
 #include "spec/laws.h"
+#include "spec/model.h"
 #include "spec/picture.h"
+#include "spec/profiles.h"
 
 namespace selvage::spec {
 
@@ -28,16 +30,17 @@ class Choices {
 
 struct Pixel {
   int32_t x_px, y_px;
-  [[nodiscard]] Point centre() const { return pixel_centre(x_px, y_px); }
 };
 
 // A pixel of the target, so far from the end of the vertex range that a polygon fits around it.
 [[nodiscard]] Pixel choose_pixel(const Case& c, Choices& choices);
 
-// The outline is one that a mapper must draw.
-[[nodiscard]] inline bool is_valid(const Case& c) { return validity(c.vertices) == SELVAGE_OK; }
+// Where the case's profile samples it.
+[[nodiscard]] inline Point sample_point(const Case& c, Pixel pixel) {
+  return sample_point(profile_of(c), pixel.x_px, pixel.y_px);
+}
 
-// The case with another outline.
+// The case with another outline, made acceptable to the profile.
 [[nodiscard]] Case with_vertices(const Case& c, std::vector<selvage_vertex> vertices);
 
 // Moves by whole units; empty if a vertex would leave the accepted range.
@@ -72,6 +75,16 @@ struct Wanted {
 using WantedAt = std::function<Wanted(int32_t x_px, int32_t y_px)>;
 [[nodiscard]] Judgement compare(std::string_view law, std::string_view what, const Case& shown,
                                 const Picture& picture, const WantedAt& wanted_at);
+
+// The texels along one axis that a mapper may reach, before they are addressed into `size`.
+struct TexelRange {
+  int32_t first, last, size;
+  selvage_address address;
+
+  // The addressed texel is one of them.
+  [[nodiscard]] bool holds(int32_t texel) const;
+  [[nodiscard]] std::string text() const;
+};
 
 // Adds up the pixels and keeps the first violation; true if there is one.
 bool add(Judgement* total, Judgement part);

@@ -1,5 +1,5 @@
-// The laws: what every mapper of the exact profile promises. spec/README.md states and numbers
-// them.
+// The laws: what a mapper promises; spec/profiles.h tells how much of it each profile does.
+// spec/README.md states and numbers them.
 //
 // A law is a pure function of a subject and a case. It draws what it needs, judges what it saw, and
 // returns how many pixels it judged and the first violation, if any. A law never trusts the

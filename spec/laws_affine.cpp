@@ -112,7 +112,8 @@ Judgement check_affine(const Subject& subject, const Case& c) {
   if (!is_valid(c)) return {};
   Choices choices(c.choice);
   Judgement judgement = judge_equal_q(subject, c, choices);
-  if (!judgement.violation) add(&judgement, judge_cross_ratio(subject, c));
+  if (judgement.violation || profile_of(c).whole_px) return judgement;
+  add(&judgement, judge_cross_ratio(subject, c));
   return judgement;
 }
 

@@ -24,8 +24,13 @@ namespace {
   for (size_t k = 0; k < c.vertices.size(); ++k) {
     const selvage_vertex& a = c.vertices[k];
     const selvage_vertex& b = c.vertices[(k + 1) % c.vertices.size()];
-    const int sign = doubled_area(position(centre), position(a), position(b)) >= 0 ? 1 : -1;
-    const Picture tile = draw(subject, with_vertices(c, {centre, a, b}));
+    Case tile_case = with_vertices(c, {centre, a, b});
+    const auto& corners = tile_case.vertices;
+    const int64_t area =
+        doubled_area(position(corners[0]), position(corners[1]), position(corners[2]));
+    const int sign = area >= 0 ? 1 : -1;
+    make_visible(profile_of(c), &tile_case.vertices);
+    const Picture tile = draw(subject, tile_case);
     for (size_t i = 0; i < counts.size(); ++i) counts[i] += tile.pixels[i] ? sign : 0;
   }
   return counts;
@@ -38,7 +43,7 @@ namespace {
   for (int32_t y = 0; y < shown.target_height_px; ++y) {
     for (int32_t x = 0; x < shown.target_width_px; ++x, ++index) {
       ++judgement.judged_px;
-      const int wanted = winding_number(pixel_centre(x, y), shown.vertices);
+      const int wanted = winding_number(sample_point(shown, {x, y}), shown.vertices);
       if (counts[index] == wanted) continue;
       judgement.violation = violation_at(
           law, "the tiles of a fan cover a pixel as often as the outline winds around it", shown, x,
@@ -66,10 +71,10 @@ namespace {
     case 0:
       return a;
     case 1:
-      return vertex_at(choose_pixel(c, choices).centre(), a);
+      return vertex_at(sample_point(c, choose_pixel(c, choices)), a);
     case 2:
-      return vertex_at({choose_pixel(c, choices).centre().x + choices.pick(-128, 128),
-                        choose_pixel(c, choices).centre().y + choices.pick(-128, 128)},
+      return vertex_at({sample_point(c, choose_pixel(c, choices)).x + choices.pick(-128, 128),
+                        sample_point(c, choose_pixel(c, choices)).y + choices.pick(-128, 128)},
                        a);
     default:
       return vertex_at({std::midpoint(a.x, b.x), std::midpoint(a.y, b.y)}, a);
@@ -84,8 +89,10 @@ namespace {
   for (const selvage_vertex& v : c.vertices) {
     if (position(v) != centre) ring.push_back(v);
   }
-  const int32_t a = choices.pick(1, 4096);
-  const int32_t b = choices.pick(0, 2) == 0 ? 0 : choices.pick(0, 4096);
+  const int32_t unit = profile_of(c).whole_px ? SELVAGE_SUBPIXELS : 1;
+  const int32_t reach = unit == 1 ? 4096 : 64;
+  const int32_t a = unit * choices.pick(1, reach);
+  const int32_t b = choices.pick(0, 2) == 0 ? 0 : unit * choices.pick(0, reach);
   for (const Point arm : {Point{a, b}, Point{-b, a}, Point{-a, -b}, Point{b, -a}}) {
     ring.push_back(vertex_at({centre.x + arm.x, centre.y + arm.y}, like));
   }
@@ -111,8 +118,8 @@ Judgement check_cov(const Subject& subject, const Case& c) {
       ++judgement.judged_px;
       if (model.at(x, y).has_value() == drawn.at(x, y).has_value()) continue;
       judgement.violation =
-          violation_at("COV", "exactly the pixels whose centres lie in the polygon are drawn", c, x,
-                       y, model.at(x, y) ? "a texel" : "nothing", drawn.at(x, y));
+          violation_at("COV", "exactly the pixels whose sample points lie in the polygon are drawn",
+                       c, x, y, model.at(x, y) ? "a texel" : "nothing", drawn.at(x, y));
       return judgement;
     }
   }
@@ -135,7 +142,7 @@ Judgement check_pinwheel(const Subject& subject, const Case& c) {
   Choices choices(c.choice);
   const Pixel pixel = choose_pixel(c, choices);
   const auto [x_px, y_px] = pixel;
-  const Point centre = pixel.centre();
+  const Point centre = sample_point(c, pixel);
   const Case region = with_vertices(unclipped(c), ring_around(centre, c, choices));
   const std::vector<int> owners =
       draw_fan(subject, region, vertex_at(centre, region.vertices.front()));

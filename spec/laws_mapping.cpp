@@ -7,14 +7,15 @@
 #include "spec/geometry.h"
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
+#include "spec/reach.h"
 
 namespace selvage::spec {
 namespace {
 
 [[nodiscard]] uint32_t texel_value(const Case& c, const Sample& point) {
-  const Texel texel =
-      nearest_texel(point, c.texture_width_texel, c.texture_height_texel, c.address);
-  return coordinate_texel(c.format, texel.s, texel.t);
+  Rational rounding(profile_of(c).rounding_fx16, SELVAGE_SUBTEXELS);
+  rounding.canonicalize();
+  return addressed_value(c, {floor(point.u + rounding), floor(point.v + rounding)});
 }
 
 // (u, v) of a point on the segment a b, from its two ends alone.
@@ -30,18 +31,21 @@ namespace {
   return {mix(a.u, b.u), mix(a.v, b.v)};
 }
 
-// Judges the drawn pixels of a triangle whose centres lie on one of its edges or vertices.
+// Judges the drawn pixels of a triangle whose sample points lie on one of its edges or vertices;
+// on edges only where the profile's arithmetic is exact there.
 [[nodiscard]] Judgement judge_outline(const Subject& subject, const Case& triangle) {
   const Picture picture = draw(subject, triangle);
   const auto& v = triangle.vertices;
+  const bool edges_too = triangle.profile == SELVAGE_PROFILE_EXACT;
   return compare("VERT", "a pixel on an edge or vertex shows what the edge's two ends say",
                  triangle, picture, [&](int32_t x, int32_t y) {
                    if (!picture.at(x, y)) return unjudged();
-                   const Point p = pixel_centre(x, y);
+                   const Point p = sample_point(triangle, {x, y});
                    for (size_t k = 0; k < 3; ++k) {
                      const selvage_vertex &a = v[k], &b = v[(k + 1) % 3];
                      if (position(a) == position(b) || !on_segment(p, position(a), position(b)))
                        continue;
+                     if (!edges_too && p != position(a) && p != position(b)) continue;
                      return must_be(texel_value(triangle, sample_on_edge(p, a, b)));
                    }
                    return unjudged();
@@ -84,66 +88,100 @@ Judgement check_vert(const Subject& subject, const Case& c) {
   Choices choices(c.choice);
   Judgement judgement;
   const auto k = static_cast<size_t>(choices.pick(0, static_cast<int32_t>(count)));
-  const Point sample_point = choose_pixel(c, choices).centre();
+  const Point place = sample_point(c, choose_pixel(c, choices));
   const selvage_vertex& corner = c.vertices[k];
   const std::array corners = {corner, c.vertices[(k + 1) % count],
                               c.vertices[(k + count - 1) % count]};
-  const auto placed = moved(corners, sample_point.x - corner.x, sample_point.y - corner.y);
+  const auto placed = moved(corners, place.x - corner.x, place.y - corner.y);
   if (!placed) return judgement;
   const std::array<selvage_vertex, 3> triangle = {(*placed)[0], (*placed)[1], (*placed)[2]};
   for (const auto& side : {std::optional(triangle), twin_across_edge(triangle)}) {
     for (int quarters = 0; side && quarters < 4; ++quarters) {
       const auto outline = turned(*side, quarters);
       if (!outline) continue;
-      if (add(&judgement, judge_outline(subject, with_vertices(c, *outline)))) return judgement;
+      Case shown = with_vertices(c, *outline);
+      make_visible(profile_of(c), &shown.vertices);
+      if (add(&judgement, judge_outline(subject, shown))) return judgement;
     }
   }
   return judgement;
 }
 
-Judgement check_map(const Subject& subject, const Case& c) {
-  if (!is_valid(c)) return {};
+namespace {
+
+[[nodiscard]] Judgement judge_exactly(std::string_view law, std::string_view what,
+                                      const Subject& subject, const Case& c) {
   const Picture model = expected(c);
   const Picture drawn = draw(subject, c);
-  return compare("MAP", "a drawn pixel shows the texel that holds its exact (u, v)", c, drawn,
-                 [&](int32_t x, int32_t y) {
-                   if (!model.at(x, y) || !drawn.at(x, y)) return unjudged();
-                   return must_be(model.at(x, y));
-                 });
+  return compare(law, what, c, drawn, [&](int32_t x, int32_t y) {
+    if (!model.at(x, y) || !drawn.at(x, y)) return unjudged();
+    return must_be(model.at(x, y));
+  });
+}
+
+// The texels along one axis that lie within reach of an exact coordinate.
+[[nodiscard]] TexelRange range_of(const Rational& exact, const Rational& below,
+                                  const Rational& above, const Case& c, int32_t size_texel) {
+  Rational rounding(profile_of(c).rounding_fx16, SELVAGE_SUBTEXELS);
+  rounding.canonicalize();
+  return {floor(exact - below + rounding), floor(exact + above + rounding), size_texel, c.address};
+}
+
+[[nodiscard]] Judgement judge_within_reach(const Subject& subject, const Case& c) {
+  const Picture drawn = draw(subject, c);
+  Judgement judgement;
+  for (int32_t y = 0; y < c.target_height_px; ++y) {
+    const std::optional<HistoricLine> line = historic_line(c.profile, c.vertices, y);
+    for (int32_t x = 0; line && x < c.target_width_px; ++x) {
+      const std::optional<uint32_t>& pixel = drawn.at(x, y);
+      const std::optional<Texel> texel = pixel ? read_texel(c, *pixel) : std::nullopt;
+      const std::optional<Reach> point = texel ? reach(*line, x) : std::nullopt;
+      if (!point) continue;
+      ++judgement.judged_px;
+      const TexelRange s =
+          range_of(point->u, point->u_below, point->u_above, c, c.texture_width_texel);
+      const TexelRange t =
+          range_of(point->v, point->v_below, point->v_above, c, c.texture_height_texel);
+      if (s.holds(texel->s) && t.holds(texel->t)) continue;
+      judgement.violation =
+          violation_at("MAP", "a texel lies within the derived bound of its exact (u, v)", c, x, y,
+                       "columns " + s.text() + ", rows " + t.text() + ", addressed", pixel);
+      return judgement;
+    }
+  }
+  return judgement;
+}
+
+}  // namespace
+
+Judgement check_map(const Subject& subject, const Case& c) {
+  if (!is_valid(c)) return {};
+  if (c.profile != SELVAGE_PROFILE_EXACT) return judge_within_reach(subject, c);
+  return judge_exactly("MAP", "a drawn pixel shows the texel that holds its exact (u, v)", subject,
+                       c);
+}
+
+Judgement check_dda(const Subject& subject, const Case& c) {
+  if (!is_valid(c) || c.profile == SELVAGE_PROFILE_EXACT) return {};
+  return judge_exactly("DDA", "a drawn pixel shows the texel of the profile's own arithmetic",
+                       subject, c);
 }
 
 namespace {
 
-// The texels along one axis that coordinates from `least` to `greatest` (16.16) can reach.
-struct Gamut {
-  int32_t first, last, size;
-  selvage_address address;
-
-  [[nodiscard]] bool holds(int32_t texel) const {
-    if (texel < 0 || texel >= size) return false;
-    if (address == SELVAGE_ADDRESS_CLAMP) {
-      return std::clamp(first, 0, size - 1) <= texel && texel <= std::clamp(last, 0, size - 1);
-    }
-    const int32_t from_first =
-        address_texel(texel - address_texel(first, size, address), size, SELVAGE_ADDRESS_WRAP);
-    return from_first <= last - first;
-  }
-  [[nodiscard]] std::string text() const {
-    return std::to_string(first) + " .. " + std::to_string(last);
-  }
-};
-
-[[nodiscard]] Gamut gamut_of(const Case& c, int32_t selvage_vertex::*axis, int32_t size) {
+[[nodiscard]] TexelRange gamut_of(const Case& c, int32_t selvage_vertex::*axis, int32_t size) {
   const auto [least, greatest] = std::ranges::minmax(c.vertices, {}, axis);
-  return {least.*axis >> 16, greatest.*axis >> 16, size, c.address};
+  const int64_t rounding = profile_of(c).rounding_fx16;
+  return {static_cast<int32_t>((least.*axis + rounding) >> 16),
+          static_cast<int32_t>((greatest.*axis + rounding) >> 16), size, c.address};
 }
 
 }  // namespace
 
 Judgement check_gamut(const Subject& subject, const Case& c) {
   if (!is_valid(c)) return {};
-  const Gamut s = gamut_of(c, &selvage_vertex::u, c.texture_width_texel);
-  const Gamut t = gamut_of(c, &selvage_vertex::v, c.texture_height_texel);
+  const TexelRange s = gamut_of(c, &selvage_vertex::u, c.texture_width_texel);
+  const TexelRange t = gamut_of(c, &selvage_vertex::v, c.texture_height_texel);
   const Picture drawn = draw(subject, c);
   Judgement judgement;
   for (int32_t y = 0; y < c.target_height_px; ++y) {
@@ -160,40 +198,6 @@ Judgement check_gamut(const Subject& subject, const Case& c) {
     }
   }
   return judgement;
-}
-
-// The rectangle's corner is anywhere on the grid; u - x and v - y are whole texels.
-Judgement check_identity(const Subject& subject, const Case& c) {
-  Choices choices(c.choice);
-  const auto pick_side = [&](int32_t size_px) {
-    const int32_t reach = std::min(size_px + 2, 8192) * SELVAGE_SUBPIXELS;
-    const int32_t a = choices.pick(-2 * SELVAGE_SUBPIXELS, reach);
-    return std::pair(a, a + choices.pick(0, reach));
-  };
-  const auto [left, right] = pick_side(c.target_width_px);
-  const auto [top, bottom] = pick_side(c.target_height_px);
-  const int32_t ds = choices.pick(-c.texture_width_texel, c.texture_width_texel + 1) % 1024;
-  const int32_t dt = choices.pick(-c.texture_height_texel, c.texture_height_texel + 1) % 1024;
-  const auto corner = [&](int32_t x, int32_t y) {
-    return selvage_vertex{x, y, x * 256 + ds * SELVAGE_SUBTEXELS, y * 256 + dt * SELVAGE_SUBTEXELS,
-                          1 + static_cast<int32_t>(c.choice % SELVAGE_Q_MAX)};
-  };
-  const Case shown = with_vertices(
-      c, {corner(left, top), corner(right, top), corner(right, bottom), corner(left, bottom)});
-  const auto covers = [](int32_t begin_fx8, int32_t end_fx8, int32_t index_px) {
-    const int32_t centre_fx8 = index_px * SELVAGE_SUBPIXELS + SELVAGE_SUBPIXELS / 2;
-    return begin_fx8 <= centre_fx8 && centre_fx8 < end_fx8;
-  };
-  return compare("IDENTITY", "an axis-aligned one-to-one rectangle is a block copy", shown,
-                 draw(subject, shown), [&](int32_t x, int32_t y) {
-                   const bool clipped = c.has_clip && (x < c.clip.left || c.clip.right <= x ||
-                                                       y < c.clip.top || c.clip.bottom <= y);
-                   if (clipped || !covers(left, right, x) || !covers(top, bottom, y))
-                     return must_be(std::nullopt);
-                   return must_be(coordinate_texel(
-                       c.format, address_texel(x + ds, c.texture_width_texel, c.address),
-                       address_texel(y + dt, c.texture_height_texel, c.address)));
-                 });
 }
 
 }  // namespace selvage::spec

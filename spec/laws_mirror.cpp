@@ -10,7 +10,7 @@
 namespace selvage::spec {
 namespace {
 
-// A rigid motion of the plane that takes pixel centres to pixel centres, and the target with it.
+// A rigid motion of the plane that takes sample points to sample points, and the target with it.
 struct Motion {
   std::string what;
   bool swaps_axes, flips_x, flips_y;  // swaps first
@@ -34,23 +34,29 @@ struct Motion {
 // Empty if a vertex would leave the accepted range.
 [[nodiscard]] std::optional<Case> moved_case(const Case& c, const Motion& motion) {
   Case to = c;
+  // The last sample point takes the first one's place.
+  const Point ends =
+      sample_point(to, motion.swaps_axes ? Pixel{c.target_height_px - 1, c.target_width_px - 1}
+                                         : Pixel{c.target_width_px - 1, c.target_height_px - 1});
+  const Point begin = sample_point(to, {0, 0});
   if (motion.swaps_axes) std::swap(to.target_width_px, to.target_height_px);
   to.clip = moved_rect(c.clip, motion, to);
   for (selvage_vertex& v : to.vertices) {
     if (motion.swaps_axes) std::swap(v.x, v.y);
-    const int64_t x = motion.flips_x ? int64_t{to.target_width_px} * 256 - v.x : v.x;
-    const int64_t y = motion.flips_y ? int64_t{to.target_height_px} * 256 - v.y : v.y;
+    const int64_t x = motion.flips_x ? begin.x + ends.x - v.x : v.x;
+    const int64_t y = motion.flips_y ? begin.y + ends.y - v.y : v.y;
     if (std::min(x, y) < SELVAGE_X_MIN || std::max(x, y) >= SELVAGE_X_END) return std::nullopt;
     v.x = static_cast<int32_t>(x);
     v.y = static_cast<int32_t>(y);
   }
+  make_visible(profile_of(c), &to.vertices);
   return to;
 }
 
 // Where the half-open rule makes a difference: a centre on the outline, or a line through a vertex,
 // where the edge above and the edge below may carry different coordinates.
 [[nodiscard]] bool is_tie(const Case& c, Pixel pixel, bool columns_too) {
-  const Point p = pixel.centre();
+  const Point p = sample_point(c, pixel);
   for (const selvage_vertex& v : c.vertices) {
     if (v.y == p.y || (columns_too && v.x == p.x)) return true;
   }
@@ -80,12 +86,14 @@ struct Motion {
   return judgement;
 }
 
-// u becomes width - u, v becomes height - v; texel s then is texel width - 1 - s.
+// Where texels are floored u becomes width - u, where they are rounded width - 1 - u, and likewise
+// v; texel s then is texel width - 1 - s.
 [[nodiscard]] Judgement judge_texture_flip(const Subject& subject, const Case& c) {
   Case flipped = c;
+  const int64_t ends_fx16 = 2 * profile_of(c).rounding_fx16;
   for (selvage_vertex& v : flipped.vertices) {
-    const int64_t u = int64_t{c.texture_width_texel} * SELVAGE_SUBTEXELS - v.u;
-    const int64_t w = int64_t{c.texture_height_texel} * SELVAGE_SUBTEXELS - v.v;
+    const int64_t u = int64_t{c.texture_width_texel} * SELVAGE_SUBTEXELS - ends_fx16 - v.u;
+    const int64_t w = int64_t{c.texture_height_texel} * SELVAGE_SUBTEXELS - ends_fx16 - v.v;
     if (u != static_cast<int32_t>(u) || w != static_cast<int32_t>(w)) return {};
     v.u = static_cast<int32_t>(u);
     v.v = static_cast<int32_t>(w);
@@ -95,7 +103,7 @@ struct Motion {
                  [&](int32_t x, int32_t y) {
                    const MaybePixel& pixel = before.at(x, y);
                    const std::optional<Texel> texel = pixel ? read_texel(c, *pixel) : std::nullopt;
-                   const std::optional<Sample> point = sample(c.vertices, x, y);
+                   const std::optional<Sample> point = ModelRow(c, y).coordinates(x);
                    if (!texel || !point) return unjudged();
                    if (point->u.get_den() == 1 || point->v.get_den() == 1) return unjudged();
                    return must_be(coordinate_texel(c.format, c.texture_width_texel - 1 - texel->s,

@@ -35,7 +35,7 @@ namespace {
 
 [[nodiscard]] Judgement judge_status(const Subject& subject, const Case& c) {
   const Picture picture = draw(subject, c);
-  const selvage_status wanted = validity(c.vertices);
+  const selvage_status wanted = validity(c);
   Judgement judgement = {.judged_px = 1};
   if (picture.status != wanted) {
     judgement.violation =

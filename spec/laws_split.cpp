@@ -34,8 +34,9 @@ struct Chord {
   size_t end;
 };
 
-// A triangle has no chord between its corners: one is put on the side opposite to corner 0.
-[[nodiscard]] std::optional<Chord> choose_chord(std::vector<selvage_vertex> hull,
+// A triangle has no chord between its corners: one is put on the side opposite to corner 0, on the
+// grid of the vertices.
+[[nodiscard]] std::optional<Chord> choose_chord(std::vector<selvage_vertex> hull, int32_t grid_fx8,
                                                 Choices& choices) {
   if (hull.size() < 3) return std::nullopt;
   const auto first = choices.pick(0, static_cast<int32_t>(hull.size()));
@@ -44,7 +45,7 @@ struct Chord {
     return Chord{hull, static_cast<size_t>(choices.pick(2, static_cast<int32_t>(hull.size()) - 1))};
   }
   const int32_t dx = hull[2].x - hull[1].x, dy = hull[2].y - hull[1].y;
-  const int32_t steps = std::gcd(dx, dy);
+  const int32_t steps = std::gcd(dx, dy) / grid_fx8;
   if (steps < 2) return std::nullopt;
   const int32_t step = choices.pick(1, steps);
   selvage_vertex between = hull[1];
@@ -58,7 +59,8 @@ struct Chord {
 
 Judgement check_split(const Subject& subject, const Case& c) {
   Choices choices(c.choice);
-  std::optional<Chord> chord = choose_chord(convex_hull(c.vertices), choices);
+  const int32_t grid_fx8 = profile_of(c).whole_px ? SELVAGE_SUBPIXELS : 1;
+  std::optional<Chord> chord = choose_chord(convex_hull(c.vertices), grid_fx8, choices);
   if (!chord) return {};
   std::vector<selvage_vertex>& outline = chord->outline;
   map_affinely(&outline, choices);
@@ -74,9 +76,13 @@ Judgement check_split(const Subject& subject, const Case& c) {
   for (size_t i = 0; i < parts.pixels.size(); ++i) {
     if (b.pixels[i]) parts.pixels[i] = b.pixels[i];
   }
-  Judgement judgement =
-      compare("SPLIT", "two parts of a polygon draw what the whole draws", whole_case, parts,
-              [&](int32_t x, int32_t y) { return must_be(whole.at(x, y)); });
+  const bool texels_too = c.profile == SELVAGE_PROFILE_EXACT;
+  Judgement judgement = compare(
+      "SPLIT", "two parts of a polygon draw what the whole draws", whole_case, parts,
+      [&](int32_t x, int32_t y) {
+        const MaybePixel& pixel = whole.at(x, y);
+        return must_be(texels_too || !pixel ? pixel : parts.at(x, y) ? parts.at(x, y) : pixel);
+      });
   if (judgement.violation) return judgement;
   add(&judgement,
       compare("SPLIT", "a pixel lies in one part only", whole_case, b, [&](int32_t x, int32_t y) {

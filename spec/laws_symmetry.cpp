@@ -133,8 +133,15 @@ Judgement check_order(const Subject& subject, const Case& c) {
                                 draw(subject, rotated), wanted);
   if (judgement.violation) return judgement;
   std::ranges::reverse(rotated.vertices);
-  add(&judgement,
-      compare("ORDER", "the winding changes nothing", rotated, draw(subject, rotated), wanted));
+  const Picture reversed = draw(subject, rotated);
+  if (!profile_of(c).clockwise_only) {
+    add(&judgement, compare("ORDER", "the winding changes nothing", rotated, reversed, wanted));
+    return judgement;
+  }
+  add(&judgement, compare("ORDER", "a pixel is drawn by one winding only", rotated, reversed,
+                          [&](int32_t x, int32_t y) {
+                            return before.at(x, y) ? must_be(std::nullopt) : unjudged();
+                          }));
   return judgement;
 }
 

@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "spec/canvas.h"
-#include "spec/exact.h"
+#include "spec/model.h"
 
 namespace selvage::spec {
 namespace {
@@ -52,7 +52,7 @@ template <class T>
   vertices.reserve(1);  // no vertices are not NULL vertices
   const selvage_image image = canvas.image();
   const selvage_texture view = texture.texture();
-  const selvage_options options{SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST, c.address,
+  const selvage_options options{c.profile, SELVAGE_FILTER_NEAREST, c.address,
                                 /*tolerance=*/0};
   const selvage_rect clip = c.clip;
   const auto arguments = [&] {
@@ -85,6 +85,11 @@ uint32_t coordinate_texel(selvage_format format, int32_t s, int32_t t) {
   const int bits = coordinate_bits(format);
   const uint32_t mask = (1U << bits) - 1;
   return (static_cast<uint32_t>(s) & mask) | (static_cast<uint32_t>(t) & mask) << bits;
+}
+
+uint32_t addressed_value(const Case& c, Texel texel) {
+  return coordinate_texel(c.format, address_texel(texel.s, c.texture_width_texel, c.address),
+                          address_texel(texel.t, c.texture_height_texel, c.address));
 }
 
 std::string describe_texel(selvage_format format, uint32_t value) {
@@ -122,19 +127,16 @@ Picture draw(const Subject& subject, const Case& c) {
 
 Picture expected(const Case& c) {
   Picture picture = blank(c);
-  picture.status = validity(c.vertices);
+  picture.status = validity(c);
   if (picture.status != SELVAGE_OK) return picture;
   size_t index = 0;
   for (int32_t y = 0; y < c.target_height_px; ++y) {
-    const std::optional<ScanLine> line = scan_line(c.vertices, y);
+    const ModelRow row(c, y);
     for (int32_t x = 0; x < c.target_width_px; ++x, ++index) {
       const bool clipped = c.has_clip && (x < c.clip.left || c.clip.right <= x || y < c.clip.top ||
                                           c.clip.bottom <= y);
-      const std::optional<Sample> point = line && !clipped ? sample(*line, x) : std::nullopt;
-      if (!point) continue;
-      const Texel texel =
-          nearest_texel(*point, c.texture_width_texel, c.texture_height_texel, c.address);
-      picture.pixels[index] = coordinate_texel(c.format, texel.s, texel.t);
+      const std::optional<Texel> texel = clipped ? std::nullopt : row.texel(x);
+      if (texel) picture.pixels[index] = addressed_value(c, *texel);
     }
   }
   return picture;

@@ -1,4 +1,4 @@
-// What a subject draws for a case, and what the exact model says it should: the pixels as values.
+// What a subject draws for a case, and what the model says it should: the pixels as values.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "spec/case.h"
+#include "spec/exact.h"
 #include "spec/subject.h"
 
 namespace selvage::spec {
@@ -26,6 +27,8 @@ struct Picture {
 // The value of texel (s, t) of the coordinate texture: it tells its own place, exactly for textures
 // up to 65536 (RGBA8888), 256 (RGB565) and 16 (INDEX8) texels a side, modulo that beyond.
 [[nodiscard]] uint32_t coordinate_texel(selvage_format format, int32_t s, int32_t t);
+// The same for a texel that is first addressed into the case's texture.
+[[nodiscard]] uint32_t addressed_value(const Case& c, Texel texel);
 // "texel (s, t)", or the bare value where the format cannot tell the place.
 [[nodiscard]] std::string describe_texel(selvage_format format, uint32_t value);
 
@@ -34,7 +37,7 @@ struct Picture {
 // differs between the two is a memory fault.
 [[nodiscard]] Picture draw(const Subject& subject, const Case& c);
 
-// The same by the exact model.
+// The same by the model of the case's profile.
 [[nodiscard]] Picture expected(const Case& c);
 
 }  // namespace selvage::spec

@@ -2,6 +2,8 @@
 
 namespace selvage::spec {
 
-Subject built_in() { return {"selvage " + std::string(selvage_version()), selvage_draw}; }
+Subject built_in(selvage_profile profile) {
+  return {"selvage " + std::string(selvage_version()), selvage_draw, profile};
+}
 
 }  // namespace selvage::spec

@@ -13,9 +13,10 @@ struct Subject {
   std::function<selvage_status(const selvage_image*, const selvage_rect*, const selvage_vertex*,
                                size_t, const selvage_texture*, const selvage_options*)>
       draw;
+  selvage_profile profile = SELVAGE_PROFILE_EXACT;  // the one it is held to
 };
 
 // The mapper that this program is linked with.
-[[nodiscard]] Subject built_in();
+[[nodiscard]] Subject built_in(selvage_profile profile = SELVAGE_PROFILE_EXACT);
 
 }  // namespace selvage::spec

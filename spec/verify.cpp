@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "spec/generate.h"
+#include "spec/profiles.h"
 
 namespace selvage::spec {
 namespace {
@@ -46,7 +47,7 @@ LawVerdict verify(const Law& law, const Subject& subject, uint64_t first_seed, u
   verdict.law = &law;
   const uint64_t progress_every = std::max<uint64_t>(1, case_count / kProgressSteps);
   while (verdict.cases < case_count) {
-    Case c = generate(first_seed + verdict.cases);
+    Case c = in_profile(generate(first_seed + verdict.cases), subject.profile);
     Judgement judgement = law.check(subject, c);
     ++verdict.cases;
     verdict.judged_px += judgement.judged_px;

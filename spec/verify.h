@@ -18,9 +18,9 @@ struct LawVerdict {
   std::optional<Case> counterexample;  // the shrunk case that replays it
 };
 
-// Checks one law on the cases of seeds first_seed, first_seed + 1, ... and stops at the first
-// violation, which is then shrunk. `progress` is called now and then with the cases done; may be
-// empty.
+// Checks one law on the cases of seeds first_seed, first_seed + 1, ..., as the subject's profile
+// takes them, and stops at the first violation, which is then shrunk. `progress` is called now and
+// then with the cases done; may be empty.
 [[nodiscard]] LawVerdict verify(const Law& law, const Subject& subject, uint64_t first_seed,
                                 uint64_t case_count,
                                 const std::function<void(uint64_t)>& progress = {});

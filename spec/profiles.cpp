@@ -1,0 +1,139 @@
+#include "spec/profiles.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <ranges>
+
+namespace selvage::spec {
+namespace {
+
+constexpr std::array kProfiles = {
+    Profile{
+        SELVAGE_PROFILE_EXACT, "exact",
+        "pixels sampled at their centres, half-open, each showing the texel that holds the exact "
+        "(u, v)",
+        SELVAGE_SUBPIXELS / 2, 0, false, false, false},
+    Profile{SELVAGE_PROFILE_ABRASH56, "abrash56",
+            "two-stage 16.16 DDA between edges at ceil(x), truncated; clockwise only", 0, 0, true,
+            true, false},
+    Profile{SELVAGE_PROFILE_ABRASH57, "abrash57",
+            "as abrash56, the source prestepped by half a step and rounded", 0,
+            SELVAGE_SUBTEXELS / 2, true, true, false},
+    Profile{SELVAGE_PROFILE_DKIT, "dkit",
+            "edges and their texels rounded, both ends drawn, the texels between them rounded", 0,
+            SELVAGE_SUBTEXELS / 2, true, false, true},
+};
+
+struct Entry {
+  std::string_view law;
+  std::array<Promise, 4> by_profile;  // in the order of kProfiles
+};
+
+constexpr Promise kYes{Standing::kPromised, ""};
+constexpr Promise yes(std::string_view how_much) { return {Standing::kPromised, how_much}; }
+constexpr Promise no(std::string_view why) { return {Standing::kNotPromised, why}; }
+constexpr Promise none(std::string_view why) { return {Standing::kNoMatter, why}; }
+
+constexpr std::string_view kEnds = "both ends are drawn: on a shared edge pixels are drawn twice";
+constexpr std::string_view kCoverage = "the coverage; the texels depend on where an edge starts";
+constexpr std::string_view kWithinBound = "within the bound derived from rows, pixels and du/dx";
+constexpr std::string_view kDirected =
+    "truncation, and samples in a pixel's corner, have a direction";
+constexpr std::string_view kAffineOnly = "equal q; others are refused";
+constexpr std::string_view kOtherSamples = "OpenCV samples elsewhere and steps no edges";
+
+constexpr std::array kPromises = {
+    Entry{"COV", {kYes, kYes, kYes, kYes}},
+    Entry{"PART", {kYes, kYes, kYes, no(kEnds)}},
+    Entry{"PINWHEEL", {kYes, kYes, kYes, no(kEnds)}},
+    Entry{"CLIP", {kYes, kYes, kYes, kYes}},
+    Entry{"VERT",
+          {kYes, yes("at vertices; along edges MAP's bound holds"),
+           no("the prestep leaves every vertex by half a step"),
+           no("a span of one pixel shows one of its two ends")}},
+    Entry{"MAP", {kYes, yes(kWithinBound), yes(kWithinBound), yes(kWithinBound)}},
+    Entry{"DDA", {none("its arithmetic is its own affair: MAP judges it"), kYes, kYes, kYes}},
+    Entry{"GAMUT", {kYes, kYes, kYes, kYes}},
+    Entry{"SHIFT", {kYes, kYes, kYes, kYes}},
+    Entry{"ORDER",
+          {kYes, yes("which vertex comes first; the other winding draws none of the pixels"),
+           yes("which vertex comes first; the other winding draws none of the pixels"), kYes}},
+    Entry{"MIRROR", {kYes, no(kDirected), no(kDirected), no(kDirected)}},
+    Entry{"SPLIT", {kYes, yes(kCoverage), yes(kCoverage), no(kEnds)}},
+    Entry{"IDENTITY", {kYes, kYes, yes("of as many texel centres as pixels"), kYes}},
+    Entry{"AFFINE", {kYes, yes(kAffineOnly), yes(kAffineOnly), yes(kAffineOnly)}},
+    Entry{"MEM", {kYes, kYes, kYes, kYes}},
+    Entry{"TOTAL", {kYes, kYes, kYes, kYes}},
+    Entry{"ORACLE", {kYes, no(kOtherSamples), no(kOtherSamples), no(kOtherSamples)}},
+};
+
+// Twice the area that the outline goes round, positive where it runs clockwise on the screen. Below
+// 2 * 256 vertices * 2^48.
+[[nodiscard]] int64_t doubled_area(std::span<const selvage_vertex> vertices) {
+  int64_t sum = 0;
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    const selvage_vertex& a = vertices[i];
+    const selvage_vertex& b = vertices[(i + 1) % vertices.size()];
+    sum += int64_t{a.x} * b.y - int64_t{b.x} * a.y;
+  }
+  return sum;
+}
+
+[[nodiscard]] int32_t to_whole_px(int32_t position_fx8) {
+  return position_fx8 & ~(SELVAGE_SUBPIXELS - 1);
+}
+
+[[nodiscard]] int32_t shifted_texel(int32_t texel_fx16, int32_t by_fx16) {
+  constexpr int64_t kLeast = std::numeric_limits<int32_t>::min();
+  return static_cast<int32_t>(std::max(int64_t{texel_fx16} - by_fx16, kLeast));
+}
+
+}  // namespace
+
+std::span<const Profile> profiles() { return kProfiles; }
+
+const Profile& profile_of(selvage_profile id) { return kProfiles[static_cast<size_t>(id)]; }
+
+const Profile* find_profile(std::string_view name) {
+  const auto found = std::ranges::find(kProfiles, name, &Profile::name);
+  return found != kProfiles.end() ? &*found : nullptr;
+}
+
+Promise promise(selvage_profile id, std::string_view law) {
+  const auto found = std::ranges::find(kPromises, law, &Entry::law);
+  if (found == kPromises.end()) return none("no law is called so");
+  return found->by_profile[static_cast<size_t>(id)];
+}
+
+void make_acceptable(const Profile& profile, std::span<selvage_vertex> vertices) {
+  if (!profile.whole_px) return;
+  for (selvage_vertex& v : vertices) {
+    v.x = to_whole_px(v.x);
+    v.y = to_whole_px(v.y);
+    v.q = vertices.front().q;
+  }
+}
+
+void make_visible(const Profile& profile, std::vector<selvage_vertex>* vertices) {
+  if (profile.clockwise_only && doubled_area(*vertices) < 0) std::ranges::reverse(*vertices);
+}
+
+Case in_profile(const Case& exact, selvage_profile id) {
+  const Profile& profile = profile_of(id);
+  if (exact.profile != SELVAGE_PROFILE_EXACT || !profile.whole_px) return exact;
+  Case c = exact;
+  c.profile = id;
+  // A centre at 1/2 goes to 0, and the nearest whole pixel to x - 1/2, halves upward, is floor(x).
+  static_assert(kProfiles[0].sample_fx8 == SELVAGE_SUBPIXELS / 2);
+  make_acceptable(profile, c.vertices);
+  for (selvage_vertex& v : c.vertices) {
+    v.u = shifted_texel(v.u, profile.rounding_fx16);
+    v.v = shifted_texel(v.v, profile.rounding_fx16);
+  }
+  make_visible(profile, &c.vertices);
+  return c;
+}
+
+}  // namespace selvage::spec
