@@ -46,9 +46,8 @@ void print_image(std::ostream& out, const Case& c, bool flipped) {
 
 std::string print(const Case& c) {
   std::ostringstream out;
-  out << "profile  " << profile_of(c).name << '\n'
-      << format_name(c.format) << ", " << (c.address == SELVAGE_ADDRESS_WRAP ? "wrap" : "clamp")
-      << ", choice " << c.choice << '\n';
+  out << profile_of(c).name << ", " << format_name(c.format) << ", "
+      << (c.address == SELVAGE_ADDRESS_WRAP ? "wrap" : "clamp") << ", choice " << c.choice << '\n';
   out << "target   " << c.target_width_px << " x " << c.target_height_px << " px";
   print_image(out, c, c.flip_target);
   out << "texture  " << c.texture_width_texel << " x " << c.texture_height_texel << " texels";

@@ -38,7 +38,8 @@ constexpr Promise none(std::string_view why) { return {Standing::kNoMatter, why}
 
 constexpr std::string_view kEnds = "both ends are drawn: on a shared edge pixels are drawn twice";
 constexpr std::string_view kCoverage = "the coverage; the texels depend on where an edge starts";
-constexpr std::string_view kWithinBound = "within the bound derived from rows, pixels and du/dx";
+constexpr std::string_view kSteps = "within a bound derived from rows and pixels walked, and du/dx";
+constexpr std::string_view kRoundings = "within half a texel and half a pixel's du/dx";
 constexpr std::string_view kDirected =
     "truncation, and samples in a pixel's corner, have a direction";
 constexpr std::string_view kAffineOnly = "equal q; others are refused";
@@ -53,7 +54,7 @@ constexpr std::array kPromises = {
           {kYes, yes("at vertices; along edges MAP's bound holds"),
            no("the prestep leaves every vertex by half a step"),
            no("a span of one pixel shows one of its two ends")}},
-    Entry{"MAP", {kYes, yes(kWithinBound), yes(kWithinBound), yes(kWithinBound)}},
+    Entry{"MAP", {kYes, yes(kSteps), yes(kSteps), yes(kRoundings)}},
     Entry{"DDA", {none("its arithmetic is its own affair: MAP judges it"), kYes, kYes, kYes}},
     Entry{"GAMUT", {kYes, kYes, kYes, kYes}},
     Entry{"SHIFT", {kYes, kYes, kYes, kYes}},

@@ -219,7 +219,7 @@ TEST(CaseHex, RefusesWhatIsNoHexadecimal) {
 
 TEST(CasePrint, TellsEverythingExactly) {
   EXPECT_EQ(print(distinct()),
-            "RGB565, wrap, choice 2309737967\n"
+            "exact, RGB565, wrap, choice 2309737967\n"
             "target   3 x 260 px, padding 11 px a row\n"
             "texture  17 x 5 texels, padding 11 px a row, bottom row first\n"
             "clip     columns [-1, 300), rows [2, -32768)\n"
@@ -234,13 +234,15 @@ TEST(CasePrint, TellsThePlainCasePlainly) {
   c.vertices = {{SELVAGE_X_MIN, SELVAGE_X_END - 1, std::numeric_limits<int32_t>::min(),
                  std::numeric_limits<int32_t>::max(), 1}};
   EXPECT_EQ(print(c),
-            "RGBA8888, clamp, choice 0\n"
+            "exact, RGBA8888, clamp, choice 0\n"
             "target   16 x 16 px, bottom row first\n"
             "texture  16 x 16 texels\n"
             "1 vertex: (x, y) px, (u, v) texels, q\n"
             "  (-32768, 32767.99609375), (-32768, 32767.9999847412109375), 1\n");
   c.format = SELVAGE_INDEX8;
-  EXPECT_EQ(print(c).substr(0, 6), "INDEX8");
+  EXPECT_EQ(print(c).substr(0, 13), "exact, INDEX8");
+  c.profile = SELVAGE_PROFILE_DKIT;
+  EXPECT_EQ(print(c).substr(0, 12), "dkit, INDEX8");
 }
 
 }  // namespace

@@ -79,7 +79,7 @@ TEST(Face, TheFirstErrorIsTheOneReported) {
   Image target = pictures.target();
   Texture texture = pictures.texture();
   auto v = corners();
-  Options options{1, 1, 2, -1};
+  Options options{4, 1, 2, -1};
   target.format = 9, target.width = 0, target.pitch = 3;
   texture.format = 9, texture.width = 0, texture.pitch = 3;
   v[2].q = 0;

@@ -9,6 +9,7 @@
 
 #include "cli/draw_command.h"
 #include "cli/error.h"
+#include "cli/laws_command.h"
 #include "cli/verify_command.h"
 #include "selvage.h"
 
@@ -34,17 +35,20 @@ constexpr const char* kDrawExamples = R"(Examples:
   selvage draw --texture earth.jpg --polygon-file globe.json --size 640x480 -o out.png --json
 
 A polygon's vertices go around it, either way; every row of pixels may cross two of its edges or
-none. The texture replaces what is under it: alpha is copied, not blended.
+none. The texture replaces what is under it: alpha is copied, not blended. The historic profiles
+want vertices on whole pixels, and no w.
 
 A polygon file:
   {"vertices": [[10, 10, 0, 0], [200, 20, 640, 0], {"x": 190, "y": 180, "u": 640, "v": 480, "w": 2}],
-   "clip": [0, 0, 128, 128], "address": "wrap", "filter": "nearest"}
+   "clip": [0, 0, 128, 128], "address": "wrap", "filter": "nearest",
+   "profile": "exact"}
 or several, drawn in order: {"polygons": [{"vertices": ...}, ...]}. Only "vertices" is needed.
 )";
 
 constexpr const char* kVerifyExamples = R"(Examples:
   selvage verify                               every law on 200 cases of a fresh seed
   selvage verify --law MAP --law CLIP --cases 5000 --seed 7
+  selvage verify --profile abrash56            what the two-stage DDA of 1992 promises
   selvage verify --law MAP --case 0200...      one case again, as a failure prints it
   selvage verify --case-file crash-1f3a        the same from a fuzzer's raw bytes
 
@@ -87,6 +91,10 @@ CLI::App* add_draw(CLI::App& program, DrawOptions& options) {
   draw->add_option("--address", options.address,
                    "Beyond the texture: clamp (the default) or wrap; wins over the polygon file")
       ->type_name("MODE");
+  draw->add_option("--profile", options.profile,
+                   "Conventions to draw by: exact (the default), abrash56, abrash57 or dkit; wins "
+                   "over the polygon file")
+      ->type_name("NAME");
   draw->add_option("--format", options.format, "Format to draw in: rgba8888, rgb565 or grey8")
       ->type_name("FORMAT")
       ->capture_default_str();
@@ -98,9 +106,18 @@ CLI::App* add_draw(CLI::App& program, DrawOptions& options) {
 
 CLI::App* add_verify(CLI::App& program, VerifyOptions& options) {
   CLI::App* verify = program.add_subcommand("verify", "Hold the built-in mapper against the laws");
-  verify->add_option("--law", options.laws, "A law to check; all if left out. May be repeated")
+  verify
+      ->add_option("--law", options.laws,
+                   "A law to check; all that the profile promises if left out. May be "
+                   "repeated")
       ->type_name("NAME")
       ->allow_extra_args(false);
+  CLI::Option* profile =
+      verify
+          ->add_option("--profile", options.profile,
+                       "The profile to hold it to: exact, abrash56, abrash57 or dkit")
+          ->type_name("NAME")
+          ->capture_default_str();
   CLI::Option* cases = verify->add_option("--cases", options.cases, "Cases for each law")
                            ->type_name("N")
                            ->capture_default_str();
@@ -109,10 +126,10 @@ CLI::App* add_verify(CLI::App& program, VerifyOptions& options) {
           ->type_name("S");
   CLI::Option* hex = verify->add_option("--case", options.case_hex, "Replay this one case")
                          ->type_name("HEX")
-                         ->excludes(cases, seed);
+                         ->excludes(cases, seed, profile);
   verify->add_option("--case-file", options.case_file, "Replay the case of these raw bytes")
       ->type_name("FILE")
-      ->excludes(cases, seed, hex);
+      ->excludes(cases, seed, profile, hex);
   verify
       ->add_option("--picture", options.picture,
                    "PNG for the counterexample (drawn | expected | difference); "
@@ -124,7 +141,7 @@ CLI::App* add_verify(CLI::App& program, VerifyOptions& options) {
 }
 
 CLI::App* add_laws(CLI::App& program, bool& json) {
-  CLI::App* laws = program.add_subcommand("laws", "List the laws of the exact profile");
+  CLI::App* laws = program.add_subcommand("laws", "List the laws, and which profile promises them");
   laws->add_flag("--json", json, "Print them as JSON");
   laws->footer(footer(kLawsExamples));
   return laws;

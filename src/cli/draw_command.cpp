@@ -49,6 +49,9 @@ void check_png_name(const std::string& output) {
     if (!options.clip.empty()) {
       polygon.clip = about("--clip", [&] { return parse_clip_text(options.clip); });
     }
+    if (!options.profile.empty()) {
+      polygon.options.profile = about("--profile", [&] { return parse_profile(options.profile); });
+    }
     if (!options.address.empty()) {
       polygon.options.address = about("--address", [&] { return parse_address(options.address); });
     }

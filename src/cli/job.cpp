@@ -5,6 +5,7 @@
 
 #include "cli/error.h"
 #include "cli/number.h"
+#include "spec/profiles.h"
 
 namespace selvage::cli {
 namespace {
@@ -30,6 +31,13 @@ namespace {
 }
 
 }  // namespace
+
+selvage_profile parse_profile(std::string_view name) {
+  if (const spec::Profile* profile = spec::find_profile(name)) return profile->id;
+  std::string known;
+  for (const spec::Profile& profile : spec::profiles()) known += " " + std::string(profile.name);
+  throw UserError("'" + std::string(name) + "' is no profile; the profiles are" + known);
+}
 
 selvage_address parse_address(std::string_view name) {
   if (name == "clamp") return SELVAGE_ADDRESS_CLAMP;

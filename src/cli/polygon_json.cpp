@@ -128,6 +128,10 @@ void read_settings(const json& value, JobPolygon& polygon) {
   if (value.contains("clip")) {
     polygon.clip = about("clip", [&] { return clip_of(value["clip"]); });
   }
+  if (value.contains("profile")) {
+    polygon.options.profile =
+        about("profile", [&] { return parse_profile(text_of(value["profile"])); });
+  }
   if (value.contains("address")) {
     polygon.options.address =
         about("address", [&] { return parse_address(text_of(value["address"])); });
@@ -139,7 +143,7 @@ void read_settings(const json& value, JobPolygon& polygon) {
 }
 
 [[nodiscard]] JobPolygon polygon_of(const json& value, JobPolygon defaults) {
-  require_object(value, {"vertices", "clip", "address", "filter"});
+  require_object(value, {"vertices", "clip", "address", "filter", "profile"});
   if (!value.contains("vertices")) throw UserError("'vertices' is missing");
   read_settings(value, defaults);
   defaults.vertices = about("vertices", [&] { return vertices_of(value["vertices"]); });
@@ -147,7 +151,7 @@ void read_settings(const json& value, JobPolygon& polygon) {
 }
 
 [[nodiscard]] Job polygons_of(const json& value) {
-  require_object(value, {"polygons", "clip", "address", "filter"});
+  require_object(value, {"polygons", "clip", "address", "filter", "profile"});
   JobPolygon defaults;
   read_settings(value, defaults);
   const json& polygons = value["polygons"];

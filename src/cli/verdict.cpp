@@ -86,11 +86,14 @@ std::string table_summary(const VerifyRun& run) {
     text += ", " + std::to_string(n) + " judged nothing";
     text += run.replay ? " in this case" : ", which shows nothing and counts as a failure";
   }
-  return text + ".\n";
+  text += ".\n";
+  for (const std::string& law : run.not_promised) text += "not promised: " + law + "\n";
+  return text;
 }
 
 std::string verdict_json(const VerifyRun& run) {
-  ordered_json values = {{"subject", run.subject}, {"passed", passed(run)}};
+  ordered_json values = {
+      {"subject", run.subject}, {"profile", run.profile}, {"passed", passed(run)}};
   if (!run.replay) values["seed"] = run.seed;
   values["laws"] = ordered_json::array();
   for (const Verdict& verdict : run.verdicts) {
@@ -102,6 +105,7 @@ std::string verdict_json(const VerifyRun& run) {
     if (verdict.found.violation) law["violation"] = violation_json(verdict);
     values["laws"].push_back(std::move(law));
   }
+  if (!run.not_promised.empty()) values["not_promised"] = run.not_promised;
   return values.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 

@@ -18,10 +18,12 @@ struct Verdict {
 
 struct VerifyRun {
   std::string subject;
+  std::string profile;
   bool replay = false;  // one given case instead of generated ones
   uint64_t seed = 0;    // of the first case; meaningless in a replay
   std::vector<Verdict> verdicts;
-  bool oracle_missing = false;  // this build has no ORACLE law
+  std::vector<std::string> not_promised{};  // "LAW: why", of the laws that were left out for it
+  bool oracle_missing = false;              // this build has no ORACLE law
 };
 
 // "holds", "violated", or "judged nothing": a law without a say has shown nothing.

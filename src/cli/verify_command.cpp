@@ -13,10 +13,12 @@
 #include "cli/counterexample_picture.h"
 #include "cli/error.h"
 #include "cli/file.h"
+#include "cli/job.h"
 #include "cli/number.h"
 #include "cli/png.h"
 #include "cli/status_line.h"
 #include "cli/verdict.h"
+#include "spec/profiles.h"
 
 namespace selvage::cli {
 namespace {
@@ -35,16 +37,30 @@ constexpr size_t kMaxCaseBytes = size_t{1} << 20;
   throw UserError("--law: no law is called '" + name + "'; the laws are" + known);
 }
 
-[[nodiscard]] std::vector<const spec::Law*> chosen_laws(const std::vector<std::string>& names) {
+// Those that were named, or all that the profile promises.
+[[nodiscard]] std::vector<const spec::Law*> chosen_laws(const std::vector<std::string>& names,
+                                                        selvage_profile profile) {
   std::vector<const spec::Law*> chosen;
   for (const std::string& name : names) {
     const spec::Law* law = &find_law(name);
     if (std::find(chosen.begin(), chosen.end(), law) == chosen.end()) chosen.push_back(law);
   }
   if (names.empty()) {
-    for (const spec::Law& law : spec::laws()) chosen.push_back(&law);
+    for (const spec::Law& law : spec::laws()) {
+      if (spec::is_promised(profile, law.name)) chosen.push_back(&law);
+    }
   }
   return chosen;
+}
+
+[[nodiscard]] std::vector<std::string> unpromised_laws(selvage_profile profile) {
+  std::vector<std::string> unpromised;
+  for (const spec::Law& law : spec::laws()) {
+    const spec::Promise promise = spec::promise(profile, law.name);
+    if (promise.standing != spec::Standing::kNotPromised) continue;
+    unpromised.push_back(std::string(law.name) + ": " + std::string(promise.note));
+  }
+  return unpromised;
 }
 
 [[nodiscard]] std::optional<spec::Case> case_to_replay(const VerifyOptions& options) {
@@ -150,12 +166,20 @@ using Check = std::function<spec::LawVerdict(const spec::Law&)>;
 
 }  // namespace
 
-int run_verify(const VerifyOptions& options, const spec::Subject& subject, const Console& console) {
-  const std::vector<const spec::Law*> laws = chosen_laws(options.laws);
+int run_verify(const VerifyOptions& options, const spec::Subject& mapper, const Console& console) {
   const uint64_t cases = case_count(options.cases);
   const std::optional<spec::Case> replayed = case_to_replay(options);
+  spec::Subject subject = mapper;
+  subject.profile = replayed ? replayed->profile
+                             : about("--profile", [&] { return parse_profile(options.profile); });
+  const std::vector<const spec::Law*> laws = chosen_laws(options.laws, subject.profile);
   if (!options.picture.empty()) check_output(options.picture);
-  VerifyRun run{subject.name, replayed.has_value(), first_seed(options.seed), {}};
+  VerifyRun run{.subject = subject.name,
+                .profile = std::string(spec::profile_of(subject.profile).name),
+                .replay = replayed.has_value(),
+                .seed = first_seed(options.seed),
+                .verdicts = {}};
+  if (options.laws.empty()) run.not_promised = unpromised_laws(subject.profile);
   run.oracle_missing = options.laws.empty() && spec::find_law("ORACLE") == nullptr;
   const auto check = [&](const spec::Law& law) {
     if (replayed) return replay(law, subject, *replayed);
@@ -173,23 +197,6 @@ int run_verify(const VerifyOptions& options, const spec::Subject& subject, const
   if (show) explain_violations(run, console);
   if (!show) console.out << verdict_json(run);
   return passed(run) ? kExitFine : kExitLawFailed;
-}
-
-int run_laws(bool json, const Console& console) {
-  if (!json) {
-    for (const spec::Law& law : spec::laws()) {
-      const std::string name(law.name);
-      console.out << name << std::string(name.size() < 10 ? 10 - name.size() : 1, ' ')
-                  << law.statement << '\n';
-    }
-    return kExitFine;
-  }
-  nlohmann::ordered_json values = nlohmann::ordered_json::array();
-  for (const spec::Law& law : spec::laws()) {
-    values.push_back({{"law", law.name}, {"statement", law.statement}});
-  }
-  console.out << values.dump(2) << '\n';
-  return kExitFine;
 }
 
 }  // namespace selvage::cli

@@ -1,4 +1,4 @@
-// `selvage verify` and `selvage laws`.
+// `selvage verify`.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@ namespace selvage::cli {
 
 // As given on the command line; empty means not given.
 struct VerifyOptions {
-  std::vector<std::string> laws;  // empty: all
+  std::vector<std::string> laws;  // empty: all that the profile promises
+  std::string profile = "exact";  // of generated cases; a replayed one names its own
   std::string cases = "200";
   std::string seed;       // empty: a fresh one
   std::string case_hex;   // one case to replay,
@@ -22,8 +23,5 @@ struct VerifyOptions {
 
 // Holds the subject against the laws. Returns kExitFine or kExitLawFailed.
 int run_verify(const VerifyOptions& options, const spec::Subject& subject, const Console& console);
-
-// Lists the laws and their statements.
-int run_laws(bool json, const Console& console);
 
 }  // namespace selvage::cli

@@ -26,7 +26,11 @@ namespace {
 }
 
 [[nodiscard]] VerifyRun run_of(std::vector<Verdict> verdicts, bool replay = false) {
-  return {"built-in", replay, 42, std::move(verdicts), false};
+  return {.subject = "built-in",
+          .profile = "exact",
+          .replay = replay,
+          .seed = 42,
+          .verdicts = std::move(verdicts)};
 }
 
 TEST(Verdict, PassesWhereEveryLawHolds) {

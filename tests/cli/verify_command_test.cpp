@@ -3,8 +3,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "cli/laws_command.h"
 #include "cli/picture_file.h"
 #include "spec/laws.h"
+#include "spec/profiles.h"
 #include "support.h"
 #include "wrong_subjects.h"
 
@@ -46,12 +48,38 @@ class Verify : public InDirectory {
 
 TEST_F(Verify, OfTheBuiltInMapperHolds) {
   options_.cases = "60";
-  EXPECT_EQ(run(), kExitFine) << out();
-  for (const spec::Law& law : spec::laws()) expect_contains(out(), std::string(law.name) + " ");
-  const std::string count = std::to_string(spec::laws().size());
-  expect_contains(out(), count + " of " + count + " laws hold.\n");
-  expect_contains(out(), "seed 5\n");
-  EXPECT_EQ(files(), Names{});
+  for (const spec::Profile& profile : spec::profiles()) {
+    options_.profile = std::string(profile.name);
+    EXPECT_EQ(run(), kExitFine) << out();
+    int promised = 0;
+    for (const spec::Law& law : spec::laws()) {
+      const spec::Standing standing = spec::promise(profile.id, law.name).standing;
+      const std::string name(law.name);
+      if (standing == spec::Standing::kPromised) expect_contains(out(), "\n" + name + " ");
+      if (standing == spec::Standing::kPromised) ++promised;
+      if (standing == spec::Standing::kNotPromised) {
+        expect_contains(out(), "\nnot promised: " + name + ": ");
+        EXPECT_EQ(out().find("\n" + name + " "), std::string::npos);
+      }
+    }
+    const std::string count = std::to_string(promised);
+    expect_contains(out(), count + " of " + count + " laws hold.\n");
+    expect_contains(out(), "seed 5\n");
+    EXPECT_EQ(files(), Names{});
+  }
+}
+
+TEST_F(Verify, HoldsAMapperToTheProfileThatIsAskedFor) {
+  options_.laws = {"PART"};
+  options_.profile = "dkit";
+  EXPECT_EQ(run(), kExitLawFailed);
+  expect_contains(out(), "PART       VIOLATED");
+  expect_contains(out(), "dkit, ");
+  options_.profile = "abrash56";
+  EXPECT_EQ(run(), kExitFine);
+  options_.profile = "abrash55";
+  expect_contains(error_of([&] { run(); }),
+                  "--profile: 'abrash55' is no profile; the profiles are exact abrash56");
 }
 
 TEST_F(Verify, ChecksTheLawsThatWereAskedForOnce) {
@@ -235,6 +263,14 @@ TEST(Laws, AreListedWithTheirStatements) {
     EXPECT_EQ(values[i]["law"], spec::laws()[i].name);
     EXPECT_EQ(values[i]["statement"], spec::laws()[i].statement);
     expect_contains(text.str(), std::string(spec::laws()[i].statement) + "\n");
+    for (const spec::Profile& profile : spec::profiles()) {
+      const spec::Promise promise = spec::promise(profile.id, spec::laws()[i].name);
+      const auto& entry = values[i]["profiles"][std::string(profile.name)];
+      EXPECT_EQ(entry["standing"] == "promised", promise.standing == spec::Standing::kPromised);
+      if (promise.note.empty()) continue;
+      EXPECT_EQ(entry["note"], promise.note);
+      expect_contains(text.str(), std::string(promise.note) + "\n");
+    }
   }
 }
 
