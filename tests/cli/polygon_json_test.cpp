@@ -67,9 +67,9 @@ TEST(PolygonJson, SaysWhereItIsNotJson) {
 
 TEST(PolygonJson, NamesAnUnknownKeyAndTheKnownOnes) {
   EXPECT_EQ(refused_beside(R"("colour": 3)"),
-            "unknown key \"colour\"; known here: vertices, clip, address, filter");
+            "unknown key \"colour\"; known here: vertices, clip, address, filter, profile");
   EXPECT_EQ(refusal(R"({"polygons": [], "vertices": []})"),
-            "unknown key \"vertices\"; known here: polygons, clip, address, filter");
+            "unknown key \"vertices\"; known here: polygons, clip, address, filter, profile");
   EXPECT_EQ(refused_vertices(R"([{"x": 1, "y": 2, "u": 3, "v": 4, "z": 5}])"),
             "vertices: vertex 1: unknown key \"z\"; known here: x, y, u, v, w");
 }
