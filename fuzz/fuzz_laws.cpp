@@ -1,10 +1,12 @@
-// Bytes -> a case -> every law, on the mapper this program is linked with.
+// Bytes -> a case -> every law that its profile promises, on the mapper this program is linked
+// with.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 
 #include "spec/case.h"
 #include "spec/laws.h"
+#include "spec/profiles.h"
 #include "spec/subject.h"
 
 namespace {
@@ -18,10 +20,14 @@ constexpr size_t kMaxFuzzedVertices = 24;
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   namespace spec = selvage::spec;
   static const spec::Subject mapper = spec::built_in();
-  const spec::Case c = spec::decode({data, size});
+  spec::Case c = spec::decode({data, size});
   if (c.target_width_px * c.target_height_px > kMaxFuzzedTargetPx) return -1;
   if (c.vertices.size() > kMaxFuzzedVertices) return -1;
+  // Random positions are hardly ever whole pixels: what a historic profile would refuse is made
+  // acceptable, but for one case in eight.
+  if (c.choice % 8 != 0) spec::make_acceptable(spec::profile_of(c), c.vertices);
   for (const spec::Law& law : spec::laws()) {
+    if (!spec::is_promised(c.profile, law.name)) continue;
     const spec::Judgement judgement = law.check(mapper, c);
     if (!judgement.violation) continue;
     std::fprintf(stderr, "%s\nreplay: selvage verify --law %s --case %s\n",

@@ -8,6 +8,7 @@
 
 #include "spec/canvas.h"
 #include "spec/generate.h"
+#include "spec/profiles.h"
 
 namespace {
 size_t allocations = 0;
@@ -65,13 +66,13 @@ TEST(Allocation, TheCounterCounts) {
 TEST(Allocation, DrawingAllocatesNothing) {
   uint64_t drawn = 0;
   for (uint64_t seed = 1; seed <= 2000; ++seed) {
-    const Case c = generate(seed);
+    const Case c = in_profile(generate(seed), profiles()[seed % profiles().size()].id);
     Canvas canvas(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target, 0);
     const Canvas texels(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
                         c.flip_texture, 1);
     const selvage_image image = canvas.image();
     const selvage_texture texture = texels.texture();
-    const selvage_options options{SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST, c.address, 0};
+    const selvage_options options{c.profile, SELVAGE_FILTER_NEAREST, c.address, 0};
 
     const size_t before = allocations;
     const selvage_status status =

@@ -7,6 +7,7 @@
 
 #include "spec/laws.h"
 #include "spec/picture.h"
+#include "spec/profiles.h"
 
 namespace selvage::spec {
 namespace {
@@ -53,6 +54,42 @@ TEST(Exhaustive, TrianglesOfTheHalfPixelGrid) {
   }
   EXPECT_EQ(triangles, 117480);
   EXPECT_GT(covered_px, 100000U);
+}
+
+// The same for the historic profiles, on whole pixels: every triangle, either way round.
+TEST(Exhaustive, TrianglesOfWholePixelsInHistoricProfiles) {
+  constexpr int32_t kSide = 7;
+  Case c;
+  c.target_width_px = c.target_height_px = kSide;
+  c.texture_width_texel = 8;
+  c.texture_height_texel = 7;
+  c.address = SELVAGE_ADDRESS_WRAP;
+  const auto vertex = [](int32_t index, int32_t salt) {
+    return selvage_vertex{index % kSide * 256, index / kSide * 256, (index * 3 + salt) % 17 * 32768,
+                          (index * 5 + salt) % 13 * 32768, 1};
+  };
+  for (const Profile& profile : profiles().subspan(1)) {
+    c.profile = profile.id;
+    const Subject subject = built_in(profile.id);
+    int32_t triangles = 0;
+    uint64_t covered_px = 0;
+    for (int32_t i = 0; i < kSide * kSide; ++i) {
+      for (int32_t j = i + 1; j < kSide * kSide; ++j) {
+        for (int32_t k = j + 1; k < kSide * kSide; ++k, ++triangles) {
+          c.vertices.clear();
+          for (const int32_t index : ordered(i, j, k, triangles)) {
+            c.vertices.push_back(vertex(index, triangles));
+          }
+          const Picture model = expected(c), drawn = draw(subject, c);
+          ASSERT_EQ(drawn.pixels, model.pixels) << print(c) << to_hex(c);
+          ASSERT_EQ(drawn.memory_fault, "");
+          for (const auto& pixel : drawn.pixels) covered_px += pixel.has_value() ? 1 : 0;
+        }
+      }
+    }
+    EXPECT_EQ(triangles, 18424);
+    EXPECT_GT(covered_px, 20000U) << profile.name;
+  }
 }
 
 }  // namespace
