@@ -3,24 +3,16 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "fuzz/laws_limits.h"
 #include "spec/case.h"
 #include "spec/laws.h"
 #include "spec/subject.h"
-
-namespace {
-
-// The exact model is brute force: larger cases would only run slower, not deeper.
-constexpr int32_t kMaxFuzzedTargetPx = 1024;
-constexpr size_t kMaxFuzzedVertices = 24;
-
-}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   namespace spec = selvage::spec;
   static const spec::Subject mapper = spec::built_in();
   const spec::Case c = spec::decode({data, size});
-  if (c.target_width_px * c.target_height_px > kMaxFuzzedTargetPx) return -1;
-  if (c.vertices.size() > kMaxFuzzedVertices) return -1;
+  if (!selvage::fuzz::is_taken(c)) return -1;
   for (const spec::Law& law : spec::laws()) {
     const spec::Judgement judgement = law.check(mapper, c);
     if (!judgement.violation) continue;
