@@ -4,25 +4,17 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "fuzz/laws_limits.h"
 #include "spec/case.h"
 #include "spec/laws.h"
 #include "spec/profiles.h"
 #include "spec/subject.h"
 
-namespace {
-
-// The exact model is brute force: larger cases would only run slower, not deeper.
-constexpr int32_t kMaxFuzzedTargetPx = 1024;
-constexpr size_t kMaxFuzzedVertices = 24;
-
-}  // namespace
-
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   namespace spec = selvage::spec;
   static const spec::Subject mapper = spec::built_in();
   spec::Case c = spec::decode({data, size});
-  if (c.target_width_px * c.target_height_px > kMaxFuzzedTargetPx) return -1;
-  if (c.vertices.size() > kMaxFuzzedVertices) return -1;
+  if (!selvage::fuzz::is_taken(c)) return -1;
   // Random positions are hardly ever whole pixels: what a historic profile would refuse is made
   // acceptable, but for one case in eight.
   if (c.choice % 8 != 0) spec::make_acceptable(spec::profile_of(c), c.vertices);

@@ -93,7 +93,7 @@ typedef struct selvage_rect {
  * them. */
 typedef int32_t selvage_profile;
 enum {
-  SELVAGE_PROFILE_EXACT = 0, /* as above: the profile to draw with */
+  SELVAGE_PROFILE_EXACT = 0,    /* as above: the profile to draw with */
   SELVAGE_PROFILE_ABRASH56 = 1, /* two-stage 16.16 DDA of 1992: pixels sampled at whole positions,
                                    half-open; texels floor(u); polygons clockwise on the screen,
                                    the other winding draws nothing */

@@ -2,8 +2,8 @@
 // September 1992; Graphics Programming Black Book, chapter 56), and its sequel (chapter 57): edges
 // are stepped through source and target alike, then the span between them is.
 //
-// Hardened: coordinates are carried in 64 bits, texels are addressed, rows above the clip are jumped
-// over. Nothing that the published arithmetic defines is changed by that.
+// Hardened: coordinates are carried in 64 bits, texels are addressed, rows above the clip are
+// jumped over. Nothing that the published arithmetic defines is changed by that.
 #pragma once
 
 #include "historic/edge_scan.h"

@@ -30,8 +30,8 @@ void repeat(const char* source, size_t unit, size_t total, char* pixels) {
 void copy_row(const selvage_texture& texture, selvage_address address, int32_t s, int32_t t,
               int32_t width_px, char* pixels) {
   const auto unit = static_cast<size_t>(bytes_per_pixel(texture.format));
-  const char* row = static_cast<const char*>(texture.texels) +
-                    index(t, texture.height, address) * texture.pitch;
+  const char* row =
+      static_cast<const char*>(texture.texels) + index(t, texture.height, address) * texture.pitch;
   while (width_px > 0) {
     const int32_t column = index(s, texture.width, address);
     const char* source = row + static_cast<size_t>(column) * unit;

@@ -1,0 +1,20 @@
+// Which cases the target `laws` takes. The exact model is brute force: larger ones would only run
+// slower, not deeper.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "spec/case.h"
+
+namespace selvage::fuzz {
+
+inline constexpr int32_t kMaxTargetPx = 1024;  // width x height
+inline constexpr size_t kMaxVertices = 64;
+
+[[nodiscard]] inline bool is_taken(const spec::Case& c) {
+  return c.target_width_px * c.target_height_px <= kMaxTargetPx &&
+         c.vertices.size() <= kMaxVertices;
+}
+
+}  // namespace selvage::fuzz
