@@ -9,10 +9,10 @@ namespace selvage::spec {
 namespace {
 
 // Two vectors with cross product 1, the first with both components odd: counted in pixels from a
-// whole pixel, its middle is a pixel centre.
-constexpr Neighbours kOddSteps[] = {{{1, 1}, {0, 1}},  {{3, 1}, {2, 1}}, {{5, 1}, {4, 1}},
-                                    {{7, 3}, {2, 1}},  {{1, 3}, {0, 1}}, {{5, 3}, {3, 2}},
-                                    {{13, 5}, {5, 2}}, {{1, 7}, {0, 1}}};
+// whole pixel, its middle is a pixel centre. Two of them fit into any screen.
+constexpr Neighbours kOddSteps[] = {{{1, 1}, {0, 1}}, {{3, 1}, {2, 1}}, {{5, 1}, {4, 1}},
+                                    {{7, 3}, {2, 1}}, {{1, 3}, {0, 1}}, {{5, 3}, {3, 2}},
+                                    {{7, 5}, {4, 3}}, {{1, 7}, {0, 1}}};
 
 // An edge of so many steps, a pixel centre on it, and the third corner beside it.
 struct Sliver {

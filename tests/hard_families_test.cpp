@@ -274,10 +274,11 @@ TEST(HardProperties, FamiliesReachTheirExtremes) {
 TEST(HardProperties, FamiliesCoverPixels) {
   for (const HardFamily& family : hard_families()) {
     int64_t covered = 0;
-    for (uint64_t seed = 0; seed < 8; ++seed) {
+    for (uint64_t seed = 0; seed < 200; ++seed) {
+      if (seed >= 8 && seed % 4 >= 2) continue;  // large targets take their time
       const int64_t pixels = covered_px(family.make(seed));
       EXPECT_GE(pixels, 1) << family.name << " " << seed;
-      covered += pixels;
+      covered += seed < 8 ? pixels : 0;
     }
     EXPECT_GE(covered, family.name == "slivers" ? 50 : 1000) << family.name;
   }
