@@ -65,30 +65,33 @@ struct Homography {
   return std::min(fraction, Rational(1 - fraction)).get_d();
 }
 
-// Far below the ends of the 16-bit texel coordinates and 32-bit products that OpenCV saturates.
+// Far below the ends of the 16-bit texel coordinates that OpenCV saturates.
 inline constexpr double kLargestTexel = 32000;
-inline constexpr double kLargestSum = 1 << 20;
+inline constexpr double kHalfUlpOfOne = 0x1p-53;
 // OpenCV refuses larger images.
 inline constexpr int32_t kSideLimit = 32767;
 
 // warpAffine rounds each of two terms to 1/1024 texel, halves to even, and floors their sum plus
 // 1/2: the texel is certain where u is further than 1/1024 from an integer, plus what doubles lose
-// in the matrix, its products and their sums, at most 2^-51 of their magnitudes.
+// in the matrix, its products and their sums.
 [[nodiscard]] bool is_decided_affine(const Plane& plane, const Rational& u, int32_t i, int32_t j) {
   const double sum = plane.magnitude(i, j);
-  return sum < kLargestSum && std::abs(u.get_d()) < kLargestTexel &&
-         distance_to_integer(u) > 0x1p-10 + 0x1p-51 * sum;
+  const double margin = kAffineRounding_texel + kAffineRoundings * kHalfUlpOfOne * sum;
+  return sum < kLargestSum_texel && std::abs(u.get_d()) < kLargestTexel &&
+         distance_to_integer(u) > margin;
 }
 
-// warpPerspective divides in double and rounds: relative errors of a few 2^-53 in X, W and X / W.
-// The matrix's own rounding adds one more to each term; a factor 4 covers both.
+// warpPerspective divides in double and rounds: relative errors of a few 2^-53 in the matrix, in X,
+// W and X / W.
 [[nodiscard]] bool is_decided_projective(const Plane& x, const Plane& w, const Rational& u,
                                          int32_t i, int32_t j) {
   const double depth = std::abs(w.at(i, j).get_d());
   const double u_magnitude = std::abs(u.get_d()) + 1;
-  const double bound =
-      0x1p-51 * (5 * x.magnitude(i, j) / depth + u_magnitude * (5 * w.magnitude(i, j) / depth + 3));
-  return u_magnitude < kLargestTexel && distance_to_integer(u) > bound;
+  const double x_terms = kProjectiveTerms * x.magnitude(i, j) / depth;
+  const double w_terms = kProjectiveTerms * w.magnitude(i, j) / depth;
+  const double margin =
+      kProjectiveFactor * kHalfUlpOfOne * (x_terms + u_magnitude * (w_terms + kProjectiveQuotient));
+  return u_magnitude < kLargestTexel && distance_to_integer(u) > margin;
 }
 
 [[nodiscard]] int channels(selvage_format format) {

@@ -5,7 +5,8 @@
 
 namespace {
 
-// The nearest integer, halves upward; exact where |value| < 2^52, for then value - floor is.
+// The nearest integer, halves upward. value - floor is exact unless -1/2 < value < 0, where it
+// comes out in [1/2, 1] as it should, so that the comparison always is (spec/proofs/snap.g).
 [[nodiscard]] double round_half_up(double value) {
   const double below = std::floor(value);
   return value - below >= 0.5 ? below + 1 : below;

@@ -11,8 +11,8 @@ inline constexpr double kLaneUnit = 4294967296.0;  // 2^kLaneFraction
 //
 // |n / d| < 2^16 texels: a coordinate is below 2^15, and so is its change between two pixels of a
 // span below 2^16. The estimate's relative error is below 5 * 2^-53 (two conversions, one division,
-// one product), so it is off by less than 2^48 * 5 * 2^-53 < 1/4 unit, and its floor by at most
-// one. The remainder, exact modulo 2^128 and known to lie in [-2d, 2d), tells which way.
+// one product), so it is off by less than 2^48 * 5 * 2^-53 < kEstimateError_fx32, and its floor by
+// at most one. The remainder, exact modulo 2^128 and known to lie in [-2d, 2d), tells which way.
 class Divisor {
  public:
   explicit Divisor(int128 d)
@@ -42,7 +42,7 @@ static_assert(kDenominatorBits + 2 < 127, "a remainder fits int128");
 }  // namespace
 
 AffineLanes::AffineLanes(const SpanMap& map, const Span& span)
-    : margin_fx32_(static_cast<uint32_t>(span.width_px())) {
+    : margin_fx32_(kAffineErrorPerPixel_fx32 * static_cast<uint32_t>(span.width_px())) {
   const Divisor denominator(map.denominator(span.left_px));
   start_ = Lane{denominator.floor_fx32(map.u_numerator(span.left_px)),
                 denominator.floor_fx32(map.v_numerator(span.left_px))};
@@ -55,14 +55,13 @@ AffineLanes::AffineLanes(const SpanMap& map, const Span& span)
 
 // The bound. Let e = 2^-53, N(i) = N0 + i dN a numerator and D(i) the denominator, U = 2^15 >= |u|,
 // and D_min, D_max the denominators at the span's ends, in either order. Converting and stepping
-// costs less than 7 e U D_max in a numerator: e (|N0| + 2 |i dN| + |N|); likewise less than 7 e
-// D_max in the denominator; the reciprocal and its product less than 3 e U more. Therefore
+// costs e (|N0| + 2 |i dN| + |N|) <= 6 e U D_max in a numerator, likewise 4 e D_max in the
+// denominator, which is positive; the reciprocal and its product 2 e U more. Therefore
 //
-//     |error of u| <= e (14 U D_max / D_min + 3 U) (1 + 2^-20) < 2^5 e U D_max / D_min,
+//     |error of u| <= e (10 U D_max / D_min + 2 U) (1 + 2^-20) <= 12 e U D_max / D_min (1 + 2^-20),
 //
-// which in units of 2^-32 texel is 2^(5 - 53 + 15 + 32) D_max / D_min, half the ratio. q is at most
-// 2^24, so the ratio is below 2^24 and the denominator never near 0. Truncation costs one unit
-// more.
+// which in units of 2^-32 texel is 12 * 2^(15 + 32 - 53) D_max / D_min, 3/16 of the ratio and a
+// little. q is at most 2^24, so the ratio is at most 2^24 and the denominator never near 0.
 ProjectiveLanes::ProjectiveLanes(const SpanMap& map, const Span& span)
     : u_start_(static_cast<double>(map.u_numerator(span.left_px)) * kLaneUnit),
       u_step_(static_cast<double>(map.u_numerator_step()) * kLaneUnit),
@@ -72,8 +71,7 @@ ProjectiveLanes::ProjectiveLanes(const SpanMap& map, const Span& span)
       denominator_step_(static_cast<double>(map.denominator_step())) {
   const double at_end = static_cast<double>(map.denominator(span.right_px - 1));
   const double ratio = std::max(denominator_start_, at_end) / std::min(denominator_start_, at_end);
-  static_assert(kQBits <= 24, "error_fx32 is at most 2^24 + 2, a margin below 2^26");
-  error_fx32_ = static_cast<int64_t>(ratio) + 2;
+  error_fx32_ = static_cast<int64_t>(ratio) + kProjectiveTruncations_fx32;
   margin_fx32_ = static_cast<uint32_t>(2 * error_fx32_);
 }
 

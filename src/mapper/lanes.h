@@ -5,7 +5,8 @@
 //     lane <= true value < lane + margin,          margin in units of 2^-32 texel.
 //
 // So floor(lane) is the exact texel unless the lane's fraction is within `margin` of 1; only such
-// near-ties are decided by the exact integers of SpanMap.
+// near-ties are decided by the exact integers of SpanMap. spec/proofs proves it, with the bounds
+// below.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +19,24 @@ inline constexpr int kLaneFraction = 32;
 static_assert(kTexelBits - kTexelFraction + 1 + kLaneFraction < 63, "a lane fits int64_t");
 // A step times an offset is the difference of two lanes, and less than one unit an offset off.
 static_assert(kTexelBits - kTexelFraction + 2 + kLaneFraction < 63, "a lane's walk fits int64_t");
+
+// What an affine lane loses at the span's start, and again at each step: the floor's remainder.
+inline constexpr uint32_t kAffineErrorPerPixel_fx32 = 1;
+// Those floors are first estimated in double, off by at most this.
+inline constexpr double kEstimateError_fx32 = 0.25;
+static_assert(kEstimateError_fx32 < 1, "one correction by one unit makes the floor");
+
+// A projective lane's error is at most kProjectiveErrorPerRatio times the ratio of the denominators
+// at the span's ends; truncating it costs one unit and truncating the ratio another.
+inline constexpr double kProjectiveErrorPerRatio_fx32 = 0.2;
+inline constexpr int64_t kProjectiveTruncations_fx32 = 2;
+static_assert(kProjectiveErrorPerRatio_fx32 <= 1, "the ratio itself serves as a bound");
+
+// Affine spans have at most 2^16 pixels; no ratio is above that of the greatest q to the least.
+inline constexpr int64_t kWidestMargin_fx32 =
+    2 * ((int64_t{1} << kQBits) + kProjectiveTruncations_fx32);
+static_assert(kWidestMargin_fx32 >= int64_t{kAffineErrorPerPixel_fx32} << 16);
+static_assert(kWidestMargin_fx32 < int64_t{1} << kLaneFraction, "a near-tie is this texel or next");
 
 struct Lane {
   int64_t u_fx32, v_fx32;

@@ -1,0 +1,227 @@
+// The bounds of spec/proofs, proved by Gappa with the constants of the code. Each claimed bound is
+// then made wrong, and each assumption too weak, one at a time: the proof must fail.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <ostream>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "mapper/lanes.h"
+#include "spec/dda_bounds.h"
+#include "spec/oracle.h"
+
+namespace selvage {
+namespace {
+
+using namespace spec;
+using namespace mapper;
+
+// What a script calls @NAME@; `wrong` is empty for what no claim of the script hangs on closely.
+struct Constant {
+  std::string name, value, wrong = "";
+};
+
+struct Proof {
+  std::string script;
+  std::vector<Constant> constants;
+};
+void PrintTo(const Proof& proof, std::ostream* out) { *out << proof.script; }
+
+// Exactly, in Gappa's notation.
+[[nodiscard]] std::string number(double value) {
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%a", value);
+  return text.data();
+}
+[[nodiscard]] std::string number(int64_t value) { return std::to_string(value); }
+[[nodiscard]] std::string number(int value) { return std::to_string(value); }
+
+inline constexpr int kCoordinateBits = kTexelBits - kTexelFraction;  // |u| <= 2^15 texels
+inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_MIN;
+
+[[nodiscard]] std::vector<Proof> historic_proofs() {
+  const auto below = [](selvage_profile profile) {
+    return number(whole_column_error(profile).below_halves / 2.0);
+  };
+  const auto above = [](selvage_profile profile) {
+    return number(whole_column_error(profile).above_halves / 2.0);
+  };
+  const Constant row{"ROW", number(kUlpsPerRow), "0.99"};
+  const Constant prestep{"PRESTEP", number(kUlpsPerPrestep), "0.99"};
+  return {
+      {"dda_edge", {row, prestep}},
+      {"dda_span", {{row.name, row.value}, prestep, {"PIXEL", number(kUlpsPerPixel), "0.99"}}},
+      {"dda_whole_columns",
+       {{"BELOW_56", below(SELVAGE_PROFILE_ABRASH56), "0.99"},
+        {"ABOVE_56", above(SELVAGE_PROFILE_ABRASH56), "-0.01"},
+        {"BELOW_57", below(SELVAGE_PROFILE_ABRASH57), "0.49"},
+        {"ABOVE_57", above(SELVAGE_PROFILE_ABRASH57), "0.49"},
+        {"BELOW_DKIT", below(SELVAGE_PROFILE_DKIT), "0.49"},
+        {"ABOVE_DKIT", above(SELVAGE_PROFILE_DKIT), "0.49"},
+        {"DKIT_ROUNDING", number(kDkitRoundingHalves / 2.0), "0.49"}}},
+  };
+}
+
+[[nodiscard]] std::vector<Proof> mapper_proofs() {
+  const Constant lane_fraction{"LANE_FRACTION", number(kLaneFraction)};
+  const Constant denominator_bits{"DENOMINATOR_BITS", number(kDenominatorBits)};
+  const Constant q_bits{"Q_BITS", number(kQBits)};
+  return {
+      {"affine_lanes",
+       {denominator_bits, {"PER_PIXEL", number(int64_t{kAffineErrorPerPixel_fx32}), "0.99"}}},
+      {"quotient",
+       {lane_fraction,
+        denominator_bits,
+        {"QUOTIENT_BITS", number(kCoordinateBits + 1 + kLaneFraction), "51"},
+        {"ERROR", number(kEstimateError_fx32), "0.12"}}},
+      {"projective_lanes",
+       {lane_fraction,
+        denominator_bits,
+        q_bits,
+        {"LANE_BITS", number(kCoordinateBits + kLaneFraction), "49"},
+        {"PER_RATIO", number(kProjectiveErrorPerRatio_fx32), "0.18"},
+        {"TRUNCATIONS", number(kProjectiveTruncations_fx32), "0"}}},
+      {"filter", {lane_fraction, {"WIDEST", number(kWidestMargin_fx32), "4294967297"}}},
+      {"numerator_bits",
+       {q_bits,
+        {"TEXEL_FRACTION", number(kTexelFraction), "17"},
+        {"COLUMN_BITS", number(kCoordinateBits), "16"},
+        {"UQ_BITS", number(kTexelBits + kQBits), "56"},
+        {"LONGEST", number(kLongest_fx8), "16777216"},
+        {"NUMERATOR_BITS", number(kNumeratorBits), "126"}}},
+      {"snap", {{"FRACTION_BITS", number(std::numeric_limits<double>::digits - 1), "53"}}},
+  };
+}
+
+[[nodiscard]] std::vector<Proof> oracle_proofs() {
+  return {
+      {"oracle_affine",
+       {{"ROUNDING", number(kAffineRounding_texel), "0x0.ffp-10"},
+        {"ROUNDINGS", number(kAffineRoundings), "3"},
+        {"LARGEST_TERM", number(2 * kLargestSum_texel), "0x1p39"}}},
+      {"oracle_projective",
+       {{"FACTOR", number(kProjectiveFactor), "1"},
+        {"TERMS", number(kProjectiveTerms), "1"},
+        {"QUOTIENT", number(kProjectiveQuotient), "0"}}},
+  };
+}
+
+[[nodiscard]] std::vector<Proof> proofs() {
+  std::vector<Proof> all;
+  for (const auto& some : {historic_proofs(), mapper_proofs(), oracle_proofs()}) {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+[[nodiscard]] std::string text_of(const std::string& file_name) {
+  std::ifstream file(std::filesystem::path(SELVAGE_PROOFS) / file_name);
+  EXPECT_TRUE(file) << SELVAGE_PROOFS << "/" << file_name;
+  return (std::ostringstream() << file.rdbuf()).str();
+}
+
+// The script with values for its names, all of which must occur. (A name without a value would be a
+// syntax error to Gappa.)
+[[nodiscard]] std::string filled(const Proof& proof) {
+  std::string text = text_of(proof.script + ".g");
+  for (const Constant& constant : proof.constants) {
+    const std::string name = "@" + constant.name + "@";
+    size_t at = text.find(name);
+    EXPECT_NE(at, std::string::npos) << proof.script << " does not use " << name;
+    for (; at != std::string::npos; at = text.find(name, at)) {
+      text.replace(at, name.size(), constant.value);
+    }
+  }
+  return text;
+}
+
+struct Verdict {
+  int status;  // Gappa's exit status, or -1
+  std::string output;
+};
+
+[[nodiscard]] Verdict ask_gappa(const std::string& text) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) /
+                                     ("selvage_proof_" + std::to_string(getpid()) + ".g");
+  std::ofstream(path) << text;
+  const std::string command = std::string("'") + SELVAGE_GAPPA + "' '" + path.string() + "' 2>&1";
+  Verdict verdict{-1, ""};
+  if (FILE* pipe = popen(command.c_str(), "r")) {
+    std::array<char, 4096> piece{};
+    while (fgets(piece.data(), piece.size(), pipe) != nullptr) verdict.output += piece.data();
+    const int status = pclose(pipe);
+    if (WIFEXITED(status)) verdict.status = WEXITSTATUS(status);
+  }
+  std::filesystem::remove(path);
+  return verdict;
+}
+
+class Proofs : public testing::TestWithParam<Proof> {
+ protected:
+  void SetUp() override {
+    if (std::string(SELVAGE_GAPPA).empty()) {
+      GTEST_SKIP() << "No bound was proved: CMake found no gappa (Debian package gappa).";
+    }
+  }
+};
+
+// A warning is a failure too: Gappa takes a rewriting rule that it cannot verify on trust.
+TEST_P(Proofs, HoldWithTheConstantsOfTheCode) {
+  const std::string text = filled(GetParam());
+  const Verdict verdict = ask_gappa(text);
+  EXPECT_TRUE(verdict.status == 0 && verdict.output.empty())
+      << "gappa: status " << verdict.status << "\n"
+      << verdict.output << "\n"
+      << text;
+}
+
+TEST_P(Proofs, FailWithAWrongConstant) {
+  int wrong_constants = 0;
+  for (size_t i = 0; i < GetParam().constants.size(); ++i) {
+    Proof wrong = GetParam();
+    Constant& constant = wrong.constants[i];
+    if (constant.wrong.empty()) continue;
+    ++wrong_constants;
+    const std::string change = constant.name + " = " + constant.wrong + " for " + constant.value;
+    constant.value = constant.wrong;
+    const std::string text = filled(wrong);
+    const Verdict verdict = ask_gappa(text);
+    const bool refused =
+        verdict.output.find("some properties were not satisfied") != std::string::npos;
+    EXPECT_TRUE(verdict.status == 1 && refused)
+        << "gappa accepts " << change << ", or fails for another reason: status " << verdict.status
+        << "\n"
+        << verdict.output << "\n"
+        << text;
+  }
+  EXPECT_GT(wrong_constants, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(, Proofs, testing::ValuesIn(proofs()),
+                         [](const auto& proof) { return proof.param.script; });
+
+TEST(ProofScripts, AreAllRunAndAllExplained) {
+  std::set<std::string> run, found;
+  for (const Proof& proof : proofs()) run.insert(proof.script);
+  const std::string readme = text_of("README.md");
+  for (const auto& entry : std::filesystem::directory_iterator(SELVAGE_PROOFS)) {
+    if (entry.path().extension() != ".g") continue;
+    found.insert(entry.path().stem().string());
+    EXPECT_NE(readme.find("(" + entry.path().filename().string() + ")"), std::string::npos)
+        << "spec/proofs/README.md does not link " << entry.path().filename();
+  }
+  EXPECT_EQ(run, found);
+}
+
+}  // namespace
+}  // namespace selvage
