@@ -33,6 +33,10 @@ struct Claim {
   Promise promise;
 };
 
+void PrintTo(const Claim& claim, std::ostream* os) {
+  *os << claim.profile->name << " and law " << claim.law->name;
+}
+
 [[nodiscard]] std::vector<Claim> claims(Standing standing) {
   std::vector<Claim> all;
   for (const Profile& profile : profiles()) {
