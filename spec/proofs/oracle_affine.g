@@ -4,7 +4,7 @@
 # Claim: off by at most ROUNDING + ROUNDINGS 2^-53 sum, where sum is |M0 x| + |M1 y| + |M2| as the
 # law computes it, in double too. So where u is further than that from an integer, the texel is
 # floor u.
-# Used: spec/oracle_opencv.cpp, is_decided_affine; spec/README.md, law 16.
+# Used: spec/oracle_opencv.cpp, is_decided_affine; spec/README.md, law ORACLE.
 # By hand: rounding to double is a factor 1 + r, |r| <= 2^-53, and so is no rounding (a fused
 # product, a 0); truncating an entry of the exact matrix is a factor 1 + c, -2^-52 <= c <= 0: all
 # numbers are 0 or far from the ends of the exponents. Signs are split off: M0 x = s0 t0, t0 >= 0,

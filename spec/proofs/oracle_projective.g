@@ -4,7 +4,7 @@
 # Claim: off by at most FACTOR 2^-53 (TERMS a + V (TERMS b + QUOTIENT)), where a = S_X / |W|,
 # b = S_W / |W|, S is the sum of absolute terms, and V = |u| + 1 >= |U|; wherever that is at most
 # 1/2, as it is where the law calls a pixel decided: no number is further from an integer.
-# Used: spec/oracle_opencv.cpp, is_decided_projective; spec/README.md, law 16.
+# Used: spec/oracle_opencv.cpp, is_decided_projective; spec/README.md, law ORACLE.
 # By hand: each rounding is a factor 1 + r, |r| <= 2^-53; truncating an entry of the exact matrix is
 # one of 1 + c, -2^-52 <= c <= 0. A term goes through `term` at most, so X' = X + x S_X where |x| is
 # at most its distance from 1, and W' = W (1 + w b), the same of w. The law computes its bound in
