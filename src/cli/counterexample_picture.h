@@ -7,10 +7,7 @@
 
 namespace selvage::cli {
 
-// Texel (s, t) is coloured by its place, red growing with s and green with t; a value that no texel
-// has is magenta; what was not drawn is a grey chequerboard. In the difference, what differs is
-// red over a dim copy of what was expected. A white frame marks the blamed pixel. Of a large
-// target only the surroundings of that pixel are shown.
+// As comparison_picture.h has it: what differs is red, the blamed pixel framed.
 [[nodiscard]] Raster counterexample_picture(const spec::Subject& subject,
                                             const spec::Violation& violation);
 

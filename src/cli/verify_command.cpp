@@ -7,15 +7,14 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <random>
 #include <utility>
 
 #include "cli/counterexample_picture.h"
 #include "cli/error.h"
 #include "cli/file.h"
 #include "cli/job.h"
-#include "cli/number.h"
 #include "cli/png.h"
+#include "cli/seeds.h"
 #include "cli/status_line.h"
 #include "cli/verdict.h"
 #include "spec/profiles.h"
@@ -23,7 +22,6 @@
 namespace selvage::cli {
 namespace {
 
-constexpr uint64_t kMaxCases = 1'000'000'000;
 constexpr size_t kMaxCaseBytes = size_t{1} << 20;
 
 [[nodiscard]] const spec::Law& find_law(const std::string& name) {
@@ -73,25 +71,6 @@ constexpr size_t kMaxCaseBytes = size_t{1} << 20;
     throw UserError("--case: an even number of hexadecimal digits is needed, as verify prints it");
   }
   return replayed;
-}
-
-[[nodiscard]] uint64_t case_count(const std::string& text) {
-  const std::optional<uint64_t> count = parse_integer<uint64_t>(text);
-  if (!count || *count < 1 || *count > kMaxCases) {
-    throw UserError("--cases: '" + text + "' is no number from 1 to " + std::to_string(kMaxCases));
-  }
-  return *count;
-}
-
-// Fresh seeds stay below 2^53, so that every reader of the JSON keeps them exact.
-[[nodiscard]] uint64_t first_seed(const std::string& text) {
-  if (text.empty()) {
-    std::random_device device;
-    return (uint64_t{device()} << 21 ^ device()) & ((uint64_t{1} << 53) - 1);
-  }
-  const std::optional<uint64_t> seed = parse_integer<uint64_t>(text);
-  if (!seed) throw UserError("--seed: '" + text + "' is no number from 0 to 2^64 - 1");
-  return *seed;
 }
 
 [[nodiscard]] spec::LawVerdict replay(const spec::Law& law, const spec::Subject& subject,

@@ -1,0 +1,148 @@
+#include "cli/comparison_picture.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace selvage::cli {
+namespace {
+
+constexpr int32_t kWindowPx = 96;  // the most of a target that is shown, a side
+constexpr int32_t kPanelPx = 384;  // about the side of a panel
+constexpr int32_t kMaxScale = 32;  // px of the picture for one of the target
+constexpr int32_t kGapPx = 8;
+constexpr int32_t kPanels = 3;
+constexpr Colour kGap{24, 24, 24};
+constexpr Colour kUnknown{255, 0, 255};
+constexpr Colour kFrame{255, 255, 255};
+
+using Pixel = std::optional<uint32_t>;
+
+// The colours of the coordinate texture's texels.
+class Palette {
+ public:
+  explicit Palette(const spec::Case& c) {
+    const int32_t width = c.texture_width_texel;
+    const int32_t height = c.texture_height_texel;
+    for (int32_t t = 0; t < height; ++t) {
+      for (int32_t s = 0; s < width; ++s) {
+        const auto ramp = [](int32_t at, int32_t size) {
+          return static_cast<uint8_t>(size > 1 ? 40 + 215 * int64_t{at} / (size - 1) : 147);
+        };
+        const uint8_t blue = (s + t) % 2 == 0 ? 120 : 40;  // so that neighbours differ
+        colours_.try_emplace(spec::coordinate_texel(c.format, s, t),
+                             Colour{ramp(s, width), ramp(t, height), blue});
+      }
+    }
+  }
+
+  [[nodiscard]] Colour of(const Pixel& pixel, int32_t x_px, int32_t y_px) const {
+    if (!pixel) {
+      const uint8_t grey = (x_px + y_px) % 2 == 0 ? 96 : 128;
+      return {grey, grey, grey};
+    }
+    const auto found = colours_.find(*pixel);
+    return found == colours_.end() ? kUnknown : found->second;
+  }
+
+ private:
+  std::unordered_map<uint32_t, Colour> colours_;
+};
+
+// The part of the target that is shown, how large, and where its panels lie.
+struct View {
+  int32_t left_px, top_px, width_px, height_px;
+  int32_t scale;
+  bool stacked;
+
+  [[nodiscard]] int32_t across_px() const { return width_px * scale + kGapPx; }
+  [[nodiscard]] int32_t down_px() const { return height_px * scale + kGapPx; }
+  [[nodiscard]] int32_t panel_left_px(int32_t panel) const {
+    return kGapPx + (stacked ? 0 : panel * across_px());
+  }
+  [[nodiscard]] int32_t panel_top_px(int32_t panel) const {
+    return kGapPx + (stacked ? panel * down_px() : 0);
+  }
+};
+
+[[nodiscard]] int32_t window_start(int32_t centre_px, int32_t window_px, int32_t size_px) {
+  return std::clamp(centre_px - window_px / 2, 0, size_px - window_px);
+}
+
+[[nodiscard]] View view_around(const spec::Picture& picture, int32_t x_px, int32_t y_px) {
+  const bool stacked = picture.width_px > kPanels * picture.height_px;
+  const bool tall = picture.height_px > kPanels * picture.width_px;
+  const int32_t width = std::min(picture.width_px, kWindowPx);
+  const int32_t height = std::min(picture.height_px, tall ? kWindowPx / kPanels : kWindowPx);
+  const int32_t room_px = stacked ? kPanels * kPanelPx : kPanelPx;
+  return {window_start(x_px, width, picture.width_px),
+          window_start(y_px, height, picture.height_px),
+          width,
+          height,
+          std::clamp(room_px / std::max(width, height), 1, kMaxScale),
+          stacked};
+}
+
+struct Point {
+  int32_t x_px, y_px;
+};
+
+// The pixel to show: the given one, or the first that differs, or the first of all.
+[[nodiscard]] Point focus(const Comparison& c) {
+  const bool given =
+      c.x_px >= 0 && c.x_px < c.drawn.width_px && c.y_px >= 0 && c.y_px < c.drawn.height_px;
+  if (given) return {c.x_px, c.y_px};
+  const auto differs = std::mismatch(c.drawn.pixels.begin(), c.drawn.pixels.end(),
+                                     c.expected.pixels.begin(), c.expected.pixels.end());
+  if (differs.first == c.drawn.pixels.end()) return {0, 0};
+  const auto index = static_cast<int32_t>(differs.first - c.drawn.pixels.begin());
+  return {index % c.drawn.width_px, index / c.drawn.width_px};
+}
+
+[[nodiscard]] Colour dim(const Colour& colour) {
+  const auto quarter = [](uint8_t channel) { return static_cast<uint8_t>(channel / 4); };
+  return {quarter(colour.red), quarter(colour.green), quarter(colour.blue)};
+}
+
+void fill(Raster& raster, int32_t left_px, int32_t top_px, int32_t side_px, const Colour& colour) {
+  for (int32_t y = top_px; y < top_px + side_px; ++y) {
+    for (int32_t x = left_px; x < left_px + side_px; ++x) raster.set(x, y, colour);
+  }
+}
+
+void frame(Raster& raster, int32_t left_px, int32_t top_px, int32_t side_px) {
+  for (int32_t i = 0; i < side_px; ++i) {
+    raster.set(left_px + i, top_px, kFrame);
+    raster.set(left_px + i, top_px + side_px - 1, kFrame);
+    raster.set(left_px, top_px + i, kFrame);
+    raster.set(left_px + side_px - 1, top_px + i, kFrame);
+  }
+}
+
+}  // namespace
+
+Raster comparison_picture(const Comparison& c) {
+  const Palette palette(c.scene);
+  const Point shown = focus(c);
+  const View view = view_around(c.drawn, shown.x_px, shown.y_px);
+  Raster raster = filled(view.panel_left_px(view.stacked ? 0 : kPanels - 1) + view.across_px(),
+                         view.panel_top_px(view.stacked ? kPanels - 1 : 0) + view.down_px(), kGap);
+  for (int32_t y = view.top_px; y < view.top_px + view.height_px; ++y) {
+    for (int32_t x = view.left_px; x < view.left_px + view.width_px; ++x) {
+      const Pixel& got = c.drawn.at(x, y);
+      const Pixel& wanted = c.expected.at(x, y);
+      const Colour wanted_colour = palette.of(wanted, x, y);
+      const Colour panels[kPanels] = {
+          palette.of(got, x, y), wanted_colour,
+          got == wanted ? dim(wanted_colour) : c.difference(got, wanted)};
+      for (int32_t panel = 0; panel < kPanels; ++panel) {
+        const int32_t left = view.panel_left_px(panel) + (x - view.left_px) * view.scale;
+        const int32_t top = view.panel_top_px(panel) + (y - view.top_px) * view.scale;
+        fill(raster, left, top, view.scale, panels[panel]);
+        if (x == c.x_px && y == c.y_px) frame(raster, left, top, view.scale);
+      }
+    }
+  }
+  return raster;
+}
+
+}  // namespace selvage::cli

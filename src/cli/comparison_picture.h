@@ -1,0 +1,30 @@
+// Two drawings of one target to look at: drawn | expected | difference, enlarged.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+
+#include "cli/raster.h"
+#include "spec/picture.h"
+
+namespace selvage::cli {
+
+struct Comparison {
+  spec::Case scene;  // whose coordinate texture both were drawn with
+  spec::Picture drawn{}, expected{};
+  int32_t x_px = -1, y_px = -1;  // the pixel to show and to frame; -1, -1: the first that differs
+
+  // What a pixel that differs is painted with in the difference.
+  std::function<Colour(const std::optional<uint32_t>& drawn,
+                       const std::optional<uint32_t>& expected)>
+      difference{};
+};
+
+// Texel (s, t) is coloured by its place, red growing with s and green with t; a value that no texel
+// has is magenta; what was not drawn is a grey chequerboard. The difference is a dim copy of what
+// was expected where nothing differs. A white frame marks the pixel to show. Of a large target only
+// the surroundings of that pixel are shown; of one much wider than high, one panel below the other.
+[[nodiscard]] Raster comparison_picture(const Comparison& comparison);
+
+}  // namespace selvage::cli
