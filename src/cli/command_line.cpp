@@ -10,6 +10,7 @@
 #include "cli/draw_command.h"
 #include "cli/error.h"
 #include "cli/laws_command.h"
+#include "cli/stability_command.h"
 #include "cli/verify_command.h"
 #include "selvage.h"
 
@@ -19,10 +20,15 @@ namespace {
 constexpr const char* kExitCodes =
     "Exit codes: 0 fine; 1 a law failed; 2 wrong use, or a file that cannot be read or written.";
 
+constexpr const char* kStabilityExitCodes =
+    "Exit codes: 0 fine; 1 a promise is broken: 'exact' differs from the model, or a texel lies\n"
+    "beyond its derived bound; 2 wrong use, or a file that cannot be read or written.";
+
 constexpr const char* kProgramExamples = R"(Examples:
   selvage draw --texture earth.jpg --polygon '10,10,0,0 200,20,640,0 190,180,640,480' \
                --size 256x192 -o out.png
   selvage verify --cases 1000
+  selvage stability --list
   selvage laws
 'selvage COMMAND --help' tells more.
 )";
@@ -56,13 +62,21 @@ A law that found no pixel to judge has shown nothing and counts as failed; in a 
 law found any.
 )";
 
+constexpr const char* kStabilityExamples = R"(Examples:
+  selvage stability --list                     what there is to measure, and why it is hard
+  selvage stability --family NAME --seed 1     one family, every arithmetic
+  selvage stability --family NAME --arithmetic float32-dda --seed 17 --cases 1 --picture worst.png
+
+Scene k of a run is the family's scene of seed S + k, so the seed of a worst case names it alone.
+)";
+
 constexpr const char* kLawsExamples = R"(Examples:
   selvage laws
   selvage laws --json
 )";
 
-[[nodiscard]] std::string footer(const char* examples) {
-  return std::string(examples) + "\n" + kExitCodes;
+[[nodiscard]] std::string footer(const char* examples, const char* exit_codes = kExitCodes) {
+  return std::string(examples) + "\n" + exit_codes;
 }
 
 CLI::App* add_draw(CLI::App& program, DrawOptions& options) {
@@ -140,6 +154,33 @@ CLI::App* add_verify(CLI::App& program, VerifyOptions& options) {
   return verify;
 }
 
+CLI::App* add_stability(CLI::App& program, StabilityOptions& options) {
+  CLI::App* stability = program.add_subcommand(
+      "stability", "Measure arithmetics against the exact model on numerically hard families");
+  stability
+      ->add_option("--family", options.families, "A hard family; all if left out. May be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  stability
+      ->add_option("--arithmetic", options.arithmetics,
+                   "An arithmetic; all if left out. May be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  stability->add_option("--seed", options.seed, "Seed of the first scene; a fresh one if left out")
+      ->type_name("S");
+  stability->add_option("--cases", options.cases, "Scenes of each family")
+      ->type_name("N")
+      ->capture_default_str();
+  stability
+      ->add_option("--picture", options.picture,
+                   "PNG for the worst case of all (drawn | exact | difference)")
+      ->type_name("FILE");
+  stability->add_flag("--list", options.list, "List the families and the arithmetics instead");
+  stability->add_flag("--json", options.json, "Print it as JSON");
+  stability->footer(footer(kStabilityExamples, kStabilityExitCodes));
+  return stability;
+}
+
 CLI::App* add_laws(CLI::App& program, bool& json) {
   CLI::App* laws = program.add_subcommand("laws", "List the laws, and which profile promises them");
   laws->add_flag("--json", json, "Print them as JSON");
@@ -165,9 +206,11 @@ int parse_and_run(std::vector<std::string> arguments, const spec::Subject& subje
   program.footer(footer(kProgramExamples));
   DrawOptions draw_options;
   VerifyOptions verify_options;
+  StabilityOptions stability_options;
   bool laws_json = false;
   const CLI::App* draw = add_draw(program, draw_options);
   const CLI::App* verify = add_verify(program, verify_options);
+  const CLI::App* stability = add_stability(program, stability_options);
   add_laws(program, laws_json);
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
   try {
@@ -182,6 +225,7 @@ int parse_and_run(std::vector<std::string> arguments, const spec::Subject& subje
   refuse_empty_values(*program.get_subcommands().front());
   if (draw->parsed()) return run_draw(draw_options, console);
   if (verify->parsed()) return run_verify(verify_options, subject, console);
+  if (stability->parsed()) return run_stability(stability_options, subject, console);
   return run_laws(laws_json, console);
 }
 

@@ -63,6 +63,13 @@ TEST_F(CommandLine, HelpsWithExamplesForEveryCommand) {
   }
 }
 
+TEST_F(CommandLine, HelpsWithStability) {
+  const Outcome outcome = run({"stability", "--help"});
+  EXPECT_EQ(outcome.code, kExitFine);
+  expect_contains(outcome.out, "Examples:\n  selvage stability");
+  expect_contains(outcome.out, "Exit codes: 0 fine; 1 a promise is broken");
+}
+
 TEST_F(CommandLine, WithoutACommandSaysWhatIsPossible) {
   expect_refused({}, "Run 'selvage --help'");
   expect_refused({"paint"}, "Run 'selvage --help'");
@@ -121,6 +128,14 @@ TEST_F(CommandLine, Verifies) {
   const Outcome outcome = run(words, blank());
   EXPECT_EQ(outcome.code, kExitLawFailed);
   expect_contains(outcome.out, "COV        VIOLATED");
+}
+
+TEST_F(CommandLine, MeasuresStability) {
+  const Words words = {"stability", "--arithmetic", "exact", "--cases", "1", "--seed", "3"};
+  EXPECT_EQ(run(words).code, kExitFine);
+  EXPECT_EQ(run(words, blank()).code, kExitLawFailed);
+  EXPECT_EQ(run({"stability", "--list"}).code, kExitFine);
+  expect_refused({"stability", "--family", "NOPE"}, "no hard family is called 'NOPE'");
 }
 
 TEST_F(CommandLine, ListsTheLaws) {

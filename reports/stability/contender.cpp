@@ -1,0 +1,40 @@
+#include "reports/stability/contender.h"
+
+#include <string>
+
+#include "reports/stability/arithmetic.h"
+#include "spec/profiles.h"
+
+namespace selvage::stability {
+namespace {
+
+[[nodiscard]] Contender of_mapper(const spec::Subject& mapper, const spec::Profile& profile) {
+  const bool exact = profile.id == SELVAGE_PROFILE_EXACT;
+  return {profile.name, profile.statement, exact ? Promise::kExact : Promise::kBound,
+          profile.id,   profile.whole_px,  mapper};
+}
+
+}  // namespace
+
+std::vector<Contender> contenders(const spec::Subject& mapper) {
+  std::vector<Contender> all;
+  for (const spec::Profile& profile : spec::profiles()) {
+    if (profile.id != SELVAGE_PROFILE_EXACT) all.push_back(of_mapper(mapper, profile));
+  }
+  for (const Arithmetic& arithmetic : arithmetics()) {
+    all.push_back({arithmetic.name,
+                   arithmetic.statement,
+                   Promise::kNothing,
+                   SELVAGE_PROFILE_EXACT,
+                   arithmetic.affine_only,
+                   {std::string(arithmetic.name), arithmetic.draw}});
+  }
+  all.push_back(of_mapper(mapper, spec::profile_of(SELVAGE_PROFILE_EXACT)));
+  return all;
+}
+
+spec::Case in_its_way(const Contender& contender, const spec::Case& scene) {
+  return spec::in_profile(scene, contender.profile);
+}
+
+}  // namespace selvage::stability

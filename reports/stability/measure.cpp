@@ -1,0 +1,148 @@
+#include "reports/stability/measure.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <tuple>
+
+#include "reports/stability/bound.h"
+#include "spec/law_tools.h"
+
+namespace selvage::stability {
+namespace {
+
+void count_pixel(Errors& errors, const spec::Case& scene, const spec::Texel& exact,
+                 const spec::Texel& drawn) {
+  const int32_t distance = texel_error(scene, exact, drawn);
+  const bool no_texel =
+      drawn.s >= scene.texture_width_texel || drawn.t >= scene.texture_height_texel;
+  if (no_texel) errors.memory_fault = "a pixel shows what no texel holds";
+  ++errors.compared_px;
+  errors.wrong_texels += distance > 0;
+  errors.largest_texel = std::max(errors.largest_texel, distance);
+  errors.sum_texel += static_cast<uint64_t>(distance);
+}
+
+// The largest measured/bound of a drawing, over the pixels that the profile covers and that were
+// drawn.
+[[nodiscard]] double largest_part_of_bound(const spec::Case& drawn_case,
+                                           const spec::Picture& picture) {
+  double largest = 0;
+  for (int32_t y = 0; y < picture.height_px; ++y) {
+    const auto line = spec::historic_line(drawn_case.profile, drawn_case.vertices, y);
+    if (!line) continue;
+    for (int32_t x = 0; x < picture.width_px; ++x) {
+      const std::optional<uint32_t>& pixel = picture.at(x, y);
+      const std::optional<spec::Reach> reach = pixel ? spec::reach(*line, x) : std::nullopt;
+      if (!reach) continue;
+      const std::optional<spec::Texel> drawn = spec::read_texel(drawn_case, *pixel);
+      largest = std::max(largest, part_of_bound(drawn_case, *reach, *drawn));
+    }
+  }
+  return largest;
+}
+
+[[nodiscard]] bool q_differs(const spec::Case& c) {
+  return std::any_of(c.vertices.begin(), c.vertices.end(),
+                     [&](const selvage_vertex& vertex) { return vertex.q != c.vertices[0].q; });
+}
+
+}  // namespace
+
+int32_t texel_distance(int32_t a, int32_t b, int32_t size_texel, selvage_address address) {
+  const int32_t straight = std::abs(a - b);
+  if (address != SELVAGE_ADDRESS_WRAP || straight > size_texel) return straight;
+  return std::min(straight, size_texel - straight);
+}
+
+int32_t texel_error(const spec::Case& scene, const spec::Texel& a, const spec::Texel& b) {
+  return std::max(texel_distance(a.s, b.s, scene.texture_width_texel, scene.address),
+                  texel_distance(a.t, b.t, scene.texture_height_texel, scene.address));
+}
+
+void Errors::add(const Errors& more) {
+  compared_px += more.compared_px;
+  missing_px += more.missing_px;
+  extra_px += more.extra_px;
+  wrong_texels += more.wrong_texels;
+  largest_texel = std::max(largest_texel, more.largest_texel);
+  sum_texel += more.sum_texel;
+  part_of_bound = std::max(part_of_bound, more.part_of_bound);  // nothing is below every number
+  refused_cases += more.refused_cases;
+  if (memory_fault.empty()) memory_fault = more.memory_fault;
+}
+
+double Errors::wrong_share() const {
+  return compared_px == 0 ? 0
+                          : static_cast<double>(wrong_texels) / static_cast<double>(compared_px);
+}
+
+double Errors::mean_texel() const {
+  return compared_px == 0 ? 0 : static_cast<double>(sum_texel) / static_cast<double>(compared_px);
+}
+
+bool Errors::flawless() const {
+  return wrong_texels == 0 && missing_px == 0 && extra_px == 0 && refused_cases == 0 &&
+         memory_fault.empty();
+}
+
+bool Errors::keeps(Promise promise) const {
+  if (!memory_fault.empty()) return false;
+  if (promise == Promise::kExact) return flawless();
+  return promise == Promise::kNothing || (refused_cases == 0 && part_of_bound <= 1.0);
+}
+
+bool is_worse(const Errors& a, const Errors& b, Promise promise) {
+  const auto key = [&](const Errors& errors) {
+    return std::tuple(!errors.keeps(promise), errors.largest_texel, errors.wrong_texels,
+                      errors.missing_px + errors.extra_px);
+  };
+  return key(a) > key(b);
+}
+
+spec::Picture drawing_of(const Contender& contender, const Reference& model) {
+  return spec::draw(contender.subject, in_its_way(contender, model.scene));
+}
+
+Errors errors_of(const Contender& contender, const Reference& model) {
+  const spec::Picture picture = drawing_of(contender, model);
+  Errors errors;
+  errors.refused_cases = picture.status != SELVAGE_OK;
+  errors.memory_fault = picture.memory_fault;
+  for (size_t i = 0; i < model.texels.size(); ++i) {
+    const std::optional<spec::Texel>& exact = model.texels[i];
+    if (exact && picture.pixels[i]) {
+      count_pixel(errors, model.scene, *exact, *spec::read_texel(model.scene, *picture.pixels[i]));
+    }
+    errors.missing_px += exact && !picture.pixels[i];
+    errors.extra_px += !exact && picture.pixels[i];
+  }
+  if (contender.promise == Promise::kBound) {
+    errors.part_of_bound = largest_part_of_bound(in_its_way(contender, model.scene), picture);
+  }
+  return errors;
+}
+
+FamilyRow measure(const spec::HardFamily& family, std::span<const Contender> contenders,
+                  uint64_t first_seed, uint64_t case_count,
+                  const std::function<void(uint64_t)>& progress) {
+  FamilyRow row{&family};
+  for (const Contender& contender : contenders) row.cells.push_back({&contender, {}, {}});
+  for (uint64_t k = 0; k < case_count; ++k) {
+    if (progress) progress(k);
+    const uint64_t seed = first_seed + k;
+    const Reference model = reference(family.make(seed));
+    row.covered_px += model.covered_px;
+    row.perspective = row.perspective || q_differs(model.scene);
+    for (Cell& cell : row.cells) {
+      const Errors errors = errors_of(*cell.contender, model);
+      cell.errors.add(errors);
+      const Promise promise = cell.contender->promise;
+      const bool seen = !errors.flawless() || !errors.keeps(promise);
+      if (seen && (!cell.worst || is_worse(errors, cell.worst->errors, promise)))
+        cell.worst = Worst{seed, errors};
+    }
+  }
+  return row;
+}
+
+}  // namespace selvage::stability
