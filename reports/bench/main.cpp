@@ -19,7 +19,9 @@ using namespace selvage::reports;
 void run(const BenchOptions& options, const std::string& output_path) {
   cli::check_output(output_path);
   Peers found = peers();
-  std::vector<Subject> subjects{subject_exact(), subject_fixed1616()};
+  std::vector<Subject> subjects{subject_exact()};
+  for (Subject& usual : subjects_arithmetic()) subjects.push_back(std::move(usual));
+  subjects.push_back(subject_subdivided());
   for (Subject& peer : found.subjects) subjects.push_back(std::move(peer));
   subjects.push_back(subject_fill());  // last: the ratios are to it
   auto document =
@@ -34,8 +36,8 @@ void run(const BenchOptions& options, const std::string& output_path) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Times our mapper, a plain 16.16 loop, the peers found by the build and a solid fill in one "
-      "run, after holding each drawing against the exact model.");
+      "Times our mapper, the usual arithmetics, the peers found by the build and a solid fill in "
+      "one run, after holding each drawing against the exact model.");
   app.footer(
       "Example:\n  selvage_bench --seed 1 --output bench.json\n\n"
       "Exit codes: 0 measured, 1 a drawing that must be exact is not (nothing is timed), 2 wrong "

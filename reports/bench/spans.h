@@ -1,5 +1,6 @@
 // The pixels of a y-monotone polygon as spans: the half-open rule with pixel centres at +1/2, by an
-// exact integer edge walk. What the plain loop and the fill draw, and the count of covered pixels.
+// exact integer edge walk. What the subdivided loop and the fill draw, and the count of covered
+// pixels.
 #pragma once
 
 #include <algorithm>

@@ -27,7 +27,8 @@ struct Subject {
 };
 
 [[nodiscard]] Subject subject_exact();
-[[nodiscard]] Subject subject_fixed1616();
+[[nodiscard]] std::vector<Subject> subjects_arithmetic();
+[[nodiscard]] Subject subject_subdivided();
 [[nodiscard]] Subject subject_fill();
 
 // The mappers of other projects: one file each under reports/peers.

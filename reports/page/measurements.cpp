@@ -110,13 +110,16 @@ double errors_per_million(const json& result) {
 
 std::string plot_data(const json& work) {
   std::string fill, others;
+  int place = 0;
   for (const json& result : work.at("results")) {
+    ++place;
     if (result.contains("refusal")) continue;
     const json& time = result.at("ns_per_px");
     std::string line =
         result.at("id").get<std::string>() + "\t" + std::to_string(errors_per_million(result));
     for (const char* key : {"median", "lower_quartile", "upper_quartile"})
       line += "\t" + std::to_string(time.at(key).get<double>());
+    line += "\t" + std::to_string(place);
     (result.at("wrong_texels").is_null() ? fill : others) += line + "\n";
   }
   return fill + others;

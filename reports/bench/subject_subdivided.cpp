@@ -1,5 +1,5 @@
-// A plain 16.16 scalar loop, as it is usually written and written well: exact edges, a start in
-// double at the first covered pixel's centre, then one addition a coordinate and pixel.
+// Perspective by subdivision, as software renderers did it: a division every sixteenth pixel and a
+// 16.16 loop between, on exact edges.
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -35,17 +35,6 @@ void draw_run(uint32_t* out, int32_t count_px, const Sampler& sampler, uint32_t 
   for (int32_t i = 0; i < count_px; ++i, u += du, v += dv) out[i] = sampler.at(u, v);
 }
 
-void draw_affine(std::span<const selvage_vertex> polygon, const Sampler& sampler, Target& target) {
-  const Planes planes = planes_of(polygon);
-  const auto du = static_cast<uint32_t>(std::lround(planes.u.dx * kOne_fx16));
-  const auto dv = static_cast<uint32_t>(std::lround(planes.v.dx * kOne_fx16));
-  for_each_span(polygon, target.width_px, target.height_px, [&](const Span& span) {
-    const double x = span.left_px + 0.5, y = span.y_px + 0.5;
-    draw_run(target.row(span.y_px) + span.left_px, span.right_px - span.left_px, sampler,
-             to_fx16(planes.u.at(x, y)), to_fx16(planes.v.at(x, y)), du, dv);
-  });
-}
-
 // u and v are exact at every sixteenth pixel and straight between.
 void draw_perspective(std::span<const selvage_vertex> polygon, const Sampler& sampler,
                       Target& target) {
@@ -71,24 +60,21 @@ void draw_perspective(std::span<const selvage_vertex> polygon, const Sampler& sa
 
 }  // namespace
 
-Subject subject_fixed1616() {
+Subject subject_subdivided() {
   Subject subject;
-  subject.id = "16.16";
-  subject.title = "plain 16.16 loop";
+  subject.id = "subdivided";
+  subject.title = "16.16 loop, a division every 16th pixel";
   subject.configuration =
-      "scalar, exact edges, u and v started in double on every span and stepped in 16.16; in "
-      "perspective divided at every 16th pixel; wraps by a mask; set-up is timed";
-  subject.refusal = [](const Workload&) { return std::string(); };
+      "scalar, exact edges, u and v in double at every 16th pixel of a span and stepped in 16.16 "
+      "between; wraps by a mask; set-up is timed";
+  subject.refusal = [](const Workload& load) {
+    return std::string(load.perspective ? "" : "it is a way to draw perspective");
+  };
   subject.prepare = [](const Workload& load, const Texture& texture, Target& target) {
     const Sampler sampler{texture.texels.data(), static_cast<uint32_t>(texture.pitch_texel),
                           static_cast<uint32_t>(texture.side_texel - 1)};
     return [&load, sampler, &target] {
-      for (const auto& polygon : load.polygons) {
-        if (load.perspective)
-          draw_perspective(polygon, sampler, target);
-        else
-          draw_affine(polygon, sampler, target);
-      }
+      for (const auto& polygon : load.polygons) draw_perspective(polygon, sampler, target);
     };
   };
   return subject;
