@@ -3,12 +3,14 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <iostream>
 #include <string>
 
 #include "cli/error.h"
 #include "cli/file.h"
 #include "reports/page/measurements.h"
 #include "reports/page/sections.h"
+#include "reports/page/worst_cases.h"
 
 namespace {
 
@@ -42,6 +44,7 @@ void write_page(const fs::path& folder, Results results) {
   results.verify = read_json(folder / "verify.json");
   results.laws = read_json(folder / "laws.json");
   results.gallery = read_json(folder / "gallery.json");
+  results.stability = read_json(folder / "stability.json");
   if (fs::exists(folder / "bench.json")) results.bench = read_json(folder / "bench.json");
   write_text(folder / "index.html", page(results));
   std::printf("%s\n", summary_line(results).c_str());
@@ -54,14 +57,17 @@ int main(int argc, char** argv) {
   app.footer(
       "Examples:\n"
       "  selvage_page plots reports/out\n"
+      "  selvage_page worst reports/out\n"
       "  selvage_page html reports/out --revision \"$(git describe --always)\" --command "
       "reports/run\n\n"
       "Exit codes: 0 written, 2 wrong use or a file that is missing, damaged or unwritable.");
   std::string folder;
   Results results;
   CLI::App* plots = app.add_subcommand("plots", "bench.json to one .dat a work item");
+  CLI::App* worst = app.add_subcommand(
+      "worst", "stability.json to lines: a picture's name, a tab, what selvage draws it with");
   CLI::App* html = app.add_subcommand("html", "the JSON files to index.html");
-  for (CLI::App* command : {plots, html}) command->add_option("folder", folder)->required();
+  for (CLI::App* command : {plots, worst, html}) command->add_option("folder", folder)->required();
   html->add_option("--revision", results.revision, "what source this is about");
   html->add_option("--unmeasured", results.unmeasured, "why there is no bench.json");
   html->add_option("--command", results.command, "the commands that make the page");
@@ -70,6 +76,8 @@ int main(int argc, char** argv) {
     app.parse(argc, argv);
     if (plots->parsed())
       write_plot_data(folder);
+    else if (worst->parsed())
+      std::cout << worst_case_lines(read_json(fs::path(folder) / "stability.json"));
     else
       write_page(folder, std::move(results));
     return 0;

@@ -31,6 +31,10 @@ img { max-width: 100%; height: auto; display: block; }
 .three img { width: 100%; background: #181c26; }
 .work { display: flex; flex-wrap: wrap; gap: 1.5rem; align-items: flex-start; }
 .plot { flex: none; width: 25rem; }
+.stability td, .stability th.n { padding: .25rem .45rem; } .stability .reason { min-width: 15rem; }
+.reason small { font-weight: normal; } .reason code { font-size: .75rem; overflow-wrap: anywhere; }
+.worst { display: grid; grid-template-columns: repeat(auto-fit, minmax(24rem, 1fr)); gap: 1rem; }
+.worst code { overflow-wrap: anywhere; } .worst img { background: #181818; }
 pre { background: var(--soft); padding: .8rem 1rem; overflow-x: auto; font-size: .85rem; }
 summary { cursor: pointer; }
 )";
@@ -43,8 +47,8 @@ std::string page(const Results& results) {
       "<meta name=viewport content=\"width=device-width, initial-scale=1\">\n" +
       element("title", "Selvage: verdicts, pictures, measurements") + element("style", kStyle);
   const std::string body = summary_section(results) + verdict_section(results) +
-                           gallery_section(results) + measurement_section(results) +
-                           method_section(results);
+                           gallery_section(results) + stability_section(results) +
+                           measurement_section(results) + method_section(results);
   return "<!doctype html>\n" +
          element("html", element("head", head) + element("body", body), "lang=en");
 }

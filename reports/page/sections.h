@@ -7,13 +7,14 @@
 namespace selvage::reports {
 
 struct Results {
-  nlohmann::ordered_json verify;   // selvage verify --json
-  nlohmann::ordered_json laws;     // selvage laws --json
-  nlohmann::ordered_json gallery;  // selvage_gallery
-  nlohmann::ordered_json bench;    // selvage_bench; null where nothing was measured
-  std::string revision;            // of the source
-  std::string command;             // that made the page
-  std::string unmeasured;          // why, where bench is null
+  nlohmann::ordered_json verify;     // selvage verify --json
+  nlohmann::ordered_json laws;       // selvage laws --json
+  nlohmann::ordered_json gallery;    // selvage_gallery
+  nlohmann::ordered_json stability;  // selvage stability --json
+  nlohmann::ordered_json bench;      // selvage_bench; null where nothing was measured
+  std::string revision;              // of the source
+  std::string command;               // that made the page
+  std::string unmeasured;            // why, where bench is null
 };
 
 // For a terminal.
@@ -21,6 +22,7 @@ struct Results {
 [[nodiscard]] std::string summary_section(const Results& results);
 [[nodiscard]] std::string verdict_section(const Results& results);
 [[nodiscard]] std::string gallery_section(const Results& results);
+[[nodiscard]] std::string stability_section(const Results& results);
 [[nodiscard]] std::string measurement_section(const Results& results);
 [[nodiscard]] std::string method_section(const Results& results);
 
