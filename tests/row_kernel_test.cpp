@@ -28,7 +28,15 @@ template <class Pixel>
   const std::vector<Pixel> texels = {10, 11, 12};
   std::vector<Pixel> row(7, 99);
   const selvage_texture texture{texels.data(), 3, 1, 3 * sizeof(Pixel), format, 0, nullptr};
-  row_kernel(format, affine)(one_to_one(first_texel), Span{0, 1, 5}, texture, address, row.data());
+  const SpanMap map = one_to_one(first_texel);
+  const Span span{0, 1, 5};
+  if (affine) {
+    affine_row_kernel(format)(AffineLanes(map, span), ExactTexel(map), span, texture, address,
+                              row.data());
+  } else {
+    projective_row_kernel(format)(ProjectiveLanes(map, span), ExactTexel(map), span, texture,
+                                  address, row.data());
+  }
   return row;
 }
 

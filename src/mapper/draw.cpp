@@ -1,10 +1,12 @@
 #include "mapper/draw.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "mapper/copy_row.h"
 #include "mapper/edge.h"
 #include "mapper/image.h"
+#include "mapper/plane.h"
 #include "mapper/row_kernel.h"
 #include "mapper/span.h"
 
@@ -12,12 +14,16 @@ namespace selvage::mapper {
 
 void draw(const selvage_image& target, const selvage_rect& visible, const Polygon& polygon,
           const selvage_texture& texture, selvage_address address) {
-  const RowKernel draw_row = row_kernel(target.format, polygon.affine);
+  const int32_t first_row = std::max(polygon.top_row, visible.top);
+  const int32_t end_row = std::min(polygon.bottom_row, visible.bottom);
+  if (first_row >= end_row) return;
   Chain forward(polygon, Chain::Direction::kForward);
   Chain backward(polygon, Chain::Direction::kBackward);
+  const std::optional<Plane> plane = Plane::of(polygon, visible);
+  const auto draw_affine = affine_row_kernel(target.format);
+  const auto draw_projective = projective_row_kernel(target.format);
 
-  const int32_t end_row = std::min(polygon.bottom_row, visible.bottom);
-  for (int32_t row = std::max(polygon.top_row, visible.top); row < end_row; ++row) {
+  for (int32_t row = first_row; row < end_row; ++row) {
     const Edge& a = forward.at_row(row);
     const Edge& b = backward.at_row(row);
     const bool a_is_left = a.first_px() <= b.first_px();
@@ -32,8 +38,16 @@ void draw(const selvage_image& target, const selvage_rect& visible, const Polygo
     if (polygon.untransformed) {
       copy_row(texture, address, span.left_px + polygon.ds, row + polygon.dt, span.width_px(),
                pixels + span.left_px * bytes_per_pixel(target.format));
+    } else if (plane) {
+      draw_affine(plane->lanes(span), ExactTexel(*plane), span, texture, address, pixels);
     } else {
-      draw_row(SpanMap(left.at(row), right.at(row)), span, texture, address, pixels);
+      const SpanMap map(left.at(row), right.at(row));
+      if (polygon.affine) {
+        draw_affine(AffineLanes(map, span), ExactTexel(map), span, texture, address, pixels);
+      } else {
+        draw_projective(ProjectiveLanes(map, span), ExactTexel(map), span, texture, address,
+                        pixels);
+      }
     }
   }
 }

@@ -19,6 +19,21 @@ Edge::Edge(const selvage_vertex& a, const selvage_vertex& b) : top_(&a), bottom_
   bottom_row_ = first_centre_px(bottom_->y);
 }
 
+namespace {
+
+// floor(a / b) for whole a, b with |a / b| < 2^17 and 0 < b <= 2^32. The correctly rounded quotient
+// floors right: a whole quotient is exact, any other is at least 2^-32 from the next whole number,
+// and rounding moves it by at most 2^-36.
+[[nodiscard]] int64_t floor_quotient(int64_t a, int64_t b) {
+  const double quotient = static_cast<double>(a) / static_cast<double>(b);
+  const auto toward_zero = static_cast<int64_t>(quotient);
+  return toward_zero - (static_cast<double>(toward_zero) > quotient ? 1 : 0);
+}
+
+static_assert(kPositionBits - 1 + kPositionBits < 53, "Edge::seek's dividend is exact in double");
+
+}  // namespace
+
 void Edge::seek(int32_t row) {
   const int64_t height = int64_t{bottom_->y} - top_->y;
   const int64_t dx = int64_t{bottom_->x} - top_->x;
@@ -26,9 +41,9 @@ void Edge::seek(int32_t row) {
   // ceil((x - 128 height) / (256 height)), as a floor.
   divisor_ = kSubpixels * height;
   const int64_t dividend = x - kHalfPixel * height + divisor_ - 1;
-  first_px_ = floor_div(dividend, divisor_);
+  first_px_ = floor_quotient(dividend, divisor_);
   remainder_ = dividend - first_px_ * divisor_;
-  step_px_ = floor_div(dx, height);
+  step_px_ = floor_quotient(dx, height);
   step_remainder_ = kSubpixels * (dx - step_px_ * height);
 }
 

@@ -42,11 +42,14 @@ struct Lane {
   int64_t u_fx32, v_fx32;
 };
 
-// Lanes of a span with constant denominator: start and step are exact floors, so that after n steps
-// a lane is low by less than n + 1 units.
+// Lanes of a span with constant denominator: start and step are floors, so that a lane is low by
+// less than a unit for each step since the last exact floor.
 class AffineLanes {
  public:
+  // Exact floors at the span's first pixel.
   AffineLanes(const SpanMap& map, const Span& span);
+  AffineLanes(Lane start, Lane step, uint32_t margin_fx32)
+      : start_(start), step_(step), margin_fx32_(margin_fx32) {}
 
   [[nodiscard]] uint32_t margin_fx32() const { return margin_fx32_; }
   [[nodiscard]] Lane at(int32_t offset_px) const {

@@ -1,0 +1,124 @@
+#include "mapper/plane.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace selvage::mapper {
+namespace {
+
+// Differences of two vertices: 25 bits of position, 33 of u.
+struct Difference {
+  int64_t x, y, u, v;
+  Difference(const selvage_vertex& from, const selvage_vertex& to)
+      : x(int64_t{to.x} - from.x),
+        y(int64_t{to.y} - from.y),
+        u(int64_t{to.u} - from.u),
+        v(int64_t{to.v} - from.v) {}
+};
+
+[[nodiscard]] int64_t cross(const Difference& a, const Difference& b) {
+  return a.x * b.y - b.x * a.y;
+}
+
+static_assert(kTexelBits + 1 + kPositionBits + 1 <= 57, "A and B of a plane are below 2^57");
+
+// floor(n / d) where an estimate in double is off by less than 8, all that is known of n is its low
+// 64 bits, and 0 < d < 2^49: the remainder then lies in (-9 d, 9 d), and its low bits tell it.
+[[nodiscard]] int64_t corrected_floor(double estimate, uint64_t n_low, int64_t d) {
+  auto quotient = static_cast<int64_t>(estimate);
+  auto remainder =
+      static_cast<int64_t>(n_low - static_cast<uint64_t>(quotient) * static_cast<uint64_t>(d));
+  for (; remainder < 0; remainder += d) --quotient;
+  for (; remainder >= d; remainder -= d) ++quotient;
+  return quotient;
+}
+
+// Above 2^52 a double's last place, and with it the error of what follows, exceeds a few units.
+inline constexpr double kMostEstimate_fx32 = 0x1p52;
+
+}  // namespace
+
+bool Plane::passes_through(const selvage_vertex& vertex) const {
+  const int64_t dx = int64_t{vertex.x} - x_fx8_, dy = int64_t{vertex.y} - y_fx8_;
+  const auto lies_on = [&](const PlaneCoordinate& c, int32_t at_fx16) {
+    return int128{int64_t{at_fx16} - c.origin_fx16} * doubled_area_ ==
+           int128{dx} * c.along_x + int128{dy} * c.along_y;
+  };
+  return lies_on(u_, vertex.u) && lies_on(v_, vertex.v);
+}
+
+// In fx32, a step of a pixel is 2^16 * 2^8 A / D, and the start is 2^16 (dx A + dy B) / D above the
+// origin's. Three roundings and a product make an estimate's error below 2^-50 of the sum of its
+// terms' magnitudes, so below 4 units up to kMostEstimate_fx32.
+bool Plane::set_gradient(const PlaneCoordinate& c, Gradient* gradient) const {
+  const double texel = 65536.0 / static_cast<double>(doubled_area_);
+  const double step_x = static_cast<double>(c.along_x) * (texel * kSubpixels);
+  const double step_y = static_cast<double>(c.along_y) * (texel * kSubpixels);
+  const int64_t dx = centre_fx8(first_px_) - int64_t{x_fx8_};
+  const int64_t dy = centre_fx8(first_row_) - int64_t{y_fx8_};
+  const double rise_x = static_cast<double>(dx) * static_cast<double>(c.along_x) * texel;
+  const double rise_y = static_cast<double>(dy) * static_cast<double>(c.along_y) * texel;
+  if (!(std::abs(step_x) + std::abs(step_y) + std::abs(rise_x) + std::abs(rise_y) <
+        kMostEstimate_fx32)) {
+    return false;
+  }
+  const auto low = [](int64_t a) { return static_cast<uint64_t>(a); };
+  const uint64_t rise = low(dx) * low(c.along_x) + low(dy) * low(c.along_y);
+  constexpr int kStepShift = kTexelFraction + kSubpixelBits;
+  gradient->step_x_fx32 = corrected_floor(step_x, low(c.along_x) << kStepShift, doubled_area_);
+  gradient->step_y_fx32 = corrected_floor(step_y, low(c.along_y) << kStepShift, doubled_area_);
+  gradient->start_fx32 = (int64_t{c.origin_fx16} << kTexelFraction) +
+                         corrected_floor(rise_x + rise_y, rise << kTexelFraction, doubled_area_);
+  return true;
+}
+
+std::optional<Plane> Plane::of(const Polygon& polygon, const selvage_rect& visible) {
+  if (!polygon.affine) return std::nullopt;
+  const auto& vertices = polygon.vertices;
+  const selvage_vertex& origin = vertices[0];
+  size_t second = 1;
+  while (second + 1 < vertices.size() && vertices[second].x == origin.x &&
+         vertices[second].y == origin.y) {
+    ++second;
+  }
+  const Difference a(origin, vertices[second]);
+  size_t third = second + 1;
+  while (third < vertices.size() && cross(a, Difference(origin, vertices[third])) == 0) ++third;
+  if (third == vertices.size()) return std::nullopt;
+
+  const Difference b(origin, vertices[third]);
+  const int64_t area = cross(a, b), sign = area < 0 ? -1 : 1;
+  Plane plane;
+  plane.x_fx8_ = origin.x;
+  plane.y_fx8_ = origin.y;
+  plane.doubled_area_ = area * sign;
+  plane.u_ = {origin.u, sign * (a.u * b.y - b.u * a.y), sign * (b.u * a.x - a.u * b.x)};
+  plane.v_ = {origin.v, sign * (a.v * b.y - b.v * a.y), sign * (b.v * a.x - a.v * b.x)};
+  for (size_t i = 1; vertices.size() > 3 && i < vertices.size(); ++i) {
+    if (!plane.passes_through(vertices[i])) return std::nullopt;
+  }
+  plane.first_px_ = std::max(visible.left, polygon.left_px);
+  plane.first_row_ = std::max(visible.top, polygon.top_row);
+  if (!plane.set_gradient(plane.u_, &plane.u_gradient_) ||
+      !plane.set_gradient(plane.v_, &plane.v_gradient_)) {
+    return std::nullopt;
+  }
+  return plane;
+}
+
+AffineLanes Plane::lanes(const Span& span) const {
+  const int64_t dx = span.left_px - first_px_, dy = span.row - first_row_;
+  // Modulo 2^64: a product may leave 64 bits where the sum does not.
+  const auto at = [&](const Gradient& g) {
+    return static_cast<int64_t>(static_cast<uint64_t>(g.start_fx32) +
+                                static_cast<uint64_t>(dx) * static_cast<uint64_t>(g.step_x_fx32) +
+                                static_cast<uint64_t>(dy) * static_cast<uint64_t>(g.step_y_fx32));
+  };
+  const auto steps = static_cast<uint32_t>(dx + dy + span.width_px());
+  return {{at(u_gradient_), at(v_gradient_)},
+          {u_gradient_.step_x_fx32, v_gradient_.step_x_fx32},
+          steps};
+}
+
+}  // namespace selvage::mapper

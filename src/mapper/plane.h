@@ -1,0 +1,66 @@
+// The plane: the affine map of a whole polygon, where it has one.
+//
+// u = u_0 + ((x - x_0) A + (y - y_0) B) / D everywhere, and likewise v, with integers A, B and D
+// from three vertices. Spans start from gradients that are divided once a polygon.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "mapper/lanes.h"
+#include "mapper/number.h"
+#include "mapper/polygon.h"
+#include "mapper/span.h"
+
+namespace selvage::mapper {
+
+// u or v over the polygon. Positions are in 1/256 px from the origin vertex.
+struct PlaneCoordinate {
+  int32_t origin_fx16;       // at the origin vertex
+  int64_t along_x, along_y;  // A and B: |.| < 2^57, in 1/65536 texel * D per 1/256 px
+};
+
+class Plane {
+ public:
+  // Empty where the polygon is not affine, where some vertex lies off the plane of the others,
+  // where it has no area, or where gradients are so steep that 64 bits do not hold them. `visible`
+  // is not empty: spans lie within it.
+  [[nodiscard]] static std::optional<Plane> of(const Polygon& polygon, const selvage_rect& visible);
+
+  // The lanes of a span of the polygon.
+  [[nodiscard]] AffineLanes lanes(const Span& span) const;
+
+  // floor u and floor v at a pixel, of which it is known that they are `low_texel` or one more.
+  [[nodiscard]] int32_t u_texel(int32_t px, int32_t row, int32_t low_texel) const {
+    return texel(u_, px, row, low_texel);
+  }
+  [[nodiscard]] int32_t v_texel(int32_t px, int32_t row, int32_t low_texel) const {
+    return texel(v_, px, row, low_texel);
+  }
+
+ private:
+  // A coordinate in fx32 over the visible pixels: floors, so that a lane is low by less than a unit
+  // for the start and for each step.
+  struct Gradient {
+    int64_t start_fx32, step_x_fx32, step_y_fx32;
+  };
+
+  [[nodiscard]] bool passes_through(const selvage_vertex& vertex) const;
+  [[nodiscard]] bool set_gradient(const PlaneCoordinate& coordinate, Gradient* gradient) const;
+  [[nodiscard]] int32_t texel(const PlaneCoordinate& coordinate, int32_t px, int32_t row,
+                              int32_t low_texel) const {
+    const int128 rise = int128{centre_fx8(px) - x_fx8_} * coordinate.along_x +
+                        int128{centre_fx8(row) - y_fx8_} * coordinate.along_y;
+    const int64_t to_next_fx16 =
+        ((int64_t{low_texel} + 1) << kTexelFraction) - coordinate.origin_fx16;
+    return low_texel + (rise >= int128{to_next_fx16} * doubled_area_ ? 1 : 0);
+  }
+
+  int32_t x_fx8_ = 0, y_fx8_ = 0;         // of the origin vertex
+  int32_t first_px_ = 0, first_row_ = 0;  // the visible pixel where the gradients start
+  int64_t doubled_area_ = 0;              // D, in (1/256 px)^2: 0 < D < 2^49
+  PlaneCoordinate u_{}, v_{};
+  Gradient u_gradient_{}, v_gradient_{};
+};
+
+}  // namespace selvage::mapper

@@ -1,0 +1,118 @@
+#include "mapper/plane.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "spec/exact.h"
+#include "spec/generate.h"
+#include "tests/span_support.h"
+
+namespace selvage::mapper {
+namespace {
+
+using spec::Rational;
+
+[[nodiscard]] std::optional<Plane> plane_of(const std::vector<selvage_vertex>& vertices,
+                                            const selvage_rect& visible = {0, 0, 4096, 4096}) {
+  Polygon polygon;
+  EXPECT_EQ(examine(vertices, &polygon), SELVAGE_OK);
+  return Plane::of(polygon, visible);
+}
+
+// The law of the filter, and the exact decision, at one pixel.
+void expect_lawful(const Plane& plane, const AffineLanes& lanes, const Span& span,
+                   int32_t offset_px, const spec::Case& c) {
+  const int32_t px = span.left_px + offset_px;
+  const auto exact = spec::sample(c.vertices, px, span.row);
+  const Lane lane = lanes.at(offset_px);
+  const auto holds = [&](int64_t lane_fx32, const Rational& texel) {
+    const Rational true_fx32 = texel * Rational(4294967296.0);
+    return lane_fx32 <= true_fx32 && true_fx32 < Rational(lane_fx32) + lanes.margin_fx32();
+  };
+  ASSERT_TRUE(holds(lane.u_fx32, exact->u) && holds(lane.v_fx32, exact->v)) << spec::print(c);
+  for (const int32_t below : {0, 1}) {
+    const int32_t s = spec::floor(exact->u), t = spec::floor(exact->v);
+    ASSERT_EQ(plane.u_texel(px, span.row, s - below), s) << spec::print(c);
+    ASSERT_EQ(plane.v_texel(px, span.row, t - below), t) << spec::print(c);
+  }
+}
+
+TEST(Plane, LanesAreLowByLessThanTheirMargin) {
+  int with_plane = 0, triangles = 0, triangles_without = 0;
+  for (uint64_t seed = 1; seed <= 6000; ++seed) {
+    spec::Case c = spec::generate(seed);
+    for (selvage_vertex& v : c.vertices) v.q = 1;
+    const selvage_rect visible{-2, 0, c.target_width_px + 2, c.target_height_px};
+    Polygon polygon;
+    if (examine(c.vertices, &polygon) != SELVAGE_OK) continue;
+    const std::optional<Plane> plane = Plane::of(polygon, visible);
+    bool covers = false;
+    for_each_span(c, [&](const spec::Case&, const Polygon&, const SpanMap&, const Span& span) {
+      covers = true;
+      if (!plane) return;
+      const AffineLanes lanes = plane->lanes(span);
+      const int32_t last = span.width_px() - 1;
+      for (const int32_t offset_px : {0, last / 2, last}) {
+        expect_lawful(*plane, lanes, span, offset_px, c);
+      }
+    });
+    if (!covers) continue;
+    with_plane += plane ? 1 : 0;
+    triangles += c.vertices.size() == 3 ? 1 : 0;
+    triangles_without += c.vertices.size() == 3 && !plane ? 1 : 0;
+  }
+  EXPECT_GT(with_plane, 1000);
+  EXPECT_LT(triangles_without, triangles / 4);  // steep slivers, of which the generator is full
+}
+
+TEST(Plane, IsThatOfAllVertices) {
+  std::vector<selvage_vertex> quad = {{0, 0, 0, 0, 1},
+                                      {2560, 256, 655360, 65536, 1},
+                                      {2816, 2816, 720896, 720896, 1},
+                                      {256, 2560, 65536, 655360, 1}};
+  EXPECT_TRUE(plane_of(quad));
+  quad[3].v += 1;
+  EXPECT_FALSE(plane_of(quad));
+  quad.pop_back();
+  EXPECT_TRUE(plane_of(quad));
+  quad.push_back(quad.back());
+  quad.push_back(quad.front());  // repeated vertices
+  EXPECT_TRUE(plane_of(quad));
+  quad.insert(quad.begin(), quad.front());
+  EXPECT_TRUE(plane_of(quad));
+}
+
+TEST(Plane, NeedsAnAreaAndEqualQ) {
+  EXPECT_FALSE(plane_of({{0, 0, 0, 0, 1}, {256, 256, 1, 1, 1}, {512, 512, 2, 2, 1}}));
+  EXPECT_FALSE(plane_of({{9, 9, 0, 0, 1}, {9, 9, 1, 1, 1}, {9, 9, 2, 2, 1}}));
+  EXPECT_FALSE(plane_of({{0, 0, 0, 0, 1}, {256, 0, 1, 1, 2}, {0, 512, 2, 2, 1}}));
+}
+
+// A gradient that 64 bits would not hold is left to the edges.
+TEST(Plane, RefusesWhatIsTooSteep) {
+  EXPECT_FALSE(plane_of({{0, 0, INT32_MIN, 0, 1}, {1, 0, INT32_MAX, 0, 1}, {0, 1, 0, 0, 1}},
+                        {0, 0, 32768, 32768}));
+  EXPECT_FALSE(
+      plane_of({{0, 0, 0, 0, 1}, {8000000, 1, INT32_MAX, 0, 1}, {8000000, 0, INT32_MIN, 0, 1}}));
+}
+
+// Where gradients are dyadic, lanes hit ties exactly and nothing needs a decision.
+TEST(Plane, IsExactWhereCoordinatesAreDyadic) {
+  const std::vector<selvage_vertex> quad = {{0, 0, 0, 0, 1},
+                                            {4096, 0, 32 << 16, 0, 1},
+                                            {4096, 4096, 32 << 16, 32 << 16, 1},
+                                            {0, 4096, 0, 32 << 16, 1}};
+  const std::optional<Plane> plane = plane_of(quad);
+  ASSERT_TRUE(plane);
+  for (int32_t row = 0; row < 16; ++row) {
+    const AffineLanes lanes = plane->lanes({row, 3, 16});
+    for (int32_t i = 0; i < 13; ++i) {
+      ASSERT_EQ(lanes.at(i).u_fx32, int64_t{2 * (3 + i) + 1} << kLaneFraction);
+      ASSERT_EQ(lanes.at(i).v_fx32, int64_t{2 * row + 1} << kLaneFraction);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper
