@@ -16,7 +16,9 @@
 #include <string>
 #include <vector>
 
+#include "mapper/edge.h"
 #include "mapper/lanes.h"
+#include "mapper/plane.h"
 #include "spec/dda_bounds.h"
 #include "spec/oracle.h"
 
@@ -91,6 +93,21 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
         {"LANE_BITS", number(kCoordinateBits + kLaneFraction), "49"},
         {"PER_RATIO", number(kProjectiveErrorPerRatio_fx32), "0.18"},
         {"TRUNCATIONS", number(kProjectiveTruncations_fx32), "0"}}},
+      {"plane_lanes",
+       {{"AREA_BITS", number(kPlaneAreaBits)},
+        {"PER_STEP", number(int64_t{kPlaneErrorPerStep_fx32}), "0.99"}}},
+      {"plane_estimate",
+       {{"FRACTION", number(kTexelFraction)},
+        {"SUBPIXEL_BITS", number(kSubpixelBits)},
+        {"AREA_BITS", number(kPlaneAreaBits)},
+        {"POSITION_BITS", number(kPositionBits + 1)},
+        {"MOST", number(kMostPlaneEstimate_fx32), "0x1p53"},
+        {"ERROR", number(kPlaneEstimateError_fx32), "4.9"}}},
+      {"edge_quotient",
+       {{"COLUMN_BITS", number(kColumnBits), "22"},
+        {"COLUMN_DIVISOR_BITS", number(kColumnDivisorBits), "37"},
+        {"STEP_BITS", number(kStepBits), "30"},
+        {"STEP_DIVISOR_BITS", number(kStepDivisorBits), "29"}}},
       {"filter", {lane_fraction, {"WIDEST", number(kWidestMargin_fx32), "4294967297"}}},
       {"numerator_bits",
        {q_bits,

@@ -12,18 +12,9 @@ namespace {
 
 static_assert(kPositionBits + kPositionBits + kSubpixelBits < 63, "Edge steps fit int64_t");
 
-}  // namespace
-
-Edge::Edge(const selvage_vertex& a, const selvage_vertex& b) : top_(&a), bottom_(&b) {
-  if (bottom_->y < top_->y) std::swap(top_, bottom_);
-  bottom_row_ = first_centre_px(bottom_->y);
-}
-
-namespace {
-
-// floor(a / b) for whole a, b with |a / b| < 2^17 and 0 < b <= 2^32. The correctly rounded quotient
-// floors right: a whole quotient is exact, any other is at least 2^-32 from the next whole number,
-// and rounding moves it by at most 2^-36.
+// floor(a / b) for whole a and b > 0 that are exact in double. Rounded once, the quotient floors
+// right: a whole one is exact, any other is at least 1 / b from the next whole number, and rounding
+// moves it by less (spec/proofs/edge_quotient.g).
 [[nodiscard]] int64_t floor_quotient(int64_t a, int64_t b) {
   const double quotient = static_cast<double>(a) / static_cast<double>(b);
   const auto toward_zero = static_cast<int64_t>(quotient);
@@ -33,6 +24,11 @@ namespace {
 static_assert(kPositionBits - 1 + kPositionBits < 53, "Edge::seek's dividend is exact in double");
 
 }  // namespace
+
+Edge::Edge(const selvage_vertex& a, const selvage_vertex& b) : top_(&a), bottom_(&b) {
+  if (bottom_->y < top_->y) std::swap(top_, bottom_);
+  bottom_row_ = first_centre_px(bottom_->y);
+}
 
 void Edge::seek(int32_t row) {
   const int64_t height = int64_t{bottom_->y} - top_->y;

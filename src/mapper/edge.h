@@ -9,6 +9,13 @@
 
 namespace selvage::mapper {
 
+// Of an edge's quotients and their divisors: columns over 256 times the height, and the whole part
+// of dx / height.
+inline constexpr int kColumnBits = kPositionBits - kSubpixelBits + 1;
+inline constexpr int kColumnDivisorBits = kPositionBits + kSubpixelBits;
+inline constexpr int kStepBits = kPositionBits + 1;
+inline constexpr int kStepDivisorBits = kPositionBits;
+
 // A point of an edge on a scan line. Every value is a numerator over the edge's height.
 struct EdgePoint {
   int64_t height;  // 1/256 px, > 0

@@ -23,8 +23,8 @@ struct Difference {
 
 static_assert(kTexelBits + 1 + kPositionBits + 1 <= 57, "A and B of a plane are below 2^57");
 
-// floor(n / d) where an estimate in double is off by less than 8, all that is known of n is its low
-// 64 bits, and 0 < d < 2^49: the remainder then lies in (-9 d, 9 d), and its low bits tell it.
+// floor(n / d) where an estimate in double is off by kPlaneEstimateError_fx32 at most, and all that
+// is known of n is its low 64 bits: they tell the remainder of a quotient that is off by little.
 [[nodiscard]] int64_t corrected_floor(double estimate, uint64_t n_low, int64_t d) {
   auto quotient = static_cast<int64_t>(estimate);
   auto remainder =
@@ -34,8 +34,8 @@ static_assert(kTexelBits + 1 + kPositionBits + 1 <= 57, "A and B of a plane are 
   return quotient;
 }
 
-// Above 2^52 a double's last place, and with it the error of what follows, exceeds a few units.
-inline constexpr double kMostEstimate_fx32 = 0x1p52;
+static_assert(kPlaneAreaBits + 3 < 63 && kPlaneEstimateError_fx32 + 2 <= 8,
+              "the remainder fits int64_t");
 
 }  // namespace
 
@@ -49,8 +49,7 @@ bool Plane::passes_through(const selvage_vertex& vertex) const {
 }
 
 // In fx32, a step of a pixel is 2^16 * 2^8 A / D, and the start is 2^16 (dx A + dy B) / D above the
-// origin's. Three roundings and a product make an estimate's error below 2^-50 of the sum of its
-// terms' magnitudes, so below 4 units up to kMostEstimate_fx32.
+// origin's. spec/proofs/plane_estimate.g bounds the error of the estimates.
 bool Plane::set_gradient(const PlaneCoordinate& c, Gradient* gradient) const {
   const double texel = 65536.0 / static_cast<double>(doubled_area_);
   const double step_x = static_cast<double>(c.along_x) * (texel * kSubpixels);
@@ -60,7 +59,7 @@ bool Plane::set_gradient(const PlaneCoordinate& c, Gradient* gradient) const {
   const double rise_x = static_cast<double>(dx) * static_cast<double>(c.along_x) * texel;
   const double rise_y = static_cast<double>(dy) * static_cast<double>(c.along_y) * texel;
   if (!(std::abs(step_x) + std::abs(step_y) + std::abs(rise_x) + std::abs(rise_y) <
-        kMostEstimate_fx32)) {
+        kMostPlaneEstimate_fx32)) {
     return false;
   }
   const auto low = [](int64_t a) { return static_cast<uint64_t>(a); };
@@ -115,10 +114,10 @@ AffineLanes Plane::lanes(const Span& span) const {
                                 static_cast<uint64_t>(dx) * static_cast<uint64_t>(g.step_x_fx32) +
                                 static_cast<uint64_t>(dy) * static_cast<uint64_t>(g.step_y_fx32));
   };
-  const auto steps = static_cast<uint32_t>(dx + dy + span.width_px());
+  const auto steps = static_cast<uint32_t>(dx + dy + span.width_px());  // to the last pixel, and 1
   return {{at(u_gradient_), at(v_gradient_)},
           {u_gradient_.step_x_fx32, v_gradient_.step_x_fx32},
-          steps};
+          kPlaneErrorPerStep_fx32 * steps};
 }
 
 }  // namespace selvage::mapper

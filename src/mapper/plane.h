@@ -14,6 +14,13 @@
 
 namespace selvage::mapper {
 
+inline constexpr int kPlaneAreaBits = 2 * kPositionBits + 1;  // of a doubled area
+// Estimates of gradients in double, up to 2^52 units, are off by a few units at most.
+inline constexpr double kMostPlaneEstimate_fx32 = 0x1p52;
+inline constexpr int kPlaneEstimateError_fx32 = 6;
+// A lane is low by less than so many units for the start and for each step from it.
+inline constexpr uint32_t kPlaneErrorPerStep_fx32 = 1;
+
 // u or v over the polygon. Positions are in 1/256 px from the origin vertex.
 struct PlaneCoordinate {
   int32_t origin_fx16;       // at the origin vertex
