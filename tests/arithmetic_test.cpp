@@ -4,15 +4,21 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <ostream>
 #include <string>
 #include <vector>
 
+#include "reports/stability/arithmetic_floor.h"
 #include "spec/generate.h"
 #include "spec/laws.h"
 #include "spec/picture.h"
 #include "spec/verify.h"
 
 namespace selvage::stability {
+
+void PrintTo(const Arithmetic& arithmetic, std::ostream* out) { *out << arithmetic.name; }
+
 namespace {
 
 using spec::Case;
@@ -126,9 +132,14 @@ TEST_P(Arithmetics, DrawEitherWinding) {
   EXPECT_EQ(drawn(c).pixels, clockwise.pixels);
 }
 
-// Half of the pixels of a square's diagonal cut lie on the cut: each is drawn by one side.
+// A square on whole pixels, cut along its diagonal: sixteen centres lie on the cut, and each is
+// drawn by one side.
 TEST_P(Arithmetics, NeitherOverlapNorTearAlongASharedEdge) {
   Case c = copy(16, 16, 16, 16);
+  for (selvage_vertex& vertex : c.vertices) {
+    vertex.x -= 64;
+    vertex.y -= 32;
+  }
   const std::vector<selvage_vertex> square = c.vertices;
   c.vertices = {square[0], square[1], square[2]};
   const Picture one = drawn(c);
@@ -204,6 +215,20 @@ TEST(Fixed1616, RoundsItsSlopesDown) {
             (std::vector<std::string>{"texel (0, 0)", "texel (1, 0)", "texel (1, 0)"}));
 }
 
+// The same from right to left, u 5/3, 1, 1/3: down is toward minus infinity, so 1 is missed here
+// too.
+TEST(Fixed1616, RoundsNegativeSlopesDownToo) {
+  Case c;
+  c.target_width_px = 3;
+  c.target_height_px = 1;
+  c.vertices = {{0, 0, 2 * kTexel, 0, 1},
+                {3 * kPx, 0, 0, 0, 1},
+                {3 * kPx, kPx, 0, kTexel, 1},
+                {0, kPx, 2 * kTexel, kTexel, 1}};
+  EXPECT_EQ(row_of(fixed1616(), c),
+            (std::vector<std::string>{"texel (1, 0)", "texel (0, 0)", "texel (0, 0)"}));
+}
+
 // At 20000 texels a float's unit is 1/512 texel: u = 20001 - 1/1024 is rounded up. A double's is
 // not.
 TEST(Float32, HasTwentyFourBits) {
@@ -216,6 +241,18 @@ TEST(Float32, HasTwentyFourBits) {
   EXPECT_EQ(row_of(float32_dda(), c), std::vector<std::string>{"texel (20001, 0)"});
   EXPECT_EQ(row_of(float32_plane(), c), std::vector<std::string>{"texel (20001, 0)"});
   EXPECT_EQ(row_of(float64_dda(), c), std::vector<std::string>{"texel (20000, 0)"});
+}
+
+TEST(FloorIndex, IsTheFloorAsFarAsIntegersGo) {
+  EXPECT_EQ(floor_index(2.75f), 2);
+  EXPECT_EQ(floor_index(-0.25f), -1);
+  EXPECT_EQ(floor_index(-3.0), -3);
+  EXPECT_EQ(floor_index(16777215.0f), 16777215);
+  constexpr int32_t most = 1 << 30;
+  EXPECT_EQ(floor_index(1e30f), most);
+  EXPECT_EQ(floor_index(-1e300), -most);
+  EXPECT_EQ(floor_index(std::numeric_limits<float>::infinity()), most);
+  EXPECT_EQ(floor_index(std::numeric_limits<double>::quiet_NaN()), -most);
 }
 
 TEST(ArithmeticList, HasEachOnce) {

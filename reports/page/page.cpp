@@ -31,9 +31,11 @@ img { max-width: 100%; height: auto; display: block; }
 .three img { width: 100%; background: #181c26; }
 .work { display: flex; flex-wrap: wrap; gap: 1.5rem; align-items: flex-start; }
 .plot { flex: none; width: 25rem; }
-.stability td, .stability th.n { padding: .25rem .45rem; } .stability .reason { min-width: 15rem; }
+.stability td, .stability th.n { padding: .25rem .45rem; }
+.stability .reason { min-width: 15rem; }
 .reason small { font-weight: normal; } .reason code { font-size: .75rem; overflow-wrap: anywhere; }
-.worst { display: grid; grid-template-columns: repeat(auto-fit, minmax(24rem, 1fr)); gap: 1rem; }
+.worst { display: grid; gap: 1rem;
+         grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); }
 .worst code { overflow-wrap: anywhere; } .worst img { background: #181818; }
 pre { background: var(--soft); padding: .8rem 1rem; overflow-x: auto; font-size: .85rem; }
 summary { cursor: pointer; }
