@@ -112,5 +112,37 @@ TEST(TwoStage, SequelCopiesWhatIsOneToOneAtEveryWidth) {
   EXPECT_TRUE(dda_would_fail);
 }
 
+// Vertices that repeat or lie on an edge change nothing of what a rectangle is.
+TEST(TwoStage, SequelCopiesWhatIsOneToOneWhateverItsVertices) {
+  constexpr int32_t kWidth = 195;  // where 16.16 first loses a texel
+  const test::Corner a{0, 0, 0, 0}, b{kWidth, 0, kWidth - 1, 0};
+  const test::Corner c{kWidth, 2, kWidth - 1, 1}, d{0, 2, 0, 1};
+  const test::Corner between{97, 0, 97, 0};
+  const std::vector<test::Corner> outlines[] = {
+      {a, b, c, d}, {a, a, b, c, d}, {a, b, c, d, d}, {a, between, b, c, d}};
+  for (const std::vector<test::Corner>& outline : outlines) {
+    Case shown = case_of(k57, outline);
+    shown.target_width_px = shown.texture_width_texel = kWidth;
+    shown.target_height_px = shown.texture_height_texel = 2;
+    const spec::Picture picture = drawn(shown);
+    for (int32_t x = 0; x < kWidth; ++x) {
+      EXPECT_EQ(texel_at(picture, x, 1), (Texel{x, 1})) << outline.size() << " vertices";
+    }
+  }
+}
+
+// One to one along one axis alone is no copy.
+TEST(TwoStage, SequelCopiesNothingElse) {
+  constexpr int32_t kSide = 8;
+  for (const bool across : {false, true}) {
+    const int32_t u = across ? kSide - 1 : 3, v = across ? 3 : kSide - 1;
+    const Case c = case_of(
+        k57, {{0, 0, 0, 0}, {kSide, 0, u, 0}, {kSide, kSide, u, v}, {0, kSide, 0, v}}, kSide);
+    EXPECT_EQ(drawn(c).pixels, spec::expected(c).pixels);
+    const Texel last = texel_at(drawn(c), kSide - 1, kSide - 1);
+    EXPECT_EQ(last, (across ? Texel{kSide - 1, 3} : Texel{3, kSide - 1}));
+  }
+}
+
 }  // namespace
 }  // namespace selvage::historic
