@@ -10,7 +10,8 @@ namespace {
 [[nodiscard]] std::string decimal(int64_t value, int fraction_bits) {
   const int64_t one = int64_t{1} << fraction_bits;
   const int64_t magnitude = value < 0 ? -value : value;
-  std::string text = (value < 0 ? "-" : "") + std::to_string(magnitude / one);
+  std::string text = value < 0 ? "-" : "";
+  text += std::to_string(magnitude / one);
   int64_t rest = magnitude % one;
   if (rest != 0) text += '.';
   for (; rest != 0; rest %= one) {

@@ -1,7 +1,6 @@
 #include "spec/dda.h"
 
 #include <algorithm>
-#include <array>
 
 namespace selvage::spec {
 namespace {
@@ -41,33 +40,33 @@ std::optional<Texel> dda_texel(const HistoricLine& line, int32_t x_px) {
 }
 
 std::optional<Texel> centred_block_shift(std::span<const selvage_vertex> vertices) {
-  if (vertices.size() != 4) return std::nullopt;
-  const auto [x_least, x_most] = std::ranges::minmax(vertices, {}, &selvage_vertex::x);
-  const auto [y_least, y_most] = std::ranges::minmax(vertices, {}, &selvage_vertex::y);
-  const int32_t left = x_least.x, right = x_most.x, top = y_least.y, bottom = y_most.y;
-  if (left == right || top == bottom) return std::nullopt;
-
-  const auto texel_of = [](int32_t position_fx8, bool far_side) {
-    return (int64_t{position_fx8} / SELVAGE_SUBPIXELS - (far_side ? 1 : 0)) * SELVAGE_SUBTEXELS;
-  };
-  const int64_t ds_fx16 = vertices[0].u - texel_of(vertices[0].x, vertices[0].x == right);
-  const int64_t dt_fx16 = vertices[0].v - texel_of(vertices[0].y, vertices[0].y == bottom);
-  if (ds_fx16 % SELVAGE_SUBTEXELS != 0 || dt_fx16 % SELVAGE_SUBTEXELS != 0) return std::nullopt;
-  for (size_t i = 0; i < 4; ++i) {
-    const selvage_vertex& v = vertices[i];
-    const selvage_vertex& next = vertices[(i + 1) % 4];
-    // Clockwise: from the top left rightward, then down, leftward and up.
-    const bool clockwise = (v.x == left && v.y == top && next.x == right && next.y == top) ||
-                           (v.x == right && v.y == top && next.x == right && next.y == bottom) ||
-                           (v.x == right && v.y == bottom && next.x == left && next.y == bottom) ||
-                           (v.x == left && v.y == bottom && next.x == left && next.y == top);
-    if (!clockwise || v.u - texel_of(v.x, v.x == right) != ds_fx16 ||
-        v.v - texel_of(v.y, v.y == bottom) != dt_fx16) {
-      return std::nullopt;
+  // Per side: x in px, u in texels, both of the first end that is met.
+  struct Side {
+    std::optional<Rational> x, u;
+  } up, down;
+  const auto [highest, lowest] = std::ranges::minmax(vertices, {}, &selvage_vertex::y);
+  const Rational top = Rational(highest.y) / SELVAGE_SUBPIXELS;
+  const Rational height = Rational(lowest.y) / SELVAGE_SUBPIXELS - top;
+  std::optional<Rational> top_v;  // what v would be on top, by the end that is met first
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    const selvage_vertex& from = vertices[i];
+    const selvage_vertex& to = vertices[(i + 1) % vertices.size()];
+    if (from.y == to.y) continue;
+    Side& side = from.y < to.y ? down : up;
+    for (const selvage_vertex& end : {from, to}) {
+      const Rational x = Rational(end.x) / SELVAGE_SUBPIXELS;
+      const Rational u = Rational(end.u) / SELVAGE_SUBTEXELS;
+      const Rational rows = Rational(end.y) / SELVAGE_SUBPIXELS - top;
+      const Rational v = Rational(end.v) / SELVAGE_SUBTEXELS - rows * (height - 1) / height;
+      if (!side.x) side = {x, u};
+      if (!top_v) top_v = v;
+      if (x != *side.x || u != *side.u || v != *top_v) return std::nullopt;
     }
   }
-  return Texel{static_cast<int32_t>(ds_fx16 / SELVAGE_SUBTEXELS),
-               static_cast<int32_t>(dt_fx16 / SELVAGE_SUBTEXELS)};
+  if (!up.x || !down.x) return std::nullopt;
+  const Rational ds = *up.u - *up.x, dt = *top_v - top;
+  if (*down.u - (*down.x - 1) != ds || ds.get_den() != 1 || dt.get_den() != 1) return std::nullopt;
+  return Texel{floor(ds), floor(dt)};
 }
 
 }  // namespace selvage::spec

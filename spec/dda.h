@@ -18,9 +18,9 @@ namespace selvage::spec {
 //   dkit       W as above                 s = floor(T_left + k (T_right - T_left) / W + 1/2)
 [[nodiscard]] std::optional<Texel> dda_texel(const HistoricLine& line, int32_t x_px);
 
-// The shift (ds, dt) by which abrash57 copies a rectangle of as many texel centres as pixels: a
-// clockwise rectangle [left, right) x [top, bottom) with u from left + ds to right - 1 + ds and v
-// from top + dt to bottom - 1 + dt. Empty for every other outline.
+// The shift (ds, dt) by which abrash57 copies a rectangle of as many texel centres as pixels: all
+// edges but horizontal ones run up at x = left, u = left + ds or down at x = right, u = right - 1 +
+// ds, and v goes from top + dt to bottom - 1 + dt in proportion. Empty for every other outline.
 [[nodiscard]] std::optional<Texel> centred_block_shift(std::span<const selvage_vertex> vertices);
 
 }  // namespace selvage::spec

@@ -111,6 +111,13 @@ bool TexelRange::holds(int32_t texel) const {
   return from_first <= last - first;
 }
 
+bool TexelRange::holds_bits(int32_t bits, int32_t mask) const {
+  for (int32_t texel = bits; texel < size; texel += mask + 1) {
+    if (holds(texel)) return true;
+  }
+  return false;
+}
+
 std::string TexelRange::text() const {
   return std::to_string(first) + " .. " + std::to_string(last);
 }

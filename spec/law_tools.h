@@ -83,6 +83,8 @@ struct TexelRange {
 
   // The addressed texel is one of them.
   [[nodiscard]] bool holds(int32_t texel) const;
+  // One of them, addressed, has these bits under the mask: all that a format may tell.
+  [[nodiscard]] bool holds_bits(int32_t bits, int32_t mask) const;
   [[nodiscard]] std::string text() const;
 };
 

@@ -134,15 +134,16 @@ namespace {
     const std::optional<HistoricLine> line = historic_line(c.profile, c.vertices, y);
     for (int32_t x = 0; line && x < c.target_width_px; ++x) {
       const std::optional<uint32_t>& pixel = drawn.at(x, y);
-      const std::optional<Texel> texel = pixel ? read_texel(c, *pixel) : std::nullopt;
-      const std::optional<Reach> point = texel ? reach(*line, x) : std::nullopt;
+      const std::optional<Reach> point = pixel ? reach(*line, x) : std::nullopt;
       if (!point) continue;
+      const Texel texel = texel_bits(c.format, *pixel);
       ++judgement.judged_px;
       const TexelRange s =
           range_of(point->u, point->u_below, point->u_above, c, c.texture_width_texel);
       const TexelRange t =
           range_of(point->v, point->v_below, point->v_above, c, c.texture_height_texel);
-      if (s.holds(texel->s) && t.holds(texel->t)) continue;
+      const int32_t mask = texel_mask(c.format);
+      if (s.holds_bits(texel.s, mask) && t.holds_bits(texel.t, mask)) continue;
       judgement.violation =
           violation_at("MAP", "a texel lies within the derived bound of its exact (u, v)", c, x, y,
                        "columns " + s.text() + ", rows " + t.text() + ", addressed", pixel);

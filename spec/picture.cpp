@@ -87,6 +87,14 @@ uint32_t coordinate_texel(selvage_format format, int32_t s, int32_t t) {
   return (static_cast<uint32_t>(s) & mask) | (static_cast<uint32_t>(t) & mask) << bits;
 }
 
+int32_t texel_mask(selvage_format format) { return (1 << coordinate_bits(format)) - 1; }
+
+Texel texel_bits(selvage_format format, uint32_t value) {
+  const auto mask = static_cast<uint32_t>(texel_mask(format));
+  return {static_cast<int32_t>(value & mask),
+          static_cast<int32_t>(value >> coordinate_bits(format) & mask)};
+}
+
 uint32_t addressed_value(const Case& c, Texel texel) {
   return coordinate_texel(c.format, address_texel(texel.s, c.texture_width_texel, c.address),
                           address_texel(texel.t, c.texture_height_texel, c.address));

@@ -98,7 +98,8 @@ enum {
                                    half-open; texels floor(u); polygons clockwise on the screen,
                                    the other winding draws nothing */
   SELVAGE_PROFILE_ABRASH57 = 2, /* its sequel: source prestepped by half a step, texel centres at
-                                   whole u: floor(u + 1/2) */
+                                   whole u: floor(u + 1/2). A texture W texels wide goes from u = 0
+                                   to W - 1 there */
   SELVAGE_PROFILE_DKIT = 3 /* the classroom scan-line mapper: edges and texels rounded, both ends
                               of a span and of a polygon drawn, either winding */
 };
@@ -198,7 +199,8 @@ SELVAGE_API selvage_status selvage_draw(const selvage_image* target, const selva
 SELVAGE_API selvage_status selvage_snap(double x_px, double y_px, double u_texel, double v_texel,
                                         double w, double w_near, selvage_vertex* vertex);
 
-/* Parameterised mapping: the whole texture onto a polygon.
+/* Parameterised mapping: the whole texture onto a polygon, for profiles in which it is as wide as
+ * it has texels (all but SELVAGE_PROFILE_ABRASH57).
  *
  * corners  4, in order around a quadrilateral: they get the texture's corners (0, 0), (0, height),
  *          (width, height) and (width, 0), in this order. Or 3: corner `doubled`, 0 .. 2, is taken

@@ -253,6 +253,20 @@ TEST(Errors, OfAMapperBeyondItsBoundAreSeen) {
   }
 }
 
+// Nor may it draw other pixels than its own profile covers: none at all would be within any bound.
+TEST(Errors, OfAMapperThatCoversOtherPixelsAreSeen) {
+  const spec::Subject blank{
+      "blank",
+      [](const selvage_image*, const selvage_rect*, const selvage_vertex*, size_t,
+         const selvage_texture*, const selvage_options*) -> selvage_status { return SELVAGE_OK; }};
+  for (const char* profile : {"abrash56", "abrash57", "dkit"}) {
+    EXPECT_EQ(errors_of(named(profile), reference(thirds())).own_coverage_px, 0u);
+    const Errors none = errors_of(named(profile, blank), reference(thirds()));
+    EXPECT_GT(none.own_coverage_px, 0u);
+    EXPECT_FALSE(none.keeps(Promise::kBound)) << profile;
+  }
+}
+
 // The scenes of seeds 4, 5, 6 hold one, two and three wrong texels.
 [[nodiscard]] Case scene_of_seed(uint64_t seed) {
   Case c = thirds();

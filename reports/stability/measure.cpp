@@ -22,23 +22,28 @@ void count_pixel(Errors& errors, const spec::Case& scene, const spec::Texel& exa
   errors.sum_texel += static_cast<uint64_t>(distance);
 }
 
-// The largest measured/bound of a drawing, over the pixels that the profile covers and that were
-// drawn.
-[[nodiscard]] double largest_part_of_bound(const spec::Case& drawn_case,
-                                           const spec::Picture& picture) {
+[[nodiscard]] bool is_visible(const spec::Case& c, int32_t x_px, int32_t y_px) {
+  return !c.has_clip ||
+         (c.clip.left <= x_px && x_px < c.clip.right && c.clip.top <= y_px && y_px < c.clip.bottom);
+}
+
+// A drawing by the conventions of its own profile: the largest measured/bound over the pixels that
+// the profile covers and that were drawn, and the pixels that are only one of the two.
+void judge_by_own_conventions(const spec::Case& drawn_case, const spec::Picture& picture,
+                              Errors& errors) {
   double largest = 0;
   for (int32_t y = 0; y < picture.height_px; ++y) {
     const auto line = spec::historic_line(drawn_case.profile, drawn_case.vertices, y);
-    if (!line) continue;
     for (int32_t x = 0; x < picture.width_px; ++x) {
       const std::optional<uint32_t>& pixel = picture.at(x, y);
-      const std::optional<spec::Reach> reach = pixel ? spec::reach(*line, x) : std::nullopt;
-      if (!reach) continue;
+      const bool covered = line && line->covers(x) && is_visible(drawn_case, x, y);
+      if (covered != pixel.has_value()) ++errors.own_coverage_px;
+      if (!covered || !pixel) continue;
       const std::optional<spec::Texel> drawn = spec::read_texel(drawn_case, *pixel);
-      largest = std::max(largest, part_of_bound(drawn_case, *reach, *drawn));
+      largest = std::max(largest, part_of_bound(drawn_case, *spec::reach(*line, x), *drawn));
     }
   }
-  return largest;
+  errors.part_of_bound = largest;
 }
 
 [[nodiscard]] bool q_differs(const spec::Case& c) {
@@ -67,6 +72,7 @@ void Errors::add(const Errors& more) {
   largest_texel = std::max(largest_texel, more.largest_texel);
   sum_texel += more.sum_texel;
   part_of_bound = std::max(part_of_bound, more.part_of_bound);  // nothing is below every number
+  own_coverage_px += more.own_coverage_px;
   refused_cases += more.refused_cases;
   if (memory_fault.empty()) memory_fault = more.memory_fault;
 }
@@ -88,7 +94,8 @@ bool Errors::flawless() const {
 bool Errors::keeps(Promise promise) const {
   if (!memory_fault.empty()) return false;
   if (promise == Promise::kExact) return flawless();
-  return promise == Promise::kNothing || (refused_cases == 0 && part_of_bound <= 1.0);
+  return promise == Promise::kNothing ||
+         (refused_cases == 0 && own_coverage_px == 0 && part_of_bound <= 1.0);
 }
 
 bool is_worse(const Errors& a, const Errors& b, Promise promise) {
@@ -117,7 +124,7 @@ Errors errors_of(const Contender& contender, const Reference& model) {
     errors.extra_px += !exact && picture.pixels[i];
   }
   if (contender.promise == Promise::kBound) {
-    errors.part_of_bound = largest_part_of_bound(in_its_way(contender, model.scene), picture);
+    judge_by_own_conventions(in_its_way(contender, model.scene), picture, errors);
   }
   return errors;
 }

@@ -23,6 +23,8 @@ struct Errors {
   int32_t largest_texel = 0;  // texel_error over the compared pixels, and their sum
   uint64_t sum_texel = 0;
   std::optional<double> part_of_bound{};  // the largest measured/bound, where a bound is promised
+  uint64_t own_coverage_px = 0;           // there: pixels drawn that the contender's own profile
+                                          // does not cover, or not drawn although it does
   uint64_t refused_cases = 0;             // by an error; what they cover is missing
   std::string memory_fault{};             // what no mapper may do, and this one did
 

@@ -52,6 +52,7 @@ using stability::Promise;
                          {"extra_px", errors.extra_px},
                          {"kept", errors.keeps(cell.contender->promise)}};
   if (errors.part_of_bound) values["part_of_bound"] = part_json(*errors.part_of_bound);
+  if (errors.own_coverage_px > 0) values["own_coverage_px"] = errors.own_coverage_px;
   if (errors.refused_cases > 0) values["refused_cases"] = errors.refused_cases;
   if (!errors.memory_fault.empty()) values["memory_fault"] = errors.memory_fault;
   if (cell.worst) {

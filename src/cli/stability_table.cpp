@@ -42,6 +42,7 @@ constexpr size_t kColumns = 100;
 
 [[nodiscard]] std::string part_text(const stability::Errors& errors) {
   if (!errors.part_of_bound) return "-";
+  if (errors.own_coverage_px > 0) return "COVERAGE";
   char text[32];
   std::snprintf(text, sizeof text, "%.3f", *errors.part_of_bound);
   return *errors.part_of_bound > 1 ? "ABOVE 1" : text;

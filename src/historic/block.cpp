@@ -1,6 +1,5 @@
 #include "historic/block.h"
 
-#include <array>
 #include <cstddef>
 
 #include "historic/whole_px.h"
@@ -8,34 +7,62 @@
 namespace selvage::historic {
 namespace {
 
-// u - x of a corner, where x is taken one pixel less on the far side.
-[[nodiscard]] int64_t shift_fx16(int32_t position_fx8, int32_t texel_fx16, bool far_side) {
-  const int64_t pixel = int64_t{whole_px(position_fx8)} - (far_side ? 1 : 0);
-  return texel_fx16 - pixel * SELVAGE_SUBTEXELS;
+inline constexpr int64_t kTexel_fx16 = SELVAGE_SUBTEXELS;
+
+// Calls visit(edge's end, edge runs down) for both ends of every edge that crosses a row.
+// Horizontal runs, and where their vertices lie, draw nothing.
+template <class Visit>
+void for_each_edge_end(const mapper::Polygon& polygon, Visit visit) {
+  const selvage_vertex* from = &polygon.vertices.back();
+  for (const selvage_vertex& to : polygon.vertices) {
+    if (from->y != to.y) {
+      visit(*from, from->y < to.y);
+      visit(to, from->y < to.y);
+    }
+    from = &to;
+  }
 }
+
+// What a side of the rectangle must be, from some edge's end on it and one on its top.
+struct Rectangle {
+  int64_t left_px = 0, right_px = 0, top_px = 0, height_px = 0;
+  int64_t left_u_fx16 = 0, right_u_fx16 = 0, top_v_fx16 = 0;
+
+  explicit Rectangle(const mapper::Polygon& polygon)
+      : top_px(polygon.top_row), height_px(int64_t{polygon.bottom_row} - polygon.top_row) {
+    for_each_edge_end(polygon, [&](const selvage_vertex& v, bool runs_down) {
+      (runs_down ? right_px : left_px) = whole_px(v.x);
+      (runs_down ? right_u_fx16 : left_u_fx16) = v.u;
+      if (whole_px(v.y) == top_px) top_v_fx16 = v.v;
+    });
+  }
+
+  [[nodiscard]] bool has(const selvage_vertex& v, bool runs_down) const {
+    const int64_t down_px = whole_px(v.y) - top_px;
+    return whole_px(v.x) == (runs_down ? right_px : left_px) &&
+           v.u == (runs_down ? right_u_fx16 : left_u_fx16) &&
+           (v.v - top_v_fx16) * height_px == down_px * (height_px - 1) * kTexel_fx16;
+  }
+};
 
 }  // namespace
 
 std::optional<BlockShift> block_shift(const mapper::Polygon& polygon) {
-  if (polygon.vertices.size() != 4) return std::nullopt;
-  std::array<selvage_vertex, 4> corner{};  // from the top left one on, clockwise
-  size_t first = polygon.top;              // the first in the list of the one or two on top
-  const selvage_vertex& before = polygon.vertices[(first + 3) % 4];
-  if (before.y == polygon.vertices[first].y) first = (first + 3) % 4;
-  for (size_t i = 0; i < 4; ++i) corner[i] = polygon.vertices[(first + i) % 4];
-  const auto& [a, b, c, d] = corner;
-  if (a.y != b.y || b.x != c.x || c.y != d.y || d.x != a.x) return std::nullopt;
-  if (a.x >= b.x || a.y >= d.y) return std::nullopt;
-
-  const int64_t ds = shift_fx16(a.x, a.u, false), dt = shift_fx16(a.y, a.v, false);
-  if (ds % SELVAGE_SUBTEXELS != 0 || dt % SELVAGE_SUBTEXELS != 0) return std::nullopt;
-  for (const selvage_vertex& v : corner) {
-    if (shift_fx16(v.x, v.u, v.x == b.x) != ds || shift_fx16(v.y, v.v, v.y == d.y) != dt) {
-      return std::nullopt;
-    }
+  if (polygon.top_row == polygon.bottom_row) return std::nullopt;
+  const Rectangle rectangle(polygon);
+  const int64_t ds_fx16 = rectangle.left_u_fx16 - rectangle.left_px * kTexel_fx16;
+  const int64_t dt_fx16 = rectangle.top_v_fx16 - rectangle.top_px * kTexel_fx16;
+  if (rectangle.right_u_fx16 - (rectangle.right_px - 1) * kTexel_fx16 != ds_fx16 ||
+      ds_fx16 % kTexel_fx16 != 0 || dt_fx16 % kTexel_fx16 != 0) {
+    return std::nullopt;
   }
-  return BlockShift{static_cast<int32_t>(ds / SELVAGE_SUBTEXELS),
-                    static_cast<int32_t>(dt / SELVAGE_SUBTEXELS)};
+  bool all = true;
+  for_each_edge_end(polygon, [&](const selvage_vertex& v, bool runs_down) {
+    all = all && rectangle.has(v, runs_down);
+  });
+  if (!all) return std::nullopt;
+  return BlockShift{static_cast<int32_t>(ds_fx16 / kTexel_fx16),
+                    static_cast<int32_t>(dt_fx16 / kTexel_fx16)};
 }
 
 }  // namespace selvage::historic

@@ -13,10 +13,10 @@ struct BlockShift {
   int32_t ds, dt;
 };
 
-// Whether as many texel centres as there are pixels lie along both sides of an axis-aligned
-// rectangle that runs clockwise: columns [left, right) with u from left + ds to right - 1 + ds,
-// rows likewise. Of width W it has W - 1 steps over W pixels, which a 16.16 DDA cannot always keep
-// apart.
+// Whether the outline is a clockwise rectangle, columns [left, right) and rows [top, bottom), along
+// whose sides as many texel centres lie as there are pixels: u = left + ds on its left side and
+// right - 1 + ds on its right one, v from top + dt to bottom - 1 + dt down both. Of width W it has
+// W - 1 steps over W pixels, which a 16.16 DDA cannot always keep apart.
 [[nodiscard]] std::optional<BlockShift> block_shift(const mapper::Polygon& polygon);
 
 }  // namespace selvage::historic
