@@ -1,32 +1,21 @@
-// A mapper by recipe: the specification's steps, each of which a wrong mapper may replace.
+// The exact profile by recipe: the specification's steps, each of which a wrong mapper may replace.
 #pragma once
 
 #include <functional>
 #include <optional>
-#include <vector>
+#include <string>
 
+#include "coverage/job.h"
 #include "spec/exact.h"
 #include "spec/subject.h"
 
 namespace selvage::coverage {
 
-// The arguments of a draw call that has passed every check.
-struct Job {
-  selvage_image target;
-  selvage_rect clip;  // the whole target where there was none
-  std::vector<selvage_vertex> vertices;
-  selvage_texture texture;
-  selvage_address address;
-};
-
 struct Recipe {
   // Arguments, as the mapper takes them.
   std::function<void(Job&)> prepare = [](Job&) {};
   // Pixel (x, y) belongs to the clip rectangle.
-  std::function<bool(const Job&, int32_t x, int32_t y)> in_clip = [](const Job& job, int32_t x,
-                                                                     int32_t y) {
-    return job.clip.left <= x && x < job.clip.right && job.clip.top <= y && y < job.clip.bottom;
-  };
+  std::function<bool(const Job&, int32_t x, int32_t y)> in_clip = coverage::in_clip;
   // The two crossings of a row.
   std::function<std::optional<spec::ScanLine>(const Job&, int32_t y)> cross =
       [](const Job& job, int32_t y) { return spec::scan_line(job.vertices, y); };
@@ -47,7 +36,7 @@ struct Recipe {
   // Along one axis: texel, size, mode.
   std::function<int32_t(int32_t, int32_t, selvage_address)> address = spec::address_texel;
   // The status that the call ends with.
-  std::function<selvage_status(selvage_status)> status = [](selvage_status s) { return s; };
+  EndStatus status = [](selvage_status s) { return s; };
   // Whatever else it does when it is done.
   std::function<void(const Job&)> finish = [](const Job&) {};
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "spec/subject.h"
@@ -10,7 +11,7 @@
 namespace selvage::coverage {
 
 struct WrongMapper {
-  std::string_view name;
+  std::string name;
   std::string_view bug;     // what it does wrong, in one sentence
   std::string_view killer;  // a law that must reject it; others may too
   spec::Subject subject;
@@ -18,7 +19,8 @@ struct WrongMapper {
 
 [[nodiscard]] std::span<const WrongMapper> wrong_mappers();
 
-// The same recipe with nothing wrong in it: must pass every law, or the catalogue proves nothing.
-[[nodiscard]] spec::Subject right_mapper();
+// The same recipe with nothing wrong in it: must pass every law that its profile promises, or the
+// catalogue proves nothing.
+[[nodiscard]] spec::Subject right_mapper(selvage_profile profile);
 
 }  // namespace selvage::coverage

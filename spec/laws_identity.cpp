@@ -19,7 +19,9 @@ struct Side {
   }
 };
 
+// Over the whole target, where what steps lose shows at the far end, or anywhere.
 [[nodiscard]] Side pick_side(const Profile& profile, Choices& choices, int32_t size_px) {
+  if (choices.pick(0, 4) == 0) return {0, std::min(size_px, 8192) * SELVAGE_SUBPIXELS};
   const int32_t grid = profile.whole_px ? ~(SELVAGE_SUBPIXELS - 1) : ~0;
   const int32_t reach = std::min(size_px + 2, 8192) * SELVAGE_SUBPIXELS;
   const int32_t begin = choices.pick(-2 * SELVAGE_SUBPIXELS, reach) & grid;

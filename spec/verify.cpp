@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "spec/generate.h"
-#include "spec/profiles.h"
+#include "spec/generate_historic.h"
 
 namespace selvage::spec {
 namespace {
@@ -47,7 +47,7 @@ LawVerdict verify(const Law& law, const Subject& subject, uint64_t first_seed, u
   verdict.law = &law;
   const uint64_t progress_every = std::max<uint64_t>(1, case_count / kProgressSteps);
   while (verdict.cases < case_count) {
-    Case c = in_profile(generate(first_seed + verdict.cases), subject.profile);
+    Case c = generate(first_seed + verdict.cases, subject.profile);
     Judgement judgement = law.check(subject, c);
     ++verdict.cases;
     verdict.judged_px += judgement.judged_px;
