@@ -40,6 +40,7 @@ std::optional<Texel> dda_texel(const HistoricLine& line, int32_t x_px) {
 }
 
 std::optional<Texel> centred_block_shift(std::span<const selvage_vertex> vertices) {
+  if (vertices.empty()) return std::nullopt;
   // Per side: x in px, u in texels, both of the first end that is met.
   struct Side {
     std::optional<Rational> x, u;
