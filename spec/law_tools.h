@@ -43,6 +43,9 @@ struct Pixel {
 // The case with another outline, made acceptable to the profile.
 [[nodiscard]] Case with_vertices(const Case& c, std::vector<selvage_vertex> vertices);
 
+// The case with its own outline made acceptable: for laws that make other outlines of it.
+[[nodiscard]] inline Case acceptable(const Case& c) { return with_vertices(c, c.vertices); }
+
 // Moves by whole units; empty if a vertex would leave the accepted range.
 [[nodiscard]] std::optional<std::vector<selvage_vertex>> moved(
     std::span<const selvage_vertex> vertices, int64_t dx_fx8, int64_t dy_fx8);

@@ -129,7 +129,7 @@ Judgement check_cov(const Subject& subject, const Case& c) {
 Judgement check_part(const Subject& subject, const Case& c) {
   if (c.vertices.size() < 3) return {};
   Choices choices(c.choice);
-  Case region = unclipped(c);
+  Case region = unclipped(acceptable(c));
   if (choices.pick(0, 2) == 0) {
     std::vector<selvage_vertex> hull = convex_hull(c.vertices);
     if (hull.size() >= 3) region.vertices = std::move(hull);
@@ -143,7 +143,7 @@ Judgement check_pinwheel(const Subject& subject, const Case& c) {
   const Pixel pixel = choose_pixel(c, choices);
   const auto [x_px, y_px] = pixel;
   const Point centre = sample_point(c, pixel);
-  const Case region = with_vertices(unclipped(c), ring_around(centre, c, choices));
+  const Case region = with_vertices(unclipped(c), ring_around(centre, acceptable(c), choices));
   const std::vector<int> owners =
       draw_fan(subject, region, vertex_at(centre, region.vertices.front()));
   Judgement judgement = {.judged_px = 1};

@@ -60,7 +60,7 @@ struct Chord {
 Judgement check_split(const Subject& subject, const Case& c) {
   Choices choices(c.choice);
   const int32_t grid_fx8 = profile_of(c).whole_px ? SELVAGE_SUBPIXELS : 1;
-  std::optional<Chord> chord = choose_chord(convex_hull(c.vertices), grid_fx8, choices);
+  std::optional<Chord> chord = choose_chord(convex_hull(acceptable(c).vertices), grid_fx8, choices);
   if (!chord) return {};
   std::vector<selvage_vertex>& outline = chord->outline;
   map_affinely(&outline, choices);

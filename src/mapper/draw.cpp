@@ -16,7 +16,7 @@ void draw(const selvage_image& target, const selvage_rect& visible, const Polygo
           const selvage_texture& texture, selvage_address address) {
   const int32_t first_row = std::max(polygon.top_row, visible.top);
   const int32_t end_row = std::min(polygon.bottom_row, visible.bottom);
-  if (first_row >= end_row) return;
+  if (first_row >= end_row || visible.left >= visible.right) return;
   Chain forward(polygon, Chain::Direction::kForward);
   Chain backward(polygon, Chain::Direction::kBackward);
   const std::optional<Plane> plane = Plane::of(polygon, visible);
