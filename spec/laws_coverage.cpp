@@ -131,7 +131,7 @@ Judgement check_part(const Subject& subject, const Case& c) {
   Choices choices(c.choice);
   Case region = unclipped(acceptable(c));
   if (choices.pick(0, 2) == 0) {
-    std::vector<selvage_vertex> hull = convex_hull(c.vertices);
+    std::vector<selvage_vertex> hull = convex_hull(region.vertices);
     if (hull.size() >= 3) region.vertices = std::move(hull);
   }
   return judge_counts("PART", region, draw_fan(subject, region, choose_centre(region, choices)));
