@@ -51,7 +51,8 @@ TEST(Plane, LanesAreLowByLessThanTheirMargin) {
     for_each_span(c, [&](const spec::Case&, const Polygon&, const SpanMap&, const Span& span) {
       covers = true;
       if (!plane) return;
-      const AffineLanes lanes = plane->lanes(span);
+      const AffineField& field = plane->lanes();
+      const AffineLanes lanes(field.at(span.left_px, span.row), field.step_x, field.margin_fx32);
       const int32_t last = span.width_px() - 1;
       for (const int32_t offset_px : {0, last / 2, last}) {
         expect_lawful(*plane, lanes, span, offset_px, c);
@@ -106,7 +107,8 @@ TEST(Plane, IsExactWhereCoordinatesAreDyadic) {
   const std::optional<Plane> plane = plane_of(quad);
   ASSERT_TRUE(plane);
   for (int32_t row = 0; row < 16; ++row) {
-    const AffineLanes lanes = plane->lanes({row, 3, 16});
+    const AffineField& field = plane->lanes();
+    const AffineLanes lanes(field.at(3, row), field.step_x, field.margin_fx32);
     for (int32_t i = 0; i < 13; ++i) {
       ASSERT_EQ(lanes.at(i).u_fx32, int64_t{2 * (3 + i) + 1} << kLaneFraction);
       ASSERT_EQ(lanes.at(i).v_fx32, int64_t{2 * row + 1} << kLaneFraction);

@@ -34,8 +34,8 @@ class Plane {
   // is not empty: spans lie within it.
   [[nodiscard]] static std::optional<Plane> of(const Polygon& polygon, const selvage_rect& visible);
 
-  // The lanes of a span of the polygon.
-  [[nodiscard]] AffineLanes lanes(const Span& span) const;
+  // Of all visible pixels of the polygon.
+  [[nodiscard]] const AffineField& lanes() const { return lanes_; }
 
   // floor u and floor v at a pixel, of which it is known that they are `low_texel` or one more.
   [[nodiscard]] int32_t u_texel(int32_t px, int32_t row, int32_t low_texel) const {
@@ -46,14 +46,9 @@ class Plane {
   }
 
  private:
-  // A coordinate in fx32 over the visible pixels: floors, so that a lane is low by less than a unit
-  // for the start and for each step.
-  struct Gradient {
-    int64_t start_fx32, step_x_fx32, step_y_fx32;
-  };
-
   [[nodiscard]] bool passes_through(const selvage_vertex& vertex) const;
-  [[nodiscard]] bool set_gradient(const PlaneCoordinate& coordinate, Gradient* gradient) const;
+  // The start and the steps of one coordinate of the lanes.
+  [[nodiscard]] bool set_lanes(const PlaneCoordinate& coordinate, int64_t Lane::*axis);
   [[nodiscard]] int32_t texel(const PlaneCoordinate& coordinate, int32_t px, int32_t row,
                               int32_t low_texel) const {
     const int128 rise = int128{centre_fx8(px) - x_fx8_} * coordinate.along_x +
@@ -63,11 +58,10 @@ class Plane {
     return low_texel + (rise >= int128{to_next_fx16} * doubled_area_ ? 1 : 0);
   }
 
-  int32_t x_fx8_ = 0, y_fx8_ = 0;         // of the origin vertex
-  int32_t first_px_ = 0, first_row_ = 0;  // the visible pixel where the gradients start
-  int64_t doubled_area_ = 0;              // D, in (1/256 px)^2: 0 < D < 2^49
+  int32_t x_fx8_ = 0, y_fx8_ = 0;  // of the origin vertex
+  int64_t doubled_area_ = 0;       // D, in (1/256 px)^2: 0 < D < 2^49
   PlaneCoordinate u_{}, v_{};
-  Gradient u_gradient_{}, v_gradient_{};
+  AffineField lanes_{};
 };
 
 }  // namespace selvage::mapper

@@ -10,7 +10,7 @@ namespace selvage::mapper {
 
 // Columns [left_px, right_px) of a row.
 struct Span {
-  int32_t row = 0, left_px = 0, right_px = 0;
+  int32_t row, left_px, right_px;
 
   [[nodiscard]] bool empty() const { return left_px >= right_px; }
   [[nodiscard]] int32_t width_px() const { return right_px - left_px; }
