@@ -46,10 +46,10 @@ template <class Pixel>
   const Kernels& kernels = kernels_for(kernel, surface);
   if (affine) {
     const AffineField lanes = AffineLanes(map, span).field(span);
-    kernels.draw_affine({one_span(span), lanes, ExactTexel(map)}, surface);
+    kernels.draw_affine({one_span(span), lanes, ExactMap(map)}, surface);
   } else {
     const ProjectiveSpan lanes{span, ProjectiveLanes(map, span)};
-    kernels.draw_projective({{&lanes, 1}, ExactTexel(map)}, surface);
+    kernels.draw_projective({{&lanes, 1}, ExactMap(map)}, surface);
   }
   return row;
 }

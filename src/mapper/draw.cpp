@@ -29,7 +29,7 @@ void draw_plane(const Plane& plane, const Polygon& polygon, const selvage_rect& 
   BatchWalk walk(polygon, visible);
   SpanBatch batch;
   while (walk.next(&batch)) {
-    kernels.draw_affine({batch, plane.lanes(), ExactTexel(plane)}, surface);
+    kernels.draw_affine({batch, plane.lanes(), ExactMap(plane)}, surface);
   }
 }
 
@@ -42,10 +42,10 @@ void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surfa
     const Span& span = walk.span();
     if (polygon.affine) {
       const SpanBatch batch = one_span(span);
-      kernels.draw_affine({batch, AffineLanes(map, span).field(span), ExactTexel(map)}, surface);
+      kernels.draw_affine({batch, AffineLanes(map, span).field(span), ExactMap(map)}, surface);
     } else {
       const ProjectiveSpan lanes{span, ProjectiveLanes(map, span)};
-      kernels.draw_projective({{&lanes, 1}, ExactTexel(map)}, surface);
+      kernels.draw_projective({{&lanes, 1}, ExactMap(map)}, surface);
     }
   }
 }

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "mapper/exact_texel.h"
+#include "mapper/exact_row.h"
 #include "mapper/lanes.h"
 #include "mapper/span_batch.h"
 #include "selvage.h"
@@ -25,7 +25,7 @@ struct Surface {
 struct AffineSpans {
   const SpanBatch& batch;
   AffineField field;
-  ExactTexel exact;  // decides near-ties
+  ExactMap exact;  // decides near-ties
 };
 
 struct ProjectiveSpan {
@@ -35,7 +35,7 @@ struct ProjectiveSpan {
 
 struct ProjectiveSpans {
   std::span<const ProjectiveSpan> spans;
-  ExactTexel exact;
+  ExactMap exact;
 };
 
 // Each writes the nearest texels of all pixels of the spans, and returns how many pixels had to be

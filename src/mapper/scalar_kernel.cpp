@@ -11,7 +11,7 @@ namespace {
 
 // Lanes, span and texture come by value: no store through `pixel` can change them.
 template <class Pixel, class Address, class Lanes>
-int32_t draw_texels(const ExactTexel& exact, const Span span, const Lanes lanes,
+int32_t draw_texels(const ExactMap& exact, const Span span, const Lanes lanes,
                     const selvage_texture texture, char* pixel) {
   const char* texels = static_cast<const char*>(texture.texels);
   int32_t decided = 0;
@@ -33,7 +33,7 @@ int32_t draw_texels(const ExactTexel& exact, const Span span, const Lanes lanes,
 
 // u and v are monotone along a span, so its ends tell whether all of it is inside the texture.
 template <class Lanes>
-[[nodiscard]] bool stays_inside(const Lanes& lanes, const ExactTexel& exact, const Span& span,
+[[nodiscard]] bool stays_inside(const Lanes& lanes, const ExactMap& exact, const Span& span,
                                 const selvage_texture& texture) {
   const auto inside_at = [&](int32_t px) {
     return is_inside(
@@ -44,7 +44,7 @@ template <class Lanes>
 }
 
 template <class Pixel, class Lanes>
-int32_t draw_row(const Lanes& lanes, const ExactTexel& exact, const Span& span,
+int32_t draw_row(const Lanes& lanes, const ExactMap& exact, const Span& span,
                  const Surface& surface) {
   const selvage_texture& texture = surface.texture;
   char* pixel = static_cast<char*>(surface.target.pixels) + span.row * surface.target.pitch +
@@ -62,7 +62,7 @@ int32_t draw_row(const Lanes& lanes, const ExactTexel& exact, const Span& span,
 }
 
 template <class Lanes>
-int32_t draw_lanes(const Lanes& lanes, const ExactTexel& exact, const Span& span,
+int32_t draw_lanes(const Lanes& lanes, const ExactMap& exact, const Span& span,
                    const Surface& surface) {
   switch (surface.target.format) {
     case SELVAGE_INDEX8:

@@ -48,15 +48,6 @@ class SpanMap {
            << kTexelFraction;
   }
 
-  // floor u and floor v at a pixel, of which it is known that they are `low_texel` or one more:
-  // decided by one comparison of integers, without a division.
-  [[nodiscard]] int32_t u_texel(int32_t px, int32_t low_texel) const {
-    return low_texel + (u_numerator(px) >= denominator(px) * (low_texel + 1) ? 1 : 0);
-  }
-  [[nodiscard]] int32_t v_texel(int32_t px, int32_t low_texel) const {
-    return low_texel + (v_numerator(px) >= denominator(px) * (low_texel + 1) ? 1 : 0);
-  }
-
  private:
   // Distances from the pixel's centre to the other edge, times both heights: >= 0 within the span.
   [[nodiscard]] int64_t weight_left(int32_t px) const {

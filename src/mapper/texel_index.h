@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "mapper/exact_texel.h"
+#include "mapper/exact_row.h"
 #include "mapper/lanes.h"
 #include "mapper/span.h"
 
@@ -20,13 +20,14 @@ struct TexelIndex {
 
 // The exact texel under a lane of which one coordinate at least is a near-tie. Rare, and kept out
 // of the loops.
-[[nodiscard, gnu::noinline]] inline TexelIndex decide(const ExactTexel& exact, int32_t px,
+[[nodiscard, gnu::noinline]] inline TexelIndex decide(const ExactMap& exact, int32_t px,
                                                       int32_t row, Lane lane,
                                                       uint32_t margin_fx32) {
   TexelIndex texel{static_cast<int32_t>(lane.u_fx32 >> kLaneFraction),
                    static_cast<int32_t>(lane.v_fx32 >> kLaneFraction)};
-  if (is_near_tie(lane.u_fx32, margin_fx32)) texel.s = exact.u(px, row, texel.s);
-  if (is_near_tie(lane.v_fx32, margin_fx32)) texel.t = exact.v(px, row, texel.t);
+  const ExactRow from_here = exact.row_from(px, row);
+  if (is_near_tie(lane.u_fx32, margin_fx32)) texel.s = from_here.u_texel(0, texel.s);
+  if (is_near_tie(lane.v_fx32, margin_fx32)) texel.t = from_here.v_texel(0, texel.t);
   return texel;
 }
 
@@ -35,8 +36,8 @@ struct TexelIndex {
 }
 
 // floor u and floor v at a pixel: those of the lanes, which are exact unless near-ties.
-[[nodiscard]] inline TexelIndex texel_under(Lane lane, uint32_t margin_fx32,
-                                            const ExactTexel& exact, int32_t px, int32_t row) {
+[[nodiscard]] inline TexelIndex texel_under(Lane lane, uint32_t margin_fx32, const ExactMap& exact,
+                                            int32_t px, int32_t row) {
   if (is_near_tie(lane, margin_fx32)) [[unlikely]] {
     return decide(exact, px, row, lane, margin_fx32);
   }

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 
-#include "mapper/texel_index.h"
 #include "mapper/vector_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -35,6 +34,47 @@ inline constexpr int kAnchorShift = kLaneFraction - kTexelFraction;
   const V32 whole = hn::Mul(i, hn::Set(d, floor_fx16(step_fx32)));
   const V32 fraction = hn::Mul(i, hn::Set(d, static_cast<int32_t>(step_fx32 & 0xFFFF)));
   return hn::Add(whole, hn::ShiftRight<kAnchorShift>(fraction));
+}
+
+[[nodiscard]] HWY_INLINE int32_t floor_texel(int64_t lane_fx32) {
+  return static_cast<int32_t>(lane_fx32 >> kLaneFraction);
+}
+
+using D64 = hn::Repartition<uint64_t, D32>;
+using V64 = hn::Vec<D64>;
+
+// Modulo 2^64.
+[[nodiscard]] HWY_INLINE V64 product(V64 a, V64 b) {
+  const hn::Repartition<uint32_t, D64> d32;
+  const auto a_low = hn::BitCast(d32, a), b_low = hn::BitCast(d32, b);
+  const auto a_high = hn::BitCast(d32, hn::ShiftRight<32>(a));
+  const auto b_high = hn::BitCast(d32, hn::ShiftRight<32>(b));
+  const V64 cross = hn::Add(hn::MulEven(a_high, b_low), hn::MulEven(a_low, b_high));
+  return hn::Add(hn::MulEven(a_low, b_low), hn::ShiftLeft<32>(cross));
+}
+
+// ExactRow::u_texel for kLanes pixels at once, all modulo 2^64: lanes of 32.32 say the low texel,
+// and it is the next one where n - (low + 1) d is not negative.
+[[nodiscard]] HWY_INLINE V32 exact_texels(int64_t lane_fx32, int64_t step_fx32, uint64_t n,
+                                          uint64_t n_step, uint64_t d) {
+  const D64 d64;
+  const D32 d32;
+  const auto half = [&](uint64_t first, V32* low) {
+    const V64 i = hn::Iota(d64, first);
+    const V64 lane = hn::Add(hn::Set(d64, static_cast<uint64_t>(lane_fx32)),
+                             product(i, hn::Set(d64, static_cast<uint64_t>(step_fx32))));
+    *low = hn::BitCast(d32, lane);
+    const hn::RebindToSigned<D64> di64;
+    const auto texel = hn::ShiftRight<kLaneFraction>(hn::BitCast(di64, lane));
+    const V64 next = hn::BitCast(d64, hn::Add(texel, hn::Set(di64, 1)));
+    const V64 at = hn::Add(hn::Set(d64, n), product(i, hn::Set(d64, n_step)));
+    return hn::BitCast(d32, hn::Sub(at, product(next, hn::Set(d64, d))));
+  };
+  V32 lanes_low, lanes_high;
+  const V32 rest_low = half(0, &lanes_low), rest_high = half(kLanes / 2, &lanes_high);
+  const V32 texel = hn::ConcatOdd(d32, lanes_high, lanes_low);
+  const V32 rest_sign = hn::ShiftRight<31>(hn::ConcatOdd(d32, rest_high, rest_low));
+  return hn::Add(hn::Add(texel, rest_sign), hn::Set(d32, 1));
 }
 
 template <class Address>
@@ -57,9 +97,7 @@ class AffineBatch {
     const D32 d;
     const V32 u = hn::Add(hn::Set(d, floor_fx16(lane.u_fx32)), offset_u_);
     const V32 v = hn::Add(hn::Set(d, floor_fx16(lane.v_fx32)), offset_v_);
-    const V32 s = Address::index(hn::ShiftRight<kTexelFraction>(u), width_texel_);
-    const V32 t = Address::index(hn::ShiftRight<kTexelFraction>(v), height_texel_);
-    hn::StoreU(hn::Add(hn::Mul(t, hn::Set(d, pitch_texel_)), s), d, place);
+    store_places(hn::ShiftRight<kTexelFraction>(u), hn::ShiftRight<kTexelFraction>(v), place);
 
     // Where adding what a lane may lack changes the texel.
     const V32 lack = hn::Set(d, lack_fx16_);
@@ -71,21 +109,35 @@ class AffineBatch {
   }
 
  private:
-  // The near-ties among the pixels: from 32.32 lanes and, where those cannot tell either, from the
-  // exact map.
+  // The near-ties among the pixels, by the exact map; low texels are those of the 32.32 lanes.
   HWY_NOINLINE int32_t decide_places(int32_t row, int32_t px, Lane lane, uint32_t near,
                                      int32_t* place) const {
+    const ExactRow exact = spans_.exact.row_from(px, row);
+    const Lane& step = spans_.field.step_x;
+    if (exact.fits_int64()) {
+      const auto low64 = [](uint128 a) { return static_cast<uint64_t>(a); };
+      const auto d = low64(exact.d);
+      const V32 s = exact_texels(lane.u_fx32, step.u_fx32, low64(exact.u), low64(exact.u_step), d);
+      const V32 t = exact_texels(lane.v_fx32, step.v_fx32, low64(exact.v), low64(exact.v_step), d);
+      store_places(s, t, place);
+      return static_cast<int32_t>(hwy::PopCount(near));
+    }
     int32_t decided = 0;
     for (int32_t i = 0; near >> i != 0; ++i) {
       if ((near >> i & 1U) == 0) continue;
-      const Lane& step = spans_.field.step_x;
-      const Lane at{lane.u_fx32 + i * step.u_fx32, lane.v_fx32 + i * step.v_fx32};
-      const TexelIndex texel = texel_under(at, spans_.field.margin_fx32, spans_.exact, px + i, row);
-      place[i] = Address::Scalar::index(texel.t, height_texel_) * pitch_texel_ +
-                 Address::Scalar::index(texel.s, width_texel_);
+      const int32_t s = exact.u_texel(i, floor_texel(lane.u_fx32 + i * step.u_fx32));
+      const int32_t t = exact.v_texel(i, floor_texel(lane.v_fx32 + i * step.v_fx32));
+      place[i] = Address::Scalar::index(t, height_texel_) * pitch_texel_ +
+                 Address::Scalar::index(s, width_texel_);
       ++decided;
     }
     return decided;
+  }
+
+  HWY_INLINE void store_places(V32 s, V32 t, int32_t* HWY_RESTRICT place) const {
+    const D32 d;
+    const V32 row = hn::Mul(Address::index(t, height_texel_), hn::Set(d, pitch_texel_));
+    hn::StoreU(hn::Add(row, Address::index(s, width_texel_)), d, place);
   }
 
   const AffineSpans& spans_;

@@ -23,7 +23,7 @@ inline constexpr int32_t kDoubles = static_cast<int32_t>(hn::MaxLanes(DD()));
 template <class Address>
 class ProjectiveRow {
  public:
-  HWY_INLINE ProjectiveRow(const ProjectiveSpan& each, const ExactTexel& exact,
+  HWY_INLINE ProjectiveRow(const ProjectiveSpan& each, const ExactMap& exact,
                            const Surface& surface)
       : span_(each.span),
         exact_(exact),
@@ -74,12 +74,12 @@ class ProjectiveRow {
   // Each coordinate is its low texel or the next.
   HWY_NOINLINE int32_t decide_places(int32_t offset_px, uint32_t near, const int32_t* low_s,
                                      const int32_t* low_t, int32_t* place) const {
+    const ExactRow exact = exact_.row_from(span_.left_px + offset_px, span_.row);
     int32_t decided = 0;
     for (int32_t i = 0; near >> i != 0; ++i) {
       if ((near >> i & 1U) == 0) continue;
-      const int32_t px = span_.left_px + offset_px + i;
-      const int32_t s = exact_.u(px, span_.row, low_s[i]);
-      const int32_t t = exact_.v(px, span_.row, low_t[i]);
+      const int32_t s = exact.u_texel(i, low_s[i]);
+      const int32_t t = exact.v_texel(i, low_t[i]);
       place[i] = Address::Scalar::index(t, height_texel_) * pitch_texel_ +
                  Address::Scalar::index(s, width_texel_);
       ++decided;
@@ -88,14 +88,14 @@ class ProjectiveRow {
   }
 
   const Span& span_;
-  const ExactTexel& exact_;
+  const ExactMap& exact_;
   int32_t width_texel_, height_texel_, pitch_texel_;
   Linear u_, v_, denominator_;
   double error_texel_;
 };
 
 template <class Pixel, class Address>
-int32_t draw_projective_row(const ProjectiveSpan& each, const ExactTexel& exact,
+int32_t draw_projective_row(const ProjectiveSpan& each, const ExactMap& exact,
                             const Surface& surface) {
   const ProjectiveRow<Address> row(each, exact, surface);
   char* pixel = first_pixel<Pixel>(surface, each.span);
