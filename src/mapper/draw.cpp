@@ -59,7 +59,7 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
     return;
   }
   if (polygon.untransformed) return draw_copies(polygon, visible, surface);
-  const Kernels& kernels = kernels_for(kernel, surface);
+  const Kernels& kernels = kernels_for(kernel, surface, polygon);
   if (const std::optional<Plane> plane = Plane::of(polygon, visible)) {
     return draw_plane(*plane, polygon, visible, surface, kernels);
   }

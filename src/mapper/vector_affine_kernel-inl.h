@@ -36,53 +36,11 @@ inline constexpr int kAnchorShift = kLaneFraction - kTexelFraction;
   return hn::Add(whole, hn::ShiftRight<kAnchorShift>(fraction));
 }
 
-[[nodiscard]] HWY_INLINE int32_t floor_texel(int64_t lane_fx32) {
-  return static_cast<int32_t>(lane_fx32 >> kLaneFraction);
-}
-
-using D64 = hn::Repartition<uint64_t, D32>;
-using V64 = hn::Vec<D64>;
-
-// Modulo 2^64.
-[[nodiscard]] HWY_INLINE V64 product(V64 a, V64 b) {
-  const hn::Repartition<uint32_t, D64> d32;
-  const auto a_low = hn::BitCast(d32, a), b_low = hn::BitCast(d32, b);
-  const auto a_high = hn::BitCast(d32, hn::ShiftRight<32>(a));
-  const auto b_high = hn::BitCast(d32, hn::ShiftRight<32>(b));
-  const V64 cross = hn::Add(hn::MulEven(a_high, b_low), hn::MulEven(a_low, b_high));
-  return hn::Add(hn::MulEven(a_low, b_low), hn::ShiftLeft<32>(cross));
-}
-
-// ExactRow::u_texel for kLanes pixels at once, all modulo 2^64: lanes of 32.32 say the low texel,
-// and it is the next one where n - (low + 1) d is not negative.
-[[nodiscard]] HWY_INLINE V32 exact_texels(int64_t lane_fx32, int64_t step_fx32, uint64_t n,
-                                          uint64_t n_step, uint64_t d) {
-  const D64 d64;
-  const D32 d32;
-  const auto half = [&](uint64_t first, V32* low) {
-    const V64 i = hn::Iota(d64, first);
-    const V64 lane = hn::Add(hn::Set(d64, static_cast<uint64_t>(lane_fx32)),
-                             product(i, hn::Set(d64, static_cast<uint64_t>(step_fx32))));
-    *low = hn::BitCast(d32, lane);
-    const hn::RebindToSigned<D64> di64;
-    const auto texel = hn::ShiftRight<kLaneFraction>(hn::BitCast(di64, lane));
-    const V64 next = hn::BitCast(d64, hn::Add(texel, hn::Set(di64, 1)));
-    const V64 at = hn::Add(hn::Set(d64, n), product(i, hn::Set(d64, n_step)));
-    return hn::BitCast(d32, hn::Sub(at, product(next, hn::Set(d64, d))));
-  };
-  V32 lanes_low, lanes_high;
-  const V32 rest_low = half(0, &lanes_low), rest_high = half(kLanes / 2, &lanes_high);
-  const V32 texel = hn::ConcatOdd(d32, lanes_high, lanes_low);
-  const V32 rest_sign = hn::ShiftRight<31>(hn::ConcatOdd(d32, rest_high, rest_low));
-  return hn::Add(hn::Add(texel, rest_sign), hn::Set(d32, 1));
-}
-
 template <class Address>
 class AffineBatch {
  public:
   HWY_INLINE AffineBatch(const AffineSpans& spans, const Surface& surface)
-      : spans_(spans),
-        width_texel_(surface.texture.width),
+      : width_texel_(surface.texture.width),
         height_texel_(surface.texture.height),
         pitch_texel_(pitch_texel(surface.texture)),
         lack_fx16_(kVectorTruncations_fx16 +
@@ -90,48 +48,42 @@ class AffineBatch {
         offset_u_(offsets_fx16(spans.field.step_x.u_fx32)),
         offset_v_(offsets_fx16(spans.field.step_x.v_fx32)) {}
 
-  // Writes the places in the texture, in texels from its first, of kLanes pixels from `px` on, of
-  // which `count` are asked for; the others' are valid places too. Returns how many it decided.
-  HWY_INLINE int32_t find_places(int32_t row, int32_t px, Lane lane, int32_t count,
+  // Writes the places in the texture, in texels from its first, of kLanes pixels from an offset in
+  // a span on, of which `count` are asked for; the others' are valid places too. Returns how many
+  // it decided.
+  HWY_INLINE int32_t find_places(RowOnDemand& exact, int32_t offset_px, Lane lane, int32_t count,
                                  int32_t* HWY_RESTRICT place) const {
     const D32 d;
     const V32 u = hn::Add(hn::Set(d, floor_fx16(lane.u_fx32)), offset_u_);
     const V32 v = hn::Add(hn::Set(d, floor_fx16(lane.v_fx32)), offset_v_);
-    store_places(hn::ShiftRight<kTexelFraction>(u), hn::ShiftRight<kTexelFraction>(v), place);
-
-    // Where adding what a lane may lack changes the texel.
-    const V32 lack = hn::Set(d, lack_fx16_);
-    const V32 change = hn::Or(hn::Xor(hn::Add(u, lack), u), hn::Xor(hn::Add(v, lack), v));
-    const auto near = hn::And(hn::Ne(hn::ShiftRight<kTexelFraction>(change), hn::Zero(d)),
-                              hn::FirstN(d, static_cast<size_t>(count)));
+    store_places(texel_of(u), texel_of(v), place);
+    const auto asked = hn::FirstN(d, static_cast<size_t>(count));
+    const auto near = hn::And(is_changed(hn::Or(change(u), change(v))), asked);
     if (HWY_LIKELY(hn::AllFalse(d, near))) return 0;
-    return decide_places(row, px, lane, lane_bits(d, near), place);
+    decide_places(exact, offset_px, u, v, lane_bits(d, near), place);
+    return static_cast<int32_t>(hn::CountTrue(d, near));
   }
 
  private:
-  // The near-ties among the pixels, by the exact map; low texels are those of the 32.32 lanes.
-  HWY_NOINLINE int32_t decide_places(int32_t row, int32_t px, Lane lane, uint32_t near,
-                                     int32_t* place) const {
-    const ExactRow exact = spans_.exact.row_from(px, row);
-    const Lane& step = spans_.field.step_x;
-    if (exact.fits_int64()) {
-      const auto low64 = [](uint128 a) { return static_cast<uint64_t>(a); };
-      const auto d = low64(exact.d);
-      const V32 s = exact_texels(lane.u_fx32, step.u_fx32, low64(exact.u), low64(exact.u_step), d);
-      const V32 t = exact_texels(lane.v_fx32, step.v_fx32, low64(exact.v), low64(exact.v_step), d);
-      store_places(s, t, place);
-      return static_cast<int32_t>(hwy::PopCount(near));
-    }
-    int32_t decided = 0;
-    for (int32_t i = 0; near >> i != 0; ++i) {
-      if ((near >> i & 1U) == 0) continue;
-      const int32_t s = exact.u_texel(i, floor_texel(lane.u_fx32 + i * step.u_fx32));
-      const int32_t t = exact.v_texel(i, floor_texel(lane.v_fx32 + i * step.v_fx32));
-      place[i] = Address::Scalar::index(t, height_texel_) * pitch_texel_ +
-                 Address::Scalar::index(s, width_texel_);
-      ++decided;
-    }
-    return decided;
+  static HWY_INLINE V32 texel_of(V32 lane_fx16) {
+    return hn::ShiftRight<kTexelFraction>(lane_fx16);
+  }
+  // Beyond the fraction, what adding all that a lane may lack changes in it.
+  HWY_INLINE V32 change(V32 lane_fx16) const {
+    return hn::Xor(hn::Add(lane_fx16, hn::Set(D32(), lack_fx16_)), lane_fx16);
+  }
+  static HWY_INLINE hn::Mask<D32> is_changed(V32 change) {
+    return hn::Ne(texel_of(change), hn::Zero(D32()));
+  }
+
+  HWY_NOINLINE void decide_places(RowOnDemand& exact, int32_t offset_px, V32 u, V32 v,
+                                  uint32_t asked, int32_t* place) const {
+    const D32 d;
+    const ExactRow& row = exact.get();
+    const uint32_t near_u = lane_bits(d, is_changed(change(u))) & asked;
+    const uint32_t near_v = lane_bits(d, is_changed(change(v))) & asked;
+    store_places(decide(d, texel_of(u), near_u, row, row.u, offset_px),
+                 decide(d, texel_of(v), near_v, row, row.v, offset_px), place);
   }
 
   HWY_INLINE void store_places(V32 s, V32 t, int32_t* HWY_RESTRICT place) const {
@@ -140,7 +92,6 @@ class AffineBatch {
     hn::StoreU(hn::Add(row, Address::index(s, width_texel_)), d, place);
   }
 
-  const AffineSpans& spans_;
   int32_t width_texel_, height_texel_, pitch_texel_;
   int32_t lack_fx16_;
   V32 offset_u_, offset_v_;
@@ -154,17 +105,18 @@ int32_t draw_wide(const AffineSpans& spans, const Surface& surface) {
   int32_t decided = 0;
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
+    RowOnDemand exact(spans.exact, span);
     Lane lane = spans.field.at(span.left_px, span.row);
     char* pixel = first_pixel<Pixel>(surface, span);
     int32_t px = span.left_px;
     for (; span.right_px - px >= kLanes; px += kLanes) {
-      decided += batch.find_places(span.row, px, lane, kLanes, place);
+      decided += batch.find_places(exact, px - span.left_px, lane, kLanes, place);
       fetch<Pixel>(surface.texture.texels, place, kLanes, pixel);
       pixel += kLanes * ptrdiff_t{sizeof(Pixel)};
       lane.u_fx32 += kLanes * step.u_fx32;
       lane.v_fx32 += kLanes * step.v_fx32;
     }
-    decided += batch.find_places(span.row, px, lane, span.right_px - px, place);
+    decided += batch.find_places(exact, px - span.left_px, lane, span.right_px - px, place);
     fetch<Pixel>(surface.texture.texels, place, span.right_px - px, pixel);
   }
   return decided;
@@ -181,13 +133,14 @@ int32_t draw_narrow(const AffineSpans& spans, const Surface& surface) {
   int32_t decided = 0, count = 0;
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
-    int32_t px = span.left_px;
+    RowOnDemand exact(spans.exact, span);
+    int32_t offset_px = 0;
     do {
-      decided += batch.find_places(span.row, px, field.at(px, span.row),
-                                   std::min(span.right_px - px, kLanes),
-                                   place + count + (px - span.left_px));
-      px += kLanes;
-    } while (px < span.right_px);
+      decided += batch.find_places(exact, offset_px, field.at(span.left_px + offset_px, span.row),
+                                   std::min(span.width_px() - offset_px, kLanes),
+                                   place + count + offset_px);
+      offset_px += kLanes;
+    } while (offset_px < span.width_px());
     count += span.width_px();
   }
   fetch<Pixel>(surface.texture.texels, place, count, reinterpret_cast<char*>(texel));

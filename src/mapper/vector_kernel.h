@@ -6,6 +6,7 @@
 
 #include "mapper/image.h"
 #include "mapper/kernel.h"
+#include "mapper/number.h"
 
 namespace selvage::mapper {
 
@@ -16,8 +17,10 @@ inline constexpr int32_t kNarrow_px = 16;
 // anchor, and by that of the step from there.
 inline constexpr int32_t kVectorTruncations_fx16 = 2;
 
-// Places in the texture, in texels from its first, fit 32 bits.
-[[nodiscard]] inline bool fits_vectors(const Surface& surface) {
+// 16.16 lanes fit 32 bits although they may be low by a little, and so do places in the texture, in
+// texels from its first.
+[[nodiscard]] inline bool fits_vectors(const Surface& surface, const Polygon& polygon) {
+  if (polygon.least_texel_fx16 < INT32_MIN + (1 << kTexelFraction)) return false;
   constexpr int64_t kMost = INT32_MAX;
   const int64_t pitch_texel = surface.texture.pitch / bytes_per_pixel(surface.texture.format);
   const int64_t stride_texel = pitch_texel < 0 ? -pitch_texel : pitch_texel;
