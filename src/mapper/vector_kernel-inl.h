@@ -98,15 +98,13 @@ template <class D>
 // then changes its sign but once: the first near-tie and the last decide for all.
 template <class D>
 HWY_INLINE hn::Vec<D> decide(D d, hn::Vec<D> texel, uint32_t near_bits, const ExactRow& row,
-                             const ExactLine& coordinate, int32_t offset_px) {
+                             const ExactLine& coordinate) {
   if (near_bits == 0) return texel;
   const auto near = hn::LoadMaskBits(d, reinterpret_cast<const uint8_t*>(&near_bits));
   const auto next = hn::Add(texel, hn::Set(d, 1));
   HWY_ALIGN int32_t next_texel[kMostLanes] = {};
   hn::Store(next, d, next_texel);
-  const auto reaches = [&](int32_t i) {
-    return row.reaches(coordinate, offset_px + i, next_texel[i]);
-  };
+  const auto reaches = [&](int32_t i) { return row.reaches(coordinate, i, next_texel[i]); };
   const auto first = static_cast<int32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(near_bits));
   const auto last = 31 - static_cast<int32_t>(hwy::Num0BitsAboveMS1Bit_Nonzero32(near_bits));
   const int32_t rise_texel = next_texel[last] - next_texel[first];

@@ -24,7 +24,8 @@ template <class Address>
 class ProjectiveRow {
  public:
   HWY_INLINE ProjectiveRow(const ProjectiveSpan& each, const ExactMap& map, const Surface& surface)
-      : exact_(map, each.span),
+      : exact_(map),
+        span_(each.span),
         width_texel_(surface.texture.width),
         height_texel_(surface.texture.height),
         pitch_texel_(pitch_texel(surface.texture)),
@@ -71,12 +72,12 @@ class ProjectiveRow {
   HWY_NOINLINE void decide_places(int32_t offset_px, VD u, VD v, uint32_t asked, int32_t* place) {
     const DD d;
     const DHalf d32;
-    const ExactRow& row = exact_.get();
+    const ExactRow row = exact_.row_from(span_.left_px + offset_px, span_.row);
     const VD low_u = low(u), low_v = low(v);
     const uint32_t near_u = ~lane_bits(d, is_decided(low_u, u)) & asked;
     const uint32_t near_v = ~lane_bits(d, is_decided(low_v, v)) & asked;
-    store_places(decide(d32, hn::DemoteTo(d32, low_u), near_u, row, row.u, offset_px),
-                 decide(d32, hn::DemoteTo(d32, low_v), near_v, row, row.v, offset_px), place);
+    store_places(decide(d32, hn::DemoteTo(d32, low_u), near_u, row, row.u),
+                 decide(d32, hn::DemoteTo(d32, low_v), near_v, row, row.v), place);
   }
 
   HWY_INLINE void store_places(hn::Vec<DHalf> s, hn::Vec<DHalf> t,
@@ -86,7 +87,8 @@ class ProjectiveRow {
     hn::StoreU(hn::Add(row, Address::index(s, width_texel_)), d, place);
   }
 
-  RowOnDemand exact_;
+  const ExactMap& exact_;
+  const Span& span_;
   int32_t width_texel_, height_texel_, pitch_texel_;
   Linear u_, v_, denominator_;
   double error_texel_;
