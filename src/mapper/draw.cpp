@@ -5,15 +5,27 @@
 
 #include "mapper/copy_row.h"
 #include "mapper/edge.h"
+#include "mapper/filter_draw.h"
 #include "mapper/image.h"
 #include "mapper/plane.h"
 #include "mapper/row_kernel.h"
 #include "mapper/span.h"
 
 namespace selvage::mapper {
+namespace {
+
+// Texel centres on pixel centres, one for one: bilinear weights are 0 and 1, the box is one texel.
+[[nodiscard]] bool is_copy(const Polygon& polygon, selvage_filter filter) {
+  return polygon.untransformed && filter != SELVAGE_FILTER_FOUR;
+}
+
+}  // namespace
 
 void draw(const selvage_image& target, const selvage_rect& visible, const Polygon& polygon,
-          const selvage_texture& texture, selvage_address address) {
+          const selvage_texture& texture, selvage_address address, selvage_filter filter) {
+  if (filter != SELVAGE_FILTER_NEAREST && !is_copy(polygon, filter)) {
+    return draw_filtered(target, visible, polygon, texture, address, filter);
+  }
   const int32_t first_row = std::max(polygon.top_row, visible.top);
   const int32_t end_row = std::min(polygon.bottom_row, visible.bottom);
   if (first_row >= end_row || visible.left >= visible.right) return;
