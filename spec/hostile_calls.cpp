@@ -30,10 +30,11 @@ void spoil_options(Calls* calls) {
 }
 
 // Filters that mix texels: what has colours can be mixed, in the exact profile.
-void choose_filters(Calls* calls, const Case& c) {
-  const selvage_status wanted = c.profile != SELVAGE_PROFILE_EXACT ? SELVAGE_ERROR_FILTER_PROFILE
-                                : c.format != SELVAGE_RGBA8888     ? SELVAGE_ERROR_FILTER_FORMAT
-                                                                   : SELVAGE_OK;
+void choose_filters(Calls* calls, const Case& c, bool nearest_only) {
+  const selvage_status wanted = nearest_only                         ? SELVAGE_ERROR_FILTER
+                                : c.profile != SELVAGE_PROFILE_EXACT ? SELVAGE_ERROR_FILTER_PROFILE
+                                : c.format != SELVAGE_RGBA8888       ? SELVAGE_ERROR_FILTER_FORMAT
+                                                                     : SELVAGE_OK;
   for (const selvage_filter filter :
        {SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR, SELVAGE_FILTER_AREA}) {
     calls->push_back({"filter " + std::to_string(filter), wanted,
@@ -195,10 +196,10 @@ void leave_out(Calls* calls) {
 
 }  // namespace
 
-std::vector<HostileCall> hostile_calls(const Case& c) {
+std::vector<HostileCall> hostile_calls(const Case& c, bool nearest_only) {
   std::vector<HostileCall> calls;
   spoil_options(&calls);
-  choose_filters(&calls, c);
+  choose_filters(&calls, c, nearest_only);
   spoil_images(&calls, c.format);
   spoil_pointers(&calls, c.format);
   spoil_vertices(&calls, c.choice % 3);
