@@ -22,8 +22,9 @@ struct FilterPoint {
   int32_t u_fx8, v_fx8;
 };
 
-// The least a lane may be low by more than a step of the grid: only where the ratio of q is about
-// 2^23 and above. All of its pixels are decided by integers then, at most so many steps away.
+// A lane may be low by more than a step of the grid, but only where the ratio of q is about
+// 2^23 and above: all pixels are decided by integers then, at most three steps away
+// (spec/proofs/filter_grid.g).
 static_assert(kWidestMargin_fx32 >> kGridFraction <= 2, "a point is found in a few comparisons");
 // A boundary in 1/256 texel times the denominator over 256 is as long as one in texels times the
 // denominator: SpanMap's bound.

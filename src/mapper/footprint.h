@@ -25,7 +25,7 @@ inline constexpr int32_t kLeastSide_fx8 = 1 << 8;
 inline constexpr int32_t kMostSide_fx8 = 1 << 24;
 
 // In units of 2^-53, the error of a footprint in double, relative to its terms without their signs.
-inline constexpr double kFootprintRoundings = 16;
+inline constexpr double kFootprintRoundings = 44;
 
 // One row of a polygon.
 class Footprint {
