@@ -72,26 +72,20 @@ class Runs {
   size_t count_ = 0;
 };
 
-// Channel sums over a rectangle of the texture.
-[[nodiscard]] BoxSum rectangle_sum(const selvage_texture& texture, const Run& columns,
-                                   const Run& rows) {
-  constexpr int32_t kMostInARow = 1 << 24;  // of 255 in 32 bits
-  BoxSum sum{};
-  for (int32_t t = rows.first; t < rows.first + rows.count; ++t) {
-    const char* texel = static_cast<const char*>(texture.texels) + t * texture.pitch +
-                        ptrdiff_t{columns.first} * kPixelBytes;
-    for (int32_t left = columns.count; left > 0; left -= std::min(left, kMostInARow)) {
-      Channels row;
-      for (int32_t i = std::min(left, kMostInARow); i > 0; --i, texel += kPixelBytes) {
-        row = row + Channels::of(load_texel(texel));
-      }
-      sum[0] += row.even & 0xFFFFFFFF;
-      sum[1] += row.odd & 0xFFFFFFFF;
-      sum[2] += row.even >> 32;
-      sum[3] += row.odd >> 32;
+// A row of texels, each as often as a side of a box covers it. A side is at most 2^24, so 32 bits
+// hold a channel's sum.
+static_assert(uint64_t{255} * kMostSide_fx8 <= UINT32_MAX);
+[[nodiscard]] Channels row_sum(const char* row, const Runs& columns) {
+  Channels total;
+  for (const Run& run : columns) {
+    const char* texel = row + ptrdiff_t{run.first} * kPixelBytes;
+    Channels sum;
+    for (int32_t i = 0; i < run.count; ++i, texel += kPixelBytes) {
+      sum = sum + Channels::of(load_texel(texel));
     }
+    total = total + sum * static_cast<uint32_t>(run.weight_fx8);
   }
-  return sum;
+  return total;
 }
 
 }  // namespace
@@ -100,11 +94,15 @@ BoxSum box_sum(const selvage_texture& texture, selvage_address address, const Bo
   const Runs columns(box.left_fx8, box.width_fx8, texture.width, address);
   const Runs rows(box.top_fx8, box.height_fx8, texture.height, address);
   BoxSum total{};
-  for (const Run& row : rows) {
-    for (const Run& column : columns) {
-      const BoxSum part = rectangle_sum(texture, column, row);
-      const auto weight = static_cast<uint64_t>(row.weight_fx8 * column.weight_fx8);
-      for (size_t i = 0; i < total.size(); ++i) total[i] += part[i] * weight;
+  for (const Run& run : rows) {
+    const auto weight = static_cast<uint64_t>(run.weight_fx8);
+    for (int32_t t = run.first; t < run.first + run.count; ++t) {
+      const Channels sum =
+          row_sum(static_cast<const char*>(texture.texels) + t * texture.pitch, columns);
+      total[0] += weight * (sum.even & UINT32_MAX);
+      total[1] += weight * (sum.odd & UINT32_MAX);
+      total[2] += weight * (sum.even >> 32);
+      total[3] += weight * (sum.odd >> 32);
     }
   }
   return total;
