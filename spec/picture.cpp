@@ -52,7 +52,8 @@ template <class T>
   vertices.reserve(1);  // no vertices are not NULL vertices
   const selvage_image image = canvas.image();
   const selvage_texture view = texture.texture();
-  const selvage_options options{c.profile, c.filter, c.address, /*tolerance=*/0};
+  const selvage_options options{c.profile, c.filter, c.address, /*tolerance=*/0,
+                                SELVAGE_KERNEL_FASTEST};
   const selvage_rect clip = c.clip;
   const auto arguments = [&] {
     return std::vector{bytes_of(image), bytes_of(view), bytes_of(options), bytes_of(clip)};

@@ -6,6 +6,7 @@
 #include "historic/whole_px.h"
 #include "mapper/draw.h"
 #include "mapper/image.h"
+#include "mapper/kernel.h"
 #include "mapper/polygon.h"
 
 namespace {
@@ -21,6 +22,7 @@ namespace {
     return SELVAGE_ERROR_ADDRESS;
   }
   if (options.tolerance < 0) return SELVAGE_ERROR_TOLERANCE;
+  if (!selvage::mapper::is_usable(options.kernel)) return SELVAGE_ERROR_KERNEL;
   const bool filtered = options.filter != SELVAGE_FILTER_NEAREST;
   return filtered && options.profile != SELVAGE_PROFILE_EXACT ? SELVAGE_ERROR_FILTER_PROFILE
                                                               : SELVAGE_OK;
@@ -48,7 +50,8 @@ void draw_by_profile(const selvage_image& target, const selvage_rect& visible,
     case SELVAGE_PROFILE_DKIT:
       return historic::draw_classroom(target, visible, polygon, texture, options.address);
     default:
-      return mapper::draw(target, visible, polygon, texture, options.address, options.filter);
+      return mapper::draw({target, texture, options.address}, visible, polygon, options.filter,
+                          options.kernel);
   }
 }
 
@@ -80,6 +83,10 @@ selvage_status selvage_draw(const selvage_image* target, const selvage_rect* cli
   const selvage_texture texels = *texture;
   draw_by_profile(image, visible_rect(image, clip), polygon, texels, chosen);
   return SELVAGE_OK;
+}
+
+int32_t selvage_has_kernel(selvage_kernel kernel) {
+  return selvage::mapper::is_usable(kernel) ? 1 : 0;
 }
 
 const char* selvage_version(void) { return SELVAGE_VERSION; }

@@ -18,14 +18,13 @@ namespace {
 
 template <class Lanes>
 void expect_exact(std::span<const selvage_vertex> vertices, const SpanMap& map, const Span& span,
-                  int32_t step_px) {
-  const Lanes lanes(map, span);
-  for (int32_t offset_px = 0; offset_px < span.width_px(); offset_px += step_px) {
-    const auto exact = spec::sample(vertices, span.left_px + offset_px, span.row);
+                  const Lanes& lanes) {
+  for (int32_t px = span.left_px; px < span.right_px; ++px) {
+    const auto exact = spec::sample(vertices, px, span.row);
     ASSERT_TRUE(exact);
-    const FilterPoint point = filter_point(map, span, lanes, offset_px);
-    ASSERT_EQ(point.u_fx8, point_fx8(exact->u)) << "pixel " << span.left_px + offset_px;
-    ASSERT_EQ(point.v_fx8, point_fx8(exact->v)) << "pixel " << span.left_px + offset_px;
+    const FilterPoint point = filter_point(map, span, lanes, px);
+    ASSERT_EQ(point.u_fx8, point_fx8(exact->u)) << "pixel " << px;
+    ASSERT_EQ(point.v_fx8, point_fx8(exact->v)) << "pixel " << px;
   }
 }
 
@@ -34,9 +33,9 @@ TEST(FilterPoint, IsTheFloorOnAGridOfATexelsFractions) {
       2500, [&](const spec::Case& c, const Polygon& polygon, const SpanMap& map, const Span& span) {
         if (testing::Test::HasFatalFailure()) return;
         if (polygon.affine) {
-          expect_exact<AffineLanes>(c.vertices, map, span, 1);
+          expect_exact(c.vertices, map, span, AffineLanes(map, span).field(span));
         }
-        expect_exact<ProjectiveLanes>(c.vertices, map, span, 1);
+        expect_exact(c.vertices, map, span, ProjectiveLanes(map, span));
         ASSERT_FALSE(testing::Test::HasFatalFailure()) << spec::print(c);
       });
 }
@@ -56,7 +55,7 @@ TEST(FilterPoint, IsExactWhereLanesTellNothing) {
     ASSERT_EQ(examine(vertices, &polygon), SELVAGE_OK);
     for_each_row(polygon, 0, 20, 0, 64, [&](const Edge& left, const Edge& right, const Span& span) {
       const SpanMap map(left.at(span.row), right.at(span.row));
-      expect_exact<ProjectiveLanes>(vertices, map, span, 1);
+      expect_exact(vertices, map, span, ProjectiveLanes(map, span));
     });
     ASSERT_FALSE(HasFatalFailure());
   }

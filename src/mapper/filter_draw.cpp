@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "mapper/channels.h"
-#include "mapper/edge.h"
 #include "mapper/filter_blend.h"
 #include "mapper/filter_box.h"
 #include "mapper/filter_point.h"
@@ -14,6 +13,7 @@
 #include "mapper/lanes.h"
 #include "mapper/plane.h"
 #include "mapper/span.h"
+#include "mapper/span_walk.h"
 
 namespace selvage::mapper {
 namespace {
@@ -23,8 +23,7 @@ inline constexpr int32_t kPiece_px = 256;
 
 // One row of a polygon and what is drawn on it.
 struct Row {
-  const selvage_texture& texture;
-  selvage_address address;
+  const Surface& surface;
   selvage_filter filter;
   Span span;
   SpanMap map;
@@ -39,9 +38,10 @@ void mean_boxes(const Row& row, int32_t first_px, std::span<const FilterPoint> p
     const BoxSides sides =
         row.same_sides ? *row.same_sides : row.footprint.at(first_px + static_cast<int32_t>(i));
     if (sides == kLeast) {
-      blend_bilinear(points.subspan(i, 1), row.texture, row.address, pixels);
+      blend_bilinear(points.subspan(i, 1), row.surface.texture, row.surface.address, pixels);
     } else {
-      store_pixel(pixels, box_mean(row.texture, row.address, Box::around(points[i], sides)));
+      store_pixel(pixels, box_mean(row.surface.texture, row.surface.address,
+                                   Box::around(points[i], sides)));
     }
   }
 }
@@ -50,62 +50,48 @@ void mix_texels(const Row& row, int32_t first_px, std::span<const FilterPoint> p
                 char* pixels) {
   switch (row.filter) {
     case SELVAGE_FILTER_FOUR:
-      return blend_four(points, row.texture, row.address, pixels);
+      return blend_four(points, row.surface.texture, row.surface.address, pixels);
     case SELVAGE_FILTER_BILINEAR:
-      return blend_bilinear(points, row.texture, row.address, pixels);
+      return blend_bilinear(points, row.surface.texture, row.surface.address, pixels);
     default:
       return mean_boxes(row, first_px, points, pixels);
   }
 }
 
 template <class Lanes>
-void draw_row(const Row& row, const Lanes& lanes, char* pixels) {
+void draw_row(const Row& row, const Lanes& lanes) {
   std::array<FilterPoint, kPiece_px> points;
-  const Span& span = row.span;
-  for (int32_t done_px = 0; done_px < span.width_px(); done_px += kPiece_px) {
-    const int32_t count = std::min(kPiece_px, span.width_px() - done_px);
+  char* const pixels =
+      static_cast<char*>(row.surface.target.pixels) + row.span.row * row.surface.target.pitch;
+  for (int32_t from_px = row.span.left_px; from_px < row.span.right_px; from_px += kPiece_px) {
+    const int32_t count = std::min(kPiece_px, row.span.right_px - from_px);
     for (int32_t i = 0; i < count; ++i) {
-      points[static_cast<size_t>(i)] = filter_point(row.map, span, lanes, done_px + i);
+      points[static_cast<size_t>(i)] = filter_point(row.map, row.span, lanes, from_px + i);
     }
-    const int32_t first_px = span.left_px + done_px;
-    mix_texels(row, first_px, std::span(points).first(static_cast<size_t>(count)),
-               pixels + ptrdiff_t{first_px} * kPixelBytes);
+    mix_texels(row, from_px, std::span(points).first(static_cast<size_t>(count)),
+               pixels + ptrdiff_t{from_px} * kPixelBytes);
   }
 }
 
 }  // namespace
 
-void draw_filtered(const selvage_image& target, const selvage_rect& visible, const Polygon& polygon,
-                   const selvage_texture& texture, selvage_address address, selvage_filter filter) {
-  const int32_t first_row = std::max(polygon.top_row, visible.top);
-  const int32_t end_row = std::min(polygon.bottom_row, visible.bottom);
-  if (first_row >= end_row || visible.left >= visible.right) return;
-  Chain forward(polygon, Chain::Direction::kForward);
-  Chain backward(polygon, Chain::Direction::kBackward);
+void draw_filtered(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
+                   selvage_filter filter) {
   const std::optional<Plane> plane = Plane::of(polygon, visible);
   std::optional<BoxSides> plane_sides;
-
-  for (int32_t y_px = first_row; y_px < end_row; ++y_px) {
-    const Edge& a = forward.at_row(y_px);
-    const Edge& b = backward.at_row(y_px);
-    const bool a_is_left = a.first_px() <= b.first_px();
-    const Edge& left = a_is_left ? a : b;
-    const Edge& right = a_is_left ? b : a;
-    const Span span{.row = y_px,
-                    .left_px = std::max(left.first_px(), visible.left),
-                    .right_px = std::min(right.first_px(), visible.right)};
-    if (span.empty()) continue;
-    const EdgePoint from = left.at(y_px), to = right.at(y_px);
-    const Footprint footprint(from, left.change(), to, right.change());
+  SpanWalk walk(polygon, visible);
+  while (walk.next()) {
+    const Span& span = walk.span();
+    const Edge &left = walk.left(), &right = walk.right();
+    const Footprint footprint(left.at(span.row), left.change(), right.at(span.row), right.change());
     if (plane && filter == SELVAGE_FILTER_AREA && !plane_sides) {
       plane_sides = footprint.at(span.left_px);
     }
-    const Row row{texture, address, filter, span, SpanMap(from, to), footprint, plane_sides};
-    char* const pixels = static_cast<char*>(target.pixels) + y_px * target.pitch;
-    if (!polygon.affine) {
-      draw_row(row, ProjectiveLanes(row.map, span), pixels);
+    const Row row{surface, filter, span, walk.map(), footprint, plane_sides};
+    if (polygon.affine) {
+      draw_row(row, plane ? plane->lanes() : AffineLanes(row.map, span).field(span));
     } else {
-      draw_row(row, plane ? plane->lanes(span) : AffineLanes(row.map, span), pixels);
+      draw_row(row, ProjectiveLanes(row.map, span));
     }
   }
 }

@@ -52,16 +52,28 @@ static_assert(kDenominatorBits - kGridBits + kTexelBits - kTexelFraction + kGrid
           decide_fx8(map.v_numerator(px), d, low.v_fx8)};
 }
 
-// Pixel `offset_px` of the span whose lanes these are.
+// The lanes at a pixel of a span, whichever they are, and how low they may be.
+[[nodiscard]] inline Lane lane_at(const AffineField& lanes, const Span& span, int32_t px) {
+  return lanes.at(px, span.row);
+}
+[[nodiscard]] inline Lane lane_at(const ProjectiveLanes& lanes, const Span& span, int32_t px) {
+  return lanes.at(px - span.left_px);
+}
+[[nodiscard]] inline uint32_t margin_of(const AffineField& lanes) { return lanes.margin_fx32; }
+[[nodiscard]] inline uint32_t margin_of(const ProjectiveLanes& lanes) {
+  return lanes.margin_fx32();
+}
+
+// A pixel of a span, by its lanes and its exact map.
 template <class Lanes>
 [[nodiscard]] inline FilterPoint filter_point(const SpanMap& map, const Span& span,
-                                              const Lanes& lanes, int32_t offset_px) {
-  const Lane lane = lanes.at(offset_px);
+                                              const Lanes& lanes, int32_t px) {
+  const Lane lane = lane_at(lanes, span, px);
   FilterPoint point{static_cast<int32_t>(lane.u_fx32 >> kGridFraction),
                     static_cast<int32_t>(lane.v_fx32 >> kGridFraction)};
-  const uint32_t margin = lanes.margin_fx32();
+  const uint32_t margin = margin_of(lanes);
   if (is_near_grid(lane.u_fx32, margin) || is_near_grid(lane.v_fx32, margin)) [[unlikely]] {
-    point = decide_point(map, span.left_px + offset_px, point);
+    point = decide_point(map, px, point);
   }
   return {point.u_fx8 - kTexel_fx8 / 2, point.v_fx8 - kTexel_fx8 / 2};
 }
