@@ -50,9 +50,30 @@ void draw_by_profile(const selvage_image& target, const selvage_rect& visible,
     case SELVAGE_PROFILE_DKIT:
       return historic::draw_classroom(target, visible, polygon, texture, options.address);
     default:
-      return mapper::draw({target, texture, options.address}, visible, polygon, options.filter,
-                          options.kernel);
+      return mapper::draw({target, texture, options.address}, visible, polygon, options);
   }
+}
+
+// All arguments but the clip, of which every one is good. On SELVAGE_OK *polygon refers to the
+// vertices.
+[[nodiscard]] selvage_status check(const selvage_image* target, const selvage_vertex* vertices,
+                                   size_t count, const selvage_texture* texture,
+                                   const selvage_options& options,
+                                   selvage::mapper::Polygon* polygon) {
+  using namespace selvage::mapper;
+  selvage_status status = check_options(options);
+  if (status == SELVAGE_OK) status = check_target(target);
+  if (status == SELVAGE_OK) status = check_texture(texture);
+  if (status == SELVAGE_OK) status = check_pair(*target, *texture);
+  if (status == SELVAGE_OK) status = check_filter(options.filter, target->format);
+  if (status == SELVAGE_OK) status = check_vertices(*target, vertices, count);
+  if (status != SELVAGE_OK) return status;
+
+  status = examine({vertices, count}, polygon);
+  if (status == SELVAGE_OK && options.profile != SELVAGE_PROFILE_EXACT) {
+    status = selvage::historic::check_whole_px(*polygon);
+  }
+  return status;
 }
 
 }  // namespace
@@ -60,28 +81,31 @@ void draw_by_profile(const selvage_image& target, const selvage_rect& visible,
 selvage_status selvage_draw(const selvage_image* target, const selvage_rect* clip,
                             const selvage_vertex* vertices, size_t count,
                             const selvage_texture* texture, const selvage_options* options) {
-  using namespace selvage::mapper;
   const selvage_options chosen = options != nullptr ? *options : selvage_options{};
-
-  selvage_status status = check_options(chosen);
-  if (status == SELVAGE_OK) status = check_target(target);
-  if (status == SELVAGE_OK) status = check_texture(texture);
-  if (status == SELVAGE_OK) status = check_pair(*target, *texture);
-  if (status == SELVAGE_OK) status = check_filter(chosen.filter, target->format);
-  if (status == SELVAGE_OK) status = check_vertices(*target, vertices, count);
-  if (status != SELVAGE_OK) return status;
-
-  Polygon polygon;
-  status = examine({vertices, count}, &polygon);
-  if (status == SELVAGE_OK && chosen.profile != SELVAGE_PROFILE_EXACT) {
-    status = selvage::historic::check_whole_px(polygon);
-  }
+  selvage::mapper::Polygon polygon;
+  const selvage_status status = check(target, vertices, count, texture, chosen, &polygon);
   if (status != SELVAGE_OK) return status;
 
   // By value: descriptors that lie inside the target must not change while it is drawn on.
   const selvage_image image = *target;
   const selvage_texture texels = *texture;
-  draw_by_profile(image, visible_rect(image, clip), polygon, texels, chosen);
+  draw_by_profile(image, selvage::mapper::visible_rect(image, clip), polygon, texels, chosen);
+  return SELVAGE_OK;
+}
+
+selvage_status selvage_choose(const selvage_image* target, const selvage_rect* clip,
+                              const selvage_vertex* vertices, size_t count,
+                              const selvage_texture* texture, const selvage_options* options,
+                              selvage_choice* choice) {
+  const selvage_options chosen = options != nullptr ? *options : selvage_options{};
+  selvage::mapper::Polygon polygon;
+  const selvage_status status = check(target, vertices, count, texture, chosen, &polygon);
+  if (status != SELVAGE_OK) return status;
+  if (choice == nullptr) return SELVAGE_ERROR_CHOICE_NULL;
+  *choice =
+      chosen.profile == SELVAGE_PROFILE_EXACT
+          ? selvage::mapper::choose(selvage::mapper::visible_rect(*target, clip), polygon, chosen)
+          : selvage_choice{SELVAGE_METHOD_HISTORIC, 0, 0};
   return SELVAGE_OK;
 }
 

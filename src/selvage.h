@@ -137,10 +137,36 @@ typedef struct selvage_options {
   selvage_profile profile;
   selvage_filter filter;
   selvage_address address;
-  int32_t tolerance; /* largest texel error accepted, 1/65536 texel, >= 0. The mapper may be more
-                        exact than asked: today it always draws exactly. */
+  int32_t tolerance; /* largest error in u and in v accepted, 1/65536 texel, >= 0: a pixel may show
+                        the texel of any (u, v) so near to its own. 0 is exact. Which pixels are
+                        drawn stays exact. Only nearest in SELVAGE_PROFILE_EXACT makes use of it */
   selvage_kernel kernel; /* for tests and measurements */
 } selvage_options;
+
+/* ---- What is drawn by ------------------------------------------------------------------------ */
+
+/* Later ones cost more where several would do. A bound is derived from the polygon's own numbers
+ * (spec/README.md), and kept by every pixel; the first and those that say so are exact. */
+typedef int32_t selvage_method;
+enum {
+  SELVAGE_METHOD_NONE = 0, /* no pixel is drawn */
+  SELVAGE_METHOD_COPY = 1, /* exact: texel centres on pixel centres, rows are copied */
+  SELVAGE_METHOD_AFFINE_FOR_PERSPECTIVE = 2, /* u and v straight from end to end of a row */
+  SELVAGE_METHOD_SUBDIVIDED = 3, /* u and v divided every segment_px pixels, straight between */
+  SELVAGE_METHOD_EXACT_AFFINE = 4,      /* exact, whatever the tolerance: it costs no more */
+  SELVAGE_METHOD_EXACT_PERSPECTIVE = 5, /* exact: a division a pixel */
+  SELVAGE_METHOD_FILTER = 6,            /* exact: a filter other than nearest */
+  SELVAGE_METHOD_HISTORIC = 7           /* by the profile's own arithmetic */
+};
+
+/* Rows of pixels in perspective are chosen for one by one, each by its own two edges: method is
+ * then the last of the above that some row is drawn by, segment_px the shortest, bound the
+ * greatest. A clip one row high tells a row's own. */
+typedef struct selvage_choice {
+  selvage_method method;
+  int32_t segment_px; /* a multiple of 16; 0 where no row is SELVAGE_METHOD_SUBDIVIDED */
+  int32_t bound;      /* 1/65536 texel, at most the tolerance; 0 where all is exact */
+} selvage_choice;
 
 /* ---- Status -------------------------------------------------------------------------------- */
 
@@ -184,6 +210,7 @@ enum {
   SELVAGE_ERROR_FIT_COUNT,         /* selvage_fit: neither 3 nor 4 corners */
   SELVAGE_ERROR_FIT_DOUBLED,       /* selvage_fit: the doubled corner is not one of the three */
   SELVAGE_ERROR_FIT_SIZE,          /* selvage_fit: width or height outside [1, 32767] texels */
+  SELVAGE_ERROR_CHOICE_NULL,       /* selvage_choose: no choice to write to */
   SELVAGE_STATUS_COUNT
 };
 
@@ -210,6 +237,17 @@ SELVAGE_API selvage_status selvage_draw(const selvage_image* target, const selva
                                         const selvage_vertex* vertices, size_t count,
                                         const selvage_texture* texture,
                                         const selvage_options* options);
+
+/* Tells what selvage_draw would draw these arguments by, and draws nothing. The same arguments are
+ * checked in the same order, then `choice`. On an error *choice is left as it was.
+ *
+ * It depends on the vertices, the tolerance, filter and profile, and on the rows that are visible:
+ * not on the kernel. What is drawn within a tolerance is the same by every kernel and under every
+ * clip, as what is drawn exactly. */
+SELVAGE_API selvage_status selvage_choose(const selvage_image* target, const selvage_rect* clip,
+                                          const selvage_vertex* vertices, size_t count,
+                                          const selvage_texture* texture,
+                                          const selvage_options* options, selvage_choice* choice);
 
 /* Rounds to the nearest vertex of the grid, halves upward.
  *

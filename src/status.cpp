@@ -82,6 +82,8 @@ const char* selvage_status_text(selvage_status status) {
       return "the doubled corner is none of the three; it must be 0, 1 or 2";
     case SELVAGE_ERROR_FIT_SIZE:
       return "the texture's size is out of range; width and height must be in 1 .. 32767 texels";
+    case SELVAGE_ERROR_CHOICE_NULL:
+      return "choice is NULL; it must point to a selvage_choice to write to";
     default:
       return "unknown status";
   }

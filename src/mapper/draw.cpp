@@ -9,6 +9,8 @@
 #include "mapper/kernel.h"
 #include "mapper/plane.h"
 #include "mapper/span_walk.h"
+#include "mapper/tolerant_draw.h"
+#include "mapper/vector_kernel.h"
 
 namespace selvage::mapper {
 namespace {
@@ -56,21 +58,44 @@ void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surfa
   }
 }
 
+// Affine maps are drawn exactly in any case: their kernels were measured to be no slower than lanes
+// that leave near-ties undecided, for what bounds them is fetching texels.
+[[nodiscard]] bool is_tolerant(const Polygon& polygon, const selvage_options& options) {
+  return options.tolerance > 0 && !polygon.affine && lanes_fit(polygon);
+}
+
 }  // namespace
 
 void draw(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
-          selvage_filter filter, selvage_kernel kernel) {
+          const selvage_options& options) {
   if (visible.left >= visible.right ||
       std::max(visible.top, polygon.top_row) >= std::min(visible.bottom, polygon.bottom_row)) {
     return;
   }
-  if (is_copy(polygon, filter)) return draw_copies(polygon, visible, surface);
-  if (filter != SELVAGE_FILTER_NEAREST) return draw_filtered(surface, visible, polygon, filter);
-  const Kernels& kernels = kernels_for(kernel, surface, polygon);
+  if (is_copy(polygon, options.filter)) return draw_copies(polygon, visible, surface);
+  if (options.filter != SELVAGE_FILTER_NEAREST) {
+    return draw_filtered(surface, visible, polygon, options.filter);
+  }
+  const Kernels& kernels = kernels_for(options.kernel, surface, polygon);
+  if (is_tolerant(polygon, options)) {
+    return draw_tolerantly(surface, visible, polygon, kernels, options.tolerance);
+  }
   if (const std::optional<Plane> plane = Plane::of(polygon, visible)) {
     return draw_plane(*plane, polygon, visible, surface, kernels);
   }
   draw_ruled(polygon, visible, surface, kernels);
+}
+
+selvage_choice choose(const selvage_rect& visible, const Polygon& polygon,
+                      const selvage_options& options) {
+  if (!SpanWalk(polygon, visible).next()) return {SELVAGE_METHOD_NONE, 0, 0};
+  if (is_copy(polygon, options.filter)) return {SELVAGE_METHOD_COPY, 0, 0};
+  if (options.filter != SELVAGE_FILTER_NEAREST) return {SELVAGE_METHOD_FILTER, 0, 0};
+  if (is_tolerant(polygon, options)) {
+    const RowChoice choice = choose_tolerantly(visible, polygon, options.tolerance);
+    return {choice.method, choice.segment_px, choice.bound_fx16};
+  }
+  return {polygon.affine ? SELVAGE_METHOD_EXACT_AFFINE : SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0};
 }
 
 }  // namespace selvage::mapper

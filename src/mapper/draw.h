@@ -10,6 +10,10 @@ namespace selvage::mapper {
 // All arguments have passed their checks; `visible` lies within the target or is empty, and this
 // machine can run the kernel.
 void draw(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
-          selvage_filter filter, selvage_kernel kernel);
+          const selvage_options& options);
+
+// What draw() draws by.
+[[nodiscard]] selvage_choice choose(const selvage_rect& visible, const Polygon& polygon,
+                                    const selvage_options& options);
 
 }  // namespace selvage::mapper

@@ -11,6 +11,7 @@
 #include "mapper/lanes.h"
 #include "mapper/polygon.h"
 #include "mapper/span_batch.h"
+#include "mapper/stepped.h"
 #include "selvage.h"
 
 namespace selvage::mapper {
@@ -39,12 +40,16 @@ struct ProjectiveSpans {
   ExactMap exact;
 };
 
-// Each writes the nearest texels of all pixels of the spans, and returns how many pixels had to be
-// decided exactly.
+// The first two write the nearest texels of all pixels of the spans, and return how many pixels had
+// to be decided exactly; the third writes those of its lanes.
 struct Kernels {
   int32_t (*draw_affine)(const AffineSpans& spans, const Surface& surface);
   int32_t (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
+  void (*draw_stepped)(const SteppedRow& row, const Surface& surface);
 };
+
+// Any surface.
+void draw_stepped_scalar(const SteppedRow& row, const Surface& surface);
 
 // Any surface.
 [[nodiscard]] const Kernels& scalar_kernels();

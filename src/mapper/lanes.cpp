@@ -71,8 +71,8 @@ ProjectiveLanes::ProjectiveLanes(const SpanMap& map, const Span& span)
                    static_cast<double>(map.denominator_step())} {
   const double at_start = denominator_.start;
   const double at_end = static_cast<double>(map.denominator(span.right_px - 1));
-  const double ratio = std::max(at_start, at_end) / std::min(at_start, at_end);
-  error_fx32_ = static_cast<int64_t>(ratio) + kProjectiveTruncations_fx32;
+  ratio_ = std::max(at_start, at_end) / std::min(at_start, at_end);
+  error_fx32_ = static_cast<int64_t>(ratio_) + kProjectiveTruncations_fx32;
   margin_fx32_ = static_cast<uint32_t>(2 * error_fx32_);
 }
 

@@ -109,10 +109,13 @@ class ProjectiveLanes {
   [[nodiscard]] const Linear& v_numerator_fx32() const { return v_; }
   [[nodiscard]] const Linear& denominator() const { return denominator_; }
   [[nodiscard]] int64_t error_fx32() const { return error_fx32_; }
+  // Of the greater denominator at the span's ends to the lesser one.
+  [[nodiscard]] double ratio() const { return ratio_; }
 
  private:
   Linear u_, v_;  // numerators, scaled so that u comes out in fx32
   Linear denominator_;
+  double ratio_;
   int64_t error_fx32_;
   uint32_t margin_fx32_;
 };

@@ -95,7 +95,7 @@ int32_t draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
   return decided;
 }
 
-constexpr Kernels kScalar = {draw_affine, draw_projective};
+constexpr Kernels kScalar = {draw_affine, draw_projective, draw_stepped_scalar};
 
 }  // namespace
 

@@ -35,6 +35,10 @@ class SpanWalk {
   }
 
   [[nodiscard]] const Span& span() const { return span_; }
+  // The same row, clipped by nothing.
+  [[nodiscard]] Span whole_span() const {
+    return {span_.row, left_->first_px(), right_->first_px()};
+  }
   [[nodiscard]] SpanMap map() const { return {left_->at(row_), right_->at(row_)}; }
   [[nodiscard]] const Edge& left() const { return *left_; }
   [[nodiscard]] const Edge& right() const { return *right_; }

@@ -13,9 +13,10 @@
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 #include "mapper/vector_affine_kernel-inl.h"
 #include "mapper/vector_projective_kernel-inl.h"
+#include "mapper/vector_stepped_kernel-inl.h"
 
 namespace selvage::mapper::HWY_NAMESPACE {
-constexpr Kernels kKernels = {draw_affine, draw_projective};
+constexpr Kernels kKernels = {draw_affine, draw_projective, draw_stepped};
 }  // namespace selvage::mapper::HWY_NAMESPACE
 #endif
 

@@ -17,10 +17,14 @@ inline constexpr int32_t kNarrow_px = 32;
 // anchor, and by that of the step from there.
 inline constexpr int32_t kVectorTruncations_fx16 = 2;
 
-// 16.16 lanes fit 32 bits although they may be low by a little, and so do places in the texture, in
-// texels from its first.
+// 16.16 lanes fit 32 bits although they may be low by a little.
+[[nodiscard]] inline bool lanes_fit(const Polygon& polygon) {
+  return polygon.least_texel_fx16 >= INT32_MIN + (1 << kTexelFraction);
+}
+
+// And so do places in the texture, in texels from its first.
 [[nodiscard]] inline bool fits_vectors(const Surface& surface, const Polygon& polygon) {
-  if (polygon.least_texel_fx16 < INT32_MIN + (1 << kTexelFraction)) return false;
+  if (!lanes_fit(polygon)) return false;
   constexpr int64_t kMost = INT32_MAX;
   const int64_t pitch_texel = surface.texture.pitch / bytes_per_pixel(surface.texture.format);
   const int64_t stride_texel = pitch_texel < 0 ? -pitch_texel : pitch_texel;

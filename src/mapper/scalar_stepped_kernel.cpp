@@ -1,0 +1,121 @@
+// Stepped rows for every machine: the lanes of the vector kernels, a pixel at a time.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#include "mapper/address.h"
+#include "mapper/image.h"
+#include "mapper/kernel.h"
+#include "mapper/stepped.h"
+
+namespace selvage::mapper {
+namespace {
+
+struct Point {
+  double u_fx16, v_fx16;
+};
+
+class SegmentWalk {
+ public:
+  explicit SegmentWalk(const SteppedRow& row)
+      : row_(row),
+        u_(row.lanes.u_numerator_fx32(), row.lanes),
+        v_(row.lanes.v_numerator_fx32(), row.lanes),
+        px_(row.first_segment() * row.segment_px),
+        from_(at(px_)) {}
+
+  [[nodiscard]] int32_t first_px() const { return row_.whole.left_px + px_; }
+  // The segment that starts at first_px(); then goes to the next one.
+  [[nodiscard]] Segment next() {
+    const int32_t end_px = std::min(px_ + row_.segment_px, row_.last_px());
+    const Point to = at(end_px);
+    const double per_px = end_px > px_ ? 1.0 / (end_px - px_) : 0;
+    const Segment segment{
+        {whole(from_.u_fx16) << kStepShift, whole(from_.v_fx16) << kStepShift},
+        {step((to.u_fx16 - from_.u_fx16) * per_px), step((to.v_fx16 - from_.v_fx16) * per_px)}};
+    px_ += row_.segment_px;
+    from_ = to;
+    return segment;
+  }
+
+ private:
+  [[nodiscard]] Point at(int32_t px) const {
+    const double i = px;
+    const ProjectiveLanes::Linear& denominator = row_.lanes.denominator();
+    const double w = 1.0 / (denominator.start + i * denominator.step);
+    return {(u_.start_fx16 + i * u_.step_fx16) * w - u_.error_fx16,
+            (v_.start_fx16 + i * v_.step_fx16) * w - v_.error_fx16};
+  }
+  [[nodiscard]] static int64_t whole(double fx16) { return static_cast<int64_t>(std::floor(fx16)); }
+  [[nodiscard]] static int64_t step(double fx16) {
+    return whole(fx16 * (int64_t{1} << kStepShift));  // a power of two: exact
+  }
+
+  const SteppedRow& row_;
+  SteppedLine u_, v_;
+  int32_t px_;  // of the segment, counted from the row's first pixel
+  Point from_;
+};
+
+// Of the i-th pixel of a group whose first one has the lane.
+[[nodiscard]] int32_t texel(int64_t lane_fx32, int64_t step_fx32, int32_t i) {
+  return static_cast<int32_t>(((lane_fx32 >> kStepShift) + (i * step_fx32 >> kStepShift)) >>
+                              kTexelFraction);
+}
+
+template <class Pixel, class Address>
+void draw_part(const SegmentPart& part, const selvage_texture texture, char* row) {
+  const char* texels = static_cast<const char*>(texture.texels);
+  const Lane step = part.segment.step;
+  int32_t px = part.left_px;
+  for (int32_t group_px = part.group_px(); px < part.right_px; group_px += kStepGroup_px) {
+    const Lane lane = part.at(group_px);
+    const int32_t end_px = std::min(group_px + kStepGroup_px, part.right_px);
+    for (; px < end_px; ++px) {
+      const ptrdiff_t s =
+          Address::index(texel(lane.u_fx32, step.u_fx32, px - group_px), texture.width);
+      const ptrdiff_t t =
+          Address::index(texel(lane.v_fx32, step.v_fx32, px - group_px), texture.height);
+      std::memcpy(row + px * ptrdiff_t{sizeof(Pixel)},
+                  texels + t * texture.pitch + s * ptrdiff_t{sizeof(Pixel)}, sizeof(Pixel));
+    }
+  }
+}
+
+template <class Pixel, class Address>
+void draw_parts(const SteppedRow& of, const Surface& surface) {
+  char* const row = static_cast<char*>(surface.target.pixels) + of.span.row * surface.target.pitch;
+  SegmentWalk walk(of);
+  for (int32_t left_px = of.span.left_px; left_px < of.span.right_px;) {
+    const int32_t first_px = walk.first_px();
+    const int32_t right_px = std::min(first_px + of.segment_px, of.span.right_px);
+    draw_part<Pixel, Address>({walk.next(), first_px, left_px, right_px}, surface.texture, row);
+    left_px = right_px;
+  }
+}
+
+template <class Pixel>
+void draw_pixels(const SteppedRow& of, const Surface& surface) {
+  if (surface.address == SELVAGE_ADDRESS_CLAMP) return draw_parts<Pixel, Clamp>(of, surface);
+  if (WrapMasked::fits(surface.texture.width) && WrapMasked::fits(surface.texture.height)) {
+    return draw_parts<Pixel, WrapMasked>(of, surface);
+  }
+  draw_parts<Pixel, Wrap>(of, surface);
+}
+
+}  // namespace
+
+void draw_stepped_scalar(const SteppedRow& row, const Surface& surface) {
+  switch (surface.target.format) {
+    case SELVAGE_INDEX8:
+      return draw_pixels<uint8_t>(row, surface);
+    case SELVAGE_RGB565:
+      return draw_pixels<uint16_t>(row, surface);
+    default:
+      return draw_pixels<uint32_t>(row, surface);
+  }
+}
+
+}  // namespace selvage::mapper

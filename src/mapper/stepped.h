@@ -1,0 +1,77 @@
+// Stepped rows: a row in perspective whose u and v are divided only every segment_px pixels, and go
+// straight between. Every texel of it is taken from the lanes; how far they are from the exact map
+// is for tolerance.h to know.
+//
+// All kernels, under every clip, draw the same: segments start at the row's own first pixel,
+// visible or not; their ends are computed in double by the same operations, each rounded by itself;
+// lanes of 16.16 are taken afresh from 32.32 at every kStepGroup_px pixels of a segment.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "mapper/lanes.h"
+#include "mapper/span.h"
+
+namespace selvage::mapper {
+
+inline constexpr int32_t kStepGroup_px = 16;
+inline constexpr int kStepShift = kLaneFraction - kTexelFraction;
+// Floors that cost less than a unit each: of a segment's start, of a group's first lane, and of the
+// steps from there.
+inline constexpr int32_t kStepTruncations_fx16 = 3;
+// A step is off by less than this: its own floor, and roundings in double far below a unit.
+inline constexpr int64_t kStepError_fx32 = 2;
+// Of u and of v, from a pixel to the next: with so much, a step fits 32 bits.
+inline constexpr double kMostStep_fx16 = 1 << 30;
+
+struct SteppedRow {
+  Span span;   // the pixels to be drawn
+  Span whole;  // the row that the lanes are of: holds the span
+  const ProjectiveLanes& lanes;
+  int32_t segment_px;  // a multiple of kStepGroup_px; the last segment may be shorter
+
+  // Counted from the row's first pixel. Segments reach from pixel to pixel: the last one to the
+  // last pixel.
+  [[nodiscard]] int32_t last_px() const { return whole.width_px() - 1; }
+  [[nodiscard]] int32_t first_segment() const {
+    return (span.left_px - whole.left_px) / segment_px;
+  }
+};
+
+// A coordinate's numerator and the denominator along a row, and what its quotients are lowered by,
+// so that they are not above the true ones.
+struct SteppedLine {
+  double start_fx16, step_fx16;
+  double error_fx16;
+
+  SteppedLine(const ProjectiveLanes::Linear& numerator_fx32, const ProjectiveLanes& lanes)
+      : start_fx16(numerator_fx32.start * kTexelUnit),
+        step_fx16(numerator_fx32.step * kTexelUnit),
+        error_fx16(static_cast<double>(lanes.error_fx32()) * kTexelUnit) {}
+
+ private:
+  static constexpr double kTexelUnit = 1.0 / (1 << kStepShift);  // exact
+};
+
+// The lane of a segment's first pixel, and the step from each pixel to the next.
+struct Segment {
+  Lane start, step;
+};
+
+// The part of a segment that is to be drawn.
+struct SegmentPart {
+  Segment segment;
+  int32_t first_px;           // of the segment
+  int32_t left_px, right_px;  // of the part
+
+  // The group that holds the part's first pixel.
+  [[nodiscard]] int32_t group_px() const { return left_px - (left_px - first_px) % kStepGroup_px; }
+  [[nodiscard]] Lane at(int32_t px) const {
+    const int64_t steps = px - first_px;
+    return {segment.start.u_fx32 + steps * segment.step.u_fx32,
+            segment.start.v_fx32 + steps * segment.step.v_fx32};
+  }
+};
+
+}  // namespace selvage::mapper

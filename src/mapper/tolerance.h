@@ -1,0 +1,35 @@
+// Tolerance: what a row in perspective is drawn by, where its texels need not be exact.
+//
+// spec/README.md derives the bounds. All that enters a choice is the row's own two edges and the
+// tolerance: no clip, no other row and no machine changes what is drawn.
+#pragma once
+
+#include <cstdint>
+
+#include "mapper/lanes.h"
+#include "mapper/stepped.h"
+#include "selvage.h"
+
+namespace selvage::mapper {
+
+// What is below a unit of the errors in 32.32 takes one unit more.
+inline constexpr int32_t kStepRounding_fx16 = kStepTruncations_fx16 + 1;
+// Factors that hold all roundings in double: of the ratio, of a chord's bound, and of the length
+// that is chosen by it.
+inline constexpr double kRatioSlack = 1 + 0x1p-50;
+inline constexpr double kChordSlack = 1 + 0x1p-40;
+inline constexpr double kBudgetSlack = 1 - 0x1p-30;
+// Rows up to so wide cost as much by two divisions as by one a pixel.
+inline constexpr int32_t kLeastStepped_px = kStepGroup_px;
+
+struct RowChoice {
+  selvage_method method;
+  int32_t segment_px;  // of SELVAGE_METHOD_SUBDIVIDED, else 0
+  int32_t bound_fx16;  // of the distance to the exact u and to the exact v
+};
+
+// The lanes are of a whole row of width_px pixels, clipped or not.
+[[nodiscard]] RowChoice choose_row(const ProjectiveLanes& lanes, int32_t width_px,
+                                   int32_t tolerance_fx16);
+
+}  // namespace selvage::mapper
