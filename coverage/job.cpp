@@ -55,7 +55,8 @@ spec::Subject subject_of(std::string name, selvage_profile profile, DrawJob draw
              .vertices = {vertices, vertices + count},
              .texture = *texture,
              .address = options != nullptr ? options->address : SELVAGE_ADDRESS_CLAMP,
-             .filter = options != nullptr ? options->filter : SELVAGE_FILTER_NEAREST});
+             .filter = options != nullptr ? options->filter : SELVAGE_FILTER_NEAREST,
+             .tolerance = options != nullptr ? options->tolerance : 0});
     return end_status(status);
   };
   return {std::move(name), call, profile};

@@ -19,6 +19,7 @@ struct Job {
   selvage_texture texture;
   selvage_address address;
   selvage_filter filter;
+  int32_t tolerance;  // 1/65536 texel
 };
 
 // Pixel (x, y) belongs to the clip rectangle.

@@ -25,8 +25,10 @@ void spoil_options(Calls* calls) {
     calls->push_back({"an unknown address mode", SELVAGE_ERROR_ADDRESS,
                       [=](Arguments& a) { a.options.address = unknown; }});
   }
-  calls->push_back({"a negative tolerance", SELVAGE_ERROR_TOLERANCE,
-                    [](Arguments& a) { a.options.tolerance = -1; }});
+  for (const int32_t negative : {-1, kInt32Min}) {
+    calls->push_back({"a negative tolerance", SELVAGE_ERROR_TOLERANCE,
+                      [=](Arguments& a) { a.options.tolerance = negative; }});
+  }
 }
 
 // Filters that mix texels: what has colours can be mixed, in the exact profile.
@@ -190,8 +192,10 @@ void leave_out(Calls* calls) {
                     [](Arguments& a) { a.options_pointer = nullptr; }});
   calls->push_back(
       {"no clip: the whole target", SELVAGE_OK, [](Arguments& a) { a.clip_pointer = nullptr; }});
-  calls->push_back({"a tolerance that exactness is within", SELVAGE_OK,
-                    [](Arguments& a) { a.options.tolerance = SELVAGE_SUBTEXELS; }});
+  for (const int32_t tolerance : {1, int32_t{SELVAGE_SUBTEXELS}, kInt32Max}) {
+    calls->push_back(
+        {"a tolerance", SELVAGE_OK, [=](Arguments& a) { a.options.tolerance = tolerance; }});
+  }
 }
 
 }  // namespace

@@ -28,6 +28,8 @@ constexpr std::array kLaws = {
     Law{"AFFINE", "equal q is no q, and projective maps keep cross-ratios", check_affine},
     Law{"FILTER", "a filtered pixel is its formula's mean, and a constant texture stays constant",
         check_filter},
+    Law{"TOLERANCE", "within a tolerance, texels are within a derived bound, and that within it",
+        check_tolerance},
     Law{"MEM", "nothing but the target's visible pixels is written", check_mem},
     Law{"TOTAL", "every input gets a picture or a named error, and an error draws nothing",
         check_total},

@@ -45,6 +45,7 @@ constexpr std::string_view kDirected =
 constexpr std::string_view kAffineOnly = "equal q; others are refused";
 constexpr std::string_view kOtherSamples = "OpenCV samples elsewhere and steps no edges";
 
+constexpr std::string_view kNoTolerance = "tolerance is nothing to it; MAP has its bound";
 constexpr std::string_view kNoFilters = "it knows no filters; DDA judges the nearest texel";
 
 constexpr std::array kPromises = {
@@ -68,6 +69,7 @@ constexpr std::array kPromises = {
     Entry{"IDENTITY", {kYes, kYes, yes("of as many texel centres as pixels"), kYes}},
     Entry{"AFFINE", {kYes, yes(kAffineOnly), yes(kAffineOnly), yes(kAffineOnly)}},
     Entry{"FILTER", {kYes, none(kNoFilters), none(kNoFilters), none(kNoFilters)}},
+    Entry{"TOLERANCE", {kYes, none(kNoTolerance), none(kNoTolerance), none(kNoTolerance)}},
     Entry{"MEM", {kYes, kYes, kYes, kYes}},
     Entry{"TOTAL", {kYes, kYes, kYes, kYes}},
     Entry{"ORACLE", {kYes, no(kOtherSamples), no(kOtherSamples), no(kOtherSamples)}},

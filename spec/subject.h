@@ -16,6 +16,11 @@ struct Subject {
   selvage_profile profile = SELVAGE_PROFILE_EXACT;  // the one it is held to
   bool nearest_only = false;  // it has no other filter: verify() draws with nearest alone, and
                               // others must get SELVAGE_ERROR_FILTER
+  // selvage_choose, if it has it: what it draws by is then held to the bounds that it tells.
+  std::function<selvage_status(const selvage_image*, const selvage_rect*, const selvage_vertex*,
+                               size_t, const selvage_texture*, const selvage_options*,
+                               selvage_choice*)>
+      choose{};
 };
 
 // The mapper that this program is linked with.

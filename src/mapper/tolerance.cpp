@@ -27,7 +27,7 @@ inline constexpr double kLaneUnits = 1 << kStepShift;  // of 32.32 in one of 16.
 
 RowChoice choose_row(const ProjectiveLanes& lanes, int32_t width_px, int32_t tolerance_fx16) {
   constexpr RowChoice kExact = {SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0};
-  if (width_px <= kLeastStepped_px) return kExact;
+  if (width_px < kLeastStepped_px) return kExact;
   const int32_t steps = width_px - 1;
   const int32_t roundings = roundings_fx16(lanes.margin_fx32(), steps);
   const double change = change_fx16(lanes, steps);
@@ -43,7 +43,7 @@ RowChoice choose_row(const ProjectiveLanes& lanes, int32_t width_px, int32_t tol
   }
   const auto longest_px = static_cast<int32_t>(steps * std::sqrt(budget / curve * kBudgetSlack));
   const int32_t segment_px = longest_px - longest_px % kStepGroup_px;
-  if (segment_px == 0) return kExact;
+  if (segment_px < kLeastSegment_px) return kExact;
   const double part = static_cast<double>(segment_px) / steps;
   const double chord = curve * part * part * kChordSlack;
   return {SELVAGE_METHOD_SUBDIVIDED, segment_px,

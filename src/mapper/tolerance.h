@@ -19,8 +19,10 @@ inline constexpr int32_t kStepRounding_fx16 = kStepTruncations_fx16 + 1;
 inline constexpr double kRatioSlack = 1 + 0x1p-50;
 inline constexpr double kChordSlack = 1 + 0x1p-40;
 inline constexpr double kBudgetSlack = 1 - 0x1p-30;
-// Rows up to so wide cost as much by two divisions as by one a pixel.
-inline constexpr int32_t kLeastStepped_px = kStepGroup_px;
+// Narrower rows and shorter segments were measured to cost as much as a division a pixel, by some
+// kernel at least.
+inline constexpr int32_t kLeastStepped_px = 96;
+inline constexpr int32_t kLeastSegment_px = 2 * kStepGroup_px;
 
 struct RowChoice {
   selvage_method method;

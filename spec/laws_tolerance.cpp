@@ -1,0 +1,254 @@
+// Law TOLERANCE: what is drawn within a tolerance is within the bound that is told, and the bound
+// within the tolerance.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "spec/canvas.h"
+#include "spec/law_list.h"
+#include "spec/law_tools.h"
+#include "spec/tolerance.h"
+
+namespace selvage::spec {
+namespace {
+
+constexpr std::string_view kLaw = "TOLERANCE";
+
+// Any tolerance may be asked for; beyond a few texels nothing new is drawn by it.
+inline constexpr int32_t kMostBits = 22;
+
+[[nodiscard]] Subject within(const Subject& subject, int32_t tolerance_fx16) {
+  Subject tolerant = subject;
+  tolerant.draw = [draw = subject.draw, tolerance_fx16](
+                      const selvage_image* target, const selvage_rect* clip,
+                      const selvage_vertex* vertices, size_t count, const selvage_texture* texture,
+                      const selvage_options* options) {
+    selvage_options changed = *options;
+    changed.tolerance = tolerance_fx16;
+    return draw(target, clip, vertices, count, texture, &changed);
+  };
+  return tolerant;
+}
+
+// Asks a subject what it would draw a case by.
+class Asked {
+ public:
+  Asked(const Subject& subject, const Case& c, int32_t tolerance_fx16)
+      : subject_(subject),
+        case_(c),
+        options_{c.profile, c.filter, c.address, tolerance_fx16, SELVAGE_KERNEL_FASTEST},
+        target_(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target, 0),
+        texture_(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
+                 c.flip_texture, 0) {}
+
+  [[nodiscard]] selvage_choice all() { return by_clip(case_.has_clip ? &case_.clip : nullptr); }
+  [[nodiscard]] selvage_choice row(int32_t y_px) {
+    selvage_rect clip = case_.has_clip ? case_.clip : selvage_rect{0, 0, case_.target_width_px, 0};
+    const bool visible = !case_.has_clip || (clip.top <= y_px && y_px < clip.bottom);
+    clip.top = y_px;
+    clip.bottom = visible ? y_px + 1 : y_px;
+    return by_clip(&clip);
+  }
+
+ private:
+  [[nodiscard]] selvage_choice by_clip(const selvage_rect* clip) {
+    const selvage_image image = target_.image();
+    const selvage_texture texture = texture_.texture();
+    selvage_choice choice{-1, -1, -1};  // stays, where an error is returned
+    (void)subject_.choose(&image, clip, case_.vertices.data(), case_.vertices.size(), &texture,
+                          &options_, &choice);
+    return choice;
+  }
+
+  const Subject& subject_;
+  const Case& case_;
+  selvage_options options_;
+  Canvas target_, texture_;
+};
+
+[[nodiscard]] Rational texels(const Rational& fx16) { return fx16 / SELVAGE_SUBTEXELS; }
+
+[[nodiscard]] bool is_stepped(const selvage_choice& choice) {
+  return choice.method == SELVAGE_METHOD_SUBDIVIDED ||
+         choice.method == SELVAGE_METHOD_AFFINE_FOR_PERSPECTIVE;
+}
+
+// What is wrong with a row's choice; empty if nothing.
+[[nodiscard]] std::string fault_of(const selvage_choice& choice, const ScanLine& line,
+                                   int32_t tolerance_fx16) {
+  if (choice.method < SELVAGE_METHOD_NONE || choice.method > SELVAGE_METHOD_HISTORIC) {
+    return "no method is told";
+  }
+  if (choice.bound < 0 || choice.bound > tolerance_fx16) return "the bound exceeds the tolerance";
+  if (!is_stepped(choice)) return choice.bound == 0 ? "" : "an exact method has a bound";
+  if ((choice.segment_px != 0) != (choice.method == SELVAGE_METHOD_SUBDIVIDED)) {
+    return "segments without subdivision, or it without them";
+  }
+  if (choice.segment_px % 16 != 0) return "segments are no multiple of 16 px";
+  return texels(choice.bound) >= chord_bound(line, choice.segment_px)
+             ? ""
+             : "the bound is less than the derived one";
+}
+
+[[nodiscard]] std::string text_of(const selvage_choice& choice) {
+  return "method " + std::to_string(choice.method) + ", segments of " +
+         std::to_string(choice.segment_px) + " px, bound " + std::to_string(choice.bound) +
+         "/65536 texel";
+}
+
+// The rows of a case as they are drawn within a tolerance.
+class TolerantCase {
+ public:
+  TolerantCase(const Subject& subject, const Case& c, int32_t tolerance_fx16)
+      : subject_(subject),
+        case_(c),
+        tolerance_fx16_(tolerance_fx16),
+        drawn_(draw(within(subject, tolerance_fx16), c)),
+        asked_(subject, c, tolerance_fx16) {}
+
+  [[nodiscard]] Judgement judge() {
+    Judgement judgement = judge_coverage();
+    int32_t greatest_fx16 = 0;
+    for (int32_t y = 0; !judgement.violation && y < case_.target_height_px; ++y) {
+      const std::optional<ScanLine> line = scan_line(case_.vertices, y);
+      if (!line || columns_of(*line).empty()) continue;
+      Rational allowed = texels(tolerance_fx16_);
+      if (subject_.choose) {
+        const selvage_choice choice = asked_.row(y);
+        const std::string fault = fault_of(choice, *line, tolerance_fx16_);
+        if (!fault.empty()) return blame(std::move(judgement), fault, choice, y);
+        greatest_fx16 = std::max(greatest_fx16, choice.bound);
+        allowed = is_stepped(choice) ? std::min(texels(choice.bound),
+                                                Rational(chord_bound(*line, choice.segment_px) +
+                                                         texels(rounding_bound_fx16(*line))))
+                                     : Rational(0);
+      }
+      add(&judgement, judge_row(y, *line, allowed));
+    }
+    if (!judgement.violation && subject_.choose && asked_.all().bound != greatest_fx16) {
+      return blame(std::move(judgement), "the bound of all rows is not the greatest of each",
+                   asked_.all(), -1);
+    }
+    return judgement;
+  }
+
+ private:
+  // Which pixels are drawn is exact whatever the tolerance.
+  [[nodiscard]] Judgement judge_coverage() const {
+    const Picture model = expected(case_);
+    return compare(kLaw, "which pixels are drawn does not depend on the tolerance", case_, drawn_,
+                   [&](int32_t x, int32_t y) {
+                     const bool same = model.at(x, y).has_value() == drawn_.at(x, y).has_value();
+                     return must_be(same ? drawn_.at(x, y) : model.at(x, y));
+                   });
+  }
+
+  [[nodiscard]] Judgement judge_row(int32_t y, const ScanLine& line,
+                                    const Rational& allowed) const {
+    Judgement judgement;
+    const int32_t mask = texel_mask(case_.format);
+    for (int32_t x = 0; x < case_.target_width_px; ++x) {
+      const std::optional<uint32_t>& pixel = drawn_.at(x, y);
+      const std::optional<Sample> exact = pixel ? sample(line, x) : std::nullopt;
+      if (!exact) continue;
+      const auto range = [&](const Rational& u, int32_t size) {
+        return TexelRange{floor(u - allowed), floor(u + allowed), size, case_.address};
+      };
+      const TexelRange s = range(exact->u, case_.texture_width_texel);
+      const TexelRange t = range(exact->v, case_.texture_height_texel);
+      const Texel texel = texel_bits(case_.format, *pixel);
+      ++judgement.judged_px;
+      if (s.holds_bits(texel.s, mask) && t.holds_bits(texel.t, mask)) continue;
+      judgement.violation = violation_at(
+          kLaw,
+          "within " + texels(tolerance_fx16_).get_str() + " texel, a texel lies within " +
+              allowed.get_str() + " texel of its exact (u, v)",
+          case_, x, y, "columns " + s.text() + ", rows " + t.text() + ", addressed", pixel);
+      return judgement;
+    }
+    return judgement;
+  }
+
+  [[nodiscard]] Judgement blame(Judgement judgement, const std::string& fault,
+                                const selvage_choice& choice, int32_t y_px) const {
+    judgement.violation = violation_of_call(
+        kLaw,
+        "row " + std::to_string(y_px) + ", within " + texels(tolerance_fx16_).get_str() +
+            " texel: " + fault,
+        case_, "a choice whose bound is derived and within the tolerance", text_of(choice));
+    return judgement;
+  }
+
+  const Subject& subject_;
+  const Case& case_;
+  int32_t tolerance_fx16_;
+  Picture drawn_;
+  Asked asked_;
+};
+
+// Linearly from [least, greatest] of the values to [to_least, to_greatest].
+void fit(std::vector<selvage_vertex>* vertices, int32_t selvage_vertex::*axis, int64_t to_least,
+         int64_t to_greatest) {
+  const auto [low, high] = std::ranges::minmax(*vertices, {}, axis);
+  const int64_t from = low.*axis, extent = std::max(int64_t{high.*axis} - from, int64_t{1});
+  for (selvage_vertex& v : *vertices) {
+    v.*axis = static_cast<int32_t>(to_least + (v.*axis - from) * (to_greatest - to_least) / extent);
+  }
+}
+
+// The case on wide rows and with milder depths: where tolerance has something to say.
+[[nodiscard]] Case made_wide(const Case& c, Choices& choices) {
+  Case wide = c;
+  wide.has_clip = choices.pick(0, 4) == 0;
+  wide.clip = {choices.pick(0, 60), 0, choices.pick(60, 400), 100};
+  wide.target_width_px = choices.pick(96, 320);
+  wide.target_height_px = choices.pick(1, 6);
+  const int32_t beyond = choices.pick(0, 2) * choices.pick(0, 1 << 16);
+  fit(&wide.vertices, &selvage_vertex::x, -beyond,
+      int64_t{wide.target_width_px} * SELVAGE_SUBPIXELS + beyond);
+  fit(&wide.vertices, &selvage_vertex::y, -choices.pick(0, 512),
+      int64_t{wide.target_height_px} * SELVAGE_SUBPIXELS + choices.pick(0, 512));
+  const int32_t base = 1 << choices.pick(4, 24);
+  const int32_t spread = std::max(base >> choices.pick(0, 10), 1);
+  const int halvings = choices.pick(0, 16);
+  for (selvage_vertex& v : wide.vertices) {
+    v.q = base - v.q % spread;
+    v.u >>= halvings;
+    v.v >>= halvings;
+  }
+  return wide;
+}
+
+// Powers of two in between, and what some row's own bound is, or just not.
+[[nodiscard]] int32_t some_tolerance(const Case& c, Choices& choices) {
+  constexpr std::array kUsual = {SELVAGE_SUBTEXELS / 256, SELVAGE_SUBTEXELS / 16,
+                                 SELVAGE_SUBTEXELS / 4, int32_t{SELVAGE_SUBTEXELS}};
+  const int32_t kind = choices.pick(0, 3);
+  if (kind == 0) return kUsual[static_cast<size_t>(choices.pick(0, 4))];
+  const int32_t any = (1 << choices.pick(0, kMostBits)) + choices.pick(0, 16);
+  const auto line = scan_line(c.vertices, choices.pick(0, c.target_height_px));
+  if (kind == 1 || !line || columns_of(*line).empty()) return any;
+  const int32_t segment_px = 16 * choices.pick(0, 20);
+  const Rational bound =
+      chord_bound(*line, segment_px) * SELVAGE_SUBTEXELS + rounding_bound_fx16(*line);
+  return bound < (1 << kMostBits) ? std::max(floor(bound) + choices.pick(-2, 3), 1) : any;
+}
+
+}  // namespace
+
+Judgement check_tolerance(const Subject& subject, const Case& any) {
+  const Case c = with_nearest(any);
+  Judgement judgement;
+  if (!is_valid(c) || c.profile != SELVAGE_PROFILE_EXACT) return judgement;
+  Choices choices(c.choice);
+  for (const Case& shown : {c, made_wide(c, choices)}) {
+    if (!is_valid(shown)) continue;
+    const int32_t tolerance_fx16 = some_tolerance(shown, choices);
+    if (add(&judgement, TolerantCase(subject, shown, tolerance_fx16).judge())) break;
+  }
+  return judgement;
+}
+
+}  // namespace selvage::spec
