@@ -37,6 +37,9 @@ class Catalogue {
     }
   }
 
+  // One that is no recipe.
+  void add(WrongMapper mapper) { mappers_.push_back(std::move(mapper)); }
+
   [[nodiscard]] std::vector<WrongMapper> take() { return std::move(mappers_); }
 
  private:
@@ -50,6 +53,7 @@ inline constexpr selvage_profile kDkit = SELVAGE_PROFILE_DKIT;
 void add_wrong_coverage(Catalogue* catalogue);
 void add_wrong_mapping(Catalogue* catalogue);
 void add_wrong_filters(Catalogue* catalogue);
+void add_wrong_tolerance(Catalogue* catalogue);
 void add_wrong_historic_edges(Catalogue* catalogue);
 void add_wrong_historic_spans(Catalogue* catalogue);
 void add_wrong_historic_walks(Catalogue* catalogue);

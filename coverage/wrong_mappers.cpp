@@ -12,6 +12,7 @@ std::span<const WrongMapper> wrong_mappers() {
     add_wrong_coverage(&catalogue);
     add_wrong_mapping(&catalogue);
     add_wrong_filters(&catalogue);
+    add_wrong_tolerance(&catalogue);
     add_wrong_historic_edges(&catalogue);
     add_wrong_historic_spans(&catalogue);
     add_wrong_historic_walks(&catalogue);

@@ -21,6 +21,7 @@
 #include "mapper/footprint.h"
 #include "mapper/lanes.h"
 #include "mapper/plane.h"
+#include "mapper/tolerance.h"
 #include "mapper/vector_kernel.h"
 #include "spec/dda_bounds.h"
 #include "spec/oracle.h"
@@ -119,6 +120,13 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
       {"vector_lanes",
        {{"SHIFT", number(kLaneFraction - kTexelFraction)},
         {"TRUNCATIONS", number(kVectorTruncations_fx16), barely_less(kVectorTruncations_fx16)}}},
+      {"stepped_lanes",
+       {{"SHIFT", number(kStepShift)},
+        {"TRUNCATIONS", number(kStepTruncations_fx16), barely_less(kStepTruncations_fx16)},
+        {"STEP_ERROR", number(kStepError_fx32), "0.99"}}},
+      {"chord_bound",
+       {{"RATIO_SLACK", number(kRatioSlack), "0x1p0"},
+        {"CHORD_SLACK", number(kChordSlack), number(1 - 0x1p-40)}}},
       {"plane_estimate",
        {{"FRACTION", number(kTexelFraction)},
         {"SUBPIXEL_BITS", number(kSubpixelBits)},

@@ -1,0 +1,119 @@
+// Wrong mappers: what they make of a tolerance, and what they tell of it.
+#include <algorithm>
+#include <cmath>
+
+#include "coverage/catalogue.h"
+#include "coverage/recipe.h"
+#include "spec/tolerance.h"
+
+namespace selvage::coverage {
+namespace {
+
+using spec::Rational;
+using spec::Sample;
+using spec::ScanLine;
+
+constexpr std::string_view kKiller = "TOLERANCE";
+
+// The map at a centre x, straight between its values segment_px apart.
+[[nodiscard]] Sample subdivided(const ScanLine& line, const Rational& x, int32_t segment_px) {
+  const spec::Columns columns = spec::columns_of(line);
+  const int32_t px = spec::floor(x);
+  const int32_t from_px = px - (px - columns.first_px) % segment_px;
+  const int32_t to_px = std::min(from_px + segment_px, columns.last_px());
+  const Sample from = Recipe::interpolate(line, from_px + Rational(1, 2));
+  if (to_px <= from_px) return from;
+  const Sample to = Recipe::interpolate(line, to_px + Rational(1, 2));
+  Rational t(px - from_px, to_px - from_px);
+  t.canonicalize();
+  return {from.u + t * (to.u - from.u), from.v + t * (to.v - from.v)};
+}
+
+// The longest segments, a multiple of 16 px, whose chords keep the tolerance; 0 if none do.
+[[nodiscard]] int32_t longest_px(const ScanLine& line, double tolerance_fx16,
+                                 double share_of_bound = 1) {
+  const double of_16_px = spec::chord_bound(line, 16).get_d() * 65536.0 * share_of_bound;
+  constexpr double kMost = 4096;
+  const double most = of_16_px > 0 ? std::sqrt(tolerance_fx16 / of_16_px) : kMost;
+  return 16 * static_cast<int32_t>(std::min(most, kMost));
+}
+
+template <class SegmentPx>
+void add_subdivided(Catalogue* catalogue, std::string_view name, std::string_view bug,
+                    SegmentPx segment_px) {
+  catalogue->add(name, kKiller, bug, [=](Recipe& r) {
+    r.map = [=](const Job& job, const ScanLine& line, const Rational& x) {
+      const int32_t px = job.tolerance > 0 ? segment_px(job, line) : 0;
+      return px > 0 ? subdivided(line, x, px) : Recipe::interpolate(line, x);
+    };
+  });
+}
+
+void spoil_bounds(Catalogue* catalogue) {
+  add_subdivided(
+      catalogue, "segments_twice_too_long",
+      "perspective is divided half as often as the bound asks",
+      [](const Job& job, const ScanLine& line) { return 2 * longest_px(line, job.tolerance); });
+  add_subdivided(catalogue, "bound_by_the_greatest_q",
+                 "the bound of a chord has the greatest q cubed below, not the least",
+                 [](const Job& job, const ScanLine& line) {
+                   const double left = line.left.q.get_d(), right = line.right.q.get_d();
+                   const double ratio = std::min(left, right) / std::max(left, right);
+                   return longest_px(line, job.tolerance, std::pow(ratio, 3));
+                 });
+  add_subdivided(
+      catalogue, "tolerance_in_1_256_texel", "the tolerance is taken for 1/256 texel",
+      [](const Job& job, const ScanLine& line) { return longest_px(line, 256.0 * job.tolerance); });
+  add_subdivided(catalogue, "affine_whenever_tolerant",
+                 "any tolerance is taken for leave to divide at span ends only",
+                 [](const Job&, const ScanLine&) { return 1 << 20; });
+}
+
+void spoil_coverage(Catalogue* catalogue) {
+  catalogue->add("tolerant_edges", kKiller, "within a tolerance x is taken for whole pixels",
+                 [](Recipe& r) {
+                   r.prepare = [](Job& job) {
+                     if (job.tolerance == 0) return;
+                     for (selvage_vertex& v : job.vertices) v.x &= ~(SELVAGE_SUBPIXELS - 1);
+                   };
+                 });
+}
+
+// The mapper that this program is linked with; tell(options, choice) changes what it tells.
+template <class Tell>
+[[nodiscard]] WrongMapper telling(std::string name, std::string_view bug, Tell tell) {
+  spec::Subject subject = spec::built_in();
+  subject.name = name;
+  subject.choose = [tell](const selvage_image* target, const selvage_rect* clip,
+                          const selvage_vertex* vertices, size_t count,
+                          const selvage_texture* texture, const selvage_options* options,
+                          selvage_choice* choice) {
+    const selvage_status status =
+        selvage_choose(target, clip, vertices, count, texture, options, choice);
+    if (status == SELVAGE_OK) tell(*choice);
+    return status;
+  };
+  return {std::move(name), bug, kKiller, std::move(subject)};
+}
+
+void spoil_telling(Catalogue* catalogue) {
+  catalogue->add(telling("tells_half_the_bound",
+                         "the bound that is told is half of the derived one",
+                         [](selvage_choice& choice) { choice.bound /= 2; }));
+  catalogue->add(telling("tells_that_it_is_exact", "what is drawn within a tolerance is told exact",
+                         [](selvage_choice& choice) {
+                           choice = {SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0};
+                         }));
+  catalogue->add(telling("tells_shorter_segments", "segments are told to be half as long",
+                         [](selvage_choice& choice) { choice.segment_px /= 2; }));
+}
+
+}  // namespace
+
+void add_wrong_tolerance(Catalogue* catalogue) {
+  spoil_bounds(catalogue);
+  spoil_coverage(catalogue);
+  spoil_telling(catalogue);
+}
+
+}  // namespace selvage::coverage
