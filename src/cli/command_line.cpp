@@ -40,6 +40,8 @@ constexpr const char* kDrawExamples = R"(Examples:
                --polygon '80,40,0,0,4 160,40,64,0,4 240,180,64,64,1 0,180,0,64,1'
   selvage draw --texture earth.jpg --size 64x32 --filter area -o small.png \
                --polygon '0,0,0,0 64,0,2048,0 64,32,2048,1024 0,32,0,1024'
+  selvage draw --texture floor.png --size 640x200 --tolerance 0.25 -o out.png --json \
+               --polygon '200,0,0,0,4 440,0,64,0,4 640,200,64,64,1 0,200,0,64,1'
   selvage draw --texture earth.jpg --polygon-file globe.json --size 640x480 -o out.png --json
 
 A polygon's vertices go around it, either way; every row of pixels may cross two of its edges or
@@ -112,6 +114,9 @@ CLI::App* add_draw(CLI::App& program, DrawOptions& options) {
                    "How texels make a pixel: nearest (the default), four, bilinear or area; wins "
                    "over the polygon file")
       ->type_name("NAME");
+  draw->add_option("--tolerance", options.tolerance,
+                   "How far u and v may be off, in texels, for speed; 0, the default, is exact")
+      ->type_name("TEXELS");
   draw->add_option("--profile", options.profile,
                    "Conventions to draw by: exact (the default), abrash56, abrash57 or dkit; wins "
                    "over the polygon file")
@@ -120,7 +125,7 @@ CLI::App* add_draw(CLI::App& program, DrawOptions& options) {
       ->type_name("FORMAT")
       ->capture_default_str();
   draw->add_option("-o,--output", options.output, "PNG to write")->required()->type_name("FILE");
-  draw->add_flag("--json", options.json, "Print size, covered pixels and time as JSON");
+  draw->add_flag("--json", options.json, "Print size, covered pixels, time and methods as JSON");
   draw->footer(footer(kDrawExamples));
   return draw;
 }

@@ -55,6 +55,10 @@ void check_png_name(const std::string& output) {
     if (!options.address.empty()) {
       polygon.options.address = about("--address", [&] { return parse_address(options.address); });
     }
+    if (!options.tolerance.empty()) {
+      polygon.options.tolerance =
+          about("--tolerance", [&] { return parse_tolerance(options.tolerance); });
+    }
     if (!options.filter.empty()) {
       polygon.options.filter = about("--filter", [&] { return parse_filter(options.filter); });
     }
@@ -100,8 +104,28 @@ void draw_all(const Job& job, const std::vector<std::vector<selvage_vertex>>& ve
   }
 }
 
+// What each polygon is drawn by.
+[[nodiscard]] nlohmann::ordered_json methods(const Job& job, const Bitmap& texture,
+                                             Bitmap& target) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  const std::vector<std::vector<selvage_vertex>> vertices = snap(job);
+  const selvage_image image = target.image();
+  const selvage_texture source = texture.texture();
+  for (size_t i = 0; i < job.size(); ++i) {
+    selvage_choice choice{};
+    const selvage_status status =
+        selvage_choose(&image, job[i].clip ? &*job[i].clip : nullptr, vertices[i].data(),
+                       vertices[i].size(), &source, &job[i].options, &choice);
+    if (status != SELVAGE_OK) throw UserError(selvage_status_text(status));
+    all.push_back({{"method", method_name(choice.method)},
+                   {"segment_px", choice.segment_px},
+                   {"bound_texel", choice.bound / double{SELVAGE_SUBTEXELS}}});
+  }
+  return all;
+}
+
 void report(const DrawOptions& options, const Job& job, const Raster& picture, int64_t time_ns,
-            const Console& console) {
+            nlohmann::ordered_json methods, const Console& console) {
   const nlohmann::ordered_json values = {
       {"output", options.output},
       {"width_px", picture.width_px},
@@ -110,6 +134,7 @@ void report(const DrawOptions& options, const Job& job, const Raster& picture, i
       {"polygons", job.size()},
       {"covered_px", covered_px(job, picture.width_px, picture.height_px)},
       {"draw_ns", time_ns},
+      {"methods", std::move(methods)},
   };
   console.out << values.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
@@ -142,10 +167,11 @@ int run_draw(const DrawOptions& options, const Console& console) {
   const Bitmap texture = to_bitmap(read_picture(options.texture), format);
   status.show("drawing");
   const int64_t time_ns = draw_job_ns(job, texture, target);
+  nlohmann::ordered_json drawn_by = methods(job, texture, target);
   status.show("writing " + options.output);
   const Raster picture = to_raster(std::move(target));
   write_file(options.output, encode_png(picture));
-  if (options.json) report(options, job, picture, time_ns, console);
+  if (options.json) report(options, job, picture, time_ns, std::move(drawn_by), console);
   return kExitFine;
 }
 

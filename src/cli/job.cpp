@@ -1,6 +1,8 @@
 #include "cli/job.h"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <string>
 
 #include "cli/error.h"
@@ -51,6 +53,21 @@ selvage_filter parse_filter(std::string_view name) {
   if (name == "bilinear") return SELVAGE_FILTER_BILINEAR;
   if (name == "area") return SELVAGE_FILTER_AREA;
   throw UserError("'" + std::string(name) + "' is no filter; nearest, four, bilinear and area are");
+}
+
+int32_t parse_tolerance(std::string_view texels) {
+  constexpr double kUnits = SELVAGE_SUBTEXELS, kMost = 32767;
+  const std::optional<double> value = parse_double(texels);
+  if (value && *value >= 0 && *value <= kMost) return static_cast<int32_t>(*value * kUnits);
+  throw UserError("'" + std::string(texels) + "' is no tolerance; 0 to 32767 texels are");
+}
+
+std::string_view method_name(selvage_method method) {
+  constexpr std::array<std::string_view, SELVAGE_METHOD_HISTORIC + 1> kNames = {
+      "nothing drawn", "copy",         "affine for perspective",
+      "subdivided",    "exact affine", "exact perspective",
+      "filter",        "historic"};
+  return kNames[static_cast<size_t>(method)];
 }
 
 std::vector<std::vector<selvage_vertex>> snap(const Job& job) {

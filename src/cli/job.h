@@ -30,6 +30,10 @@ using Job = std::vector<JobPolygon>;
 [[nodiscard]] selvage_profile parse_profile(std::string_view name);
 [[nodiscard]] selvage_address parse_address(std::string_view name);
 [[nodiscard]] selvage_filter parse_filter(std::string_view name);
+// Texels, decimal; in 1/65536 texel, rounded down.
+[[nodiscard]] int32_t parse_tolerance(std::string_view texels);
+// "exact perspective", "subdivided", ...
+[[nodiscard]] std::string_view method_name(selvage_method method);
 
 // Each polygon's vertices on the mapper's grid. The least w of the whole job is the near one, so
 // that polygons that share an edge agree on it. Errors name the polygon and the vertex.

@@ -200,6 +200,25 @@ TEST_F(Draw, ReportsInJson) {
   EXPECT_GT(report["draw_ns"], 0);
 }
 
+TEST_F(Draw, TellsWhatIsDrawnByWithinATolerance) {
+  options_.polygons = {"0,0,0,0,1 120,0,16,0,1.02 120,5,16,16,1.02 0,5,0,16,1",
+                       "0,0,0,0 9,0,3,0 0,9,0,3"};
+  options_.json = true;
+  options_.tolerance = "0.5";
+  run();
+  const nlohmann::json report = nlohmann::json::parse(out_.str());
+  EXPECT_EQ(report["methods"][0]["method"], "affine for perspective");
+  EXPECT_EQ(report["methods"][0]["segment_px"], 0);
+  EXPECT_GT(report["methods"][0]["bound_texel"], 0);
+  EXPECT_LE(report["methods"][0]["bound_texel"], 0.5);
+  EXPECT_EQ(report["methods"][1]["method"], "exact affine");
+  EXPECT_EQ(report["methods"][1]["bound_texel"], 0);
+  options_.tolerance = "-1";
+  EXPECT_THROW(run(), UserError);
+  options_.tolerance = "0,5";
+  EXPECT_THROW(run(), UserError);
+}
+
 TEST_F(Draw, TellsATerminalWhatItDoesAndWipesIt) {
   std::ostringstream err;
   EXPECT_EQ(run_draw(options_, {out_, err, true}), kExitFine);
