@@ -14,6 +14,6 @@ factor = ratio_by_R * (1 + r6) * (1 + r7) * (1 + r8) * @CHORD_SLACK@;
 { one_over_R in [1b-24, 1]
   /\ |r1| <= 1b-53 /\ |r2| <= 1b-53 /\ |r3| <= 1b-53 /\ |r4| <= 1b-53
   /\ |r5| <= 1b-53 /\ |r6| <= 1b-53 /\ |r7| <= 1b-53 /\ |r8| <= 1b-53
-  -> less_by_R - (1 - one_over_R) >= 0 /\ factor >= 1 }
+  -> less_by_R - (1 - one_over_R) >= 0 /\ factor - 1 >= 0 }
 
 less_by_R - (1 - one_over_R) -> (ratio_by_R - 1) + r5 * (ratio_by_R - one_over_R);
