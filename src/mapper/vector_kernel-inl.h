@@ -63,7 +63,7 @@ struct WrapVector {
 
 // Calls draw with the address mode that fits.
 template <class Draw>
-HWY_INLINE int32_t with_address(const Surface& surface, const Draw& draw) {
+HWY_INLINE void with_address(const Surface& surface, const Draw& draw) {
   const selvage_texture& texture = surface.texture;
   if (surface.address == SELVAGE_ADDRESS_CLAMP) return draw(ClampVector());
   if (WrapMasked::fits(texture.width) && WrapMasked::fits(texture.height)) {
@@ -74,7 +74,7 @@ HWY_INLINE int32_t with_address(const Surface& surface, const Draw& draw) {
 
 // Calls draw with a value of the pixel's type.
 template <class Draw>
-HWY_INLINE int32_t with_pixel(selvage_format format, const Draw& draw) {
+HWY_INLINE void with_pixel(selvage_format format, const Draw& draw) {
   if (format == SELVAGE_RGBA8888) return draw(uint32_t{});
   return format == SELVAGE_RGB565 ? draw(uint16_t{}) : draw(uint8_t{});
 }
@@ -89,6 +89,10 @@ template <class D>
   uint32_t bits;
   std::memcpy(&bits, bytes, sizeof bits);
   return bits;
+}
+
+[[nodiscard]] HWY_INLINE uint32_t first_bits(int32_t count) {
+  return static_cast<uint32_t>((uint64_t{1} << count) - 1);
 }
 
 // The texels, 1 added to those of the near-ties that have reached the next one; those come right
