@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 
 set(SELVAGE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/selvage)
 
-install(TARGETS selvage selvage_static EXPORT selvageTargets
+install(TARGETS selvage ${static_libraries} EXPORT selvageTargets
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}

@@ -54,6 +54,19 @@ const char* selvage_status_text(selvage_status status) {
       return "the address mode is unknown; it must be CLAMP or WRAP";
     case SELVAGE_ERROR_TOLERANCE:
       return "the tolerance is negative; it must be at least 0";
+    case SELVAGE_ERROR_THREADS:
+      return "the number of threads is negative; it must be at least 1, or 0 for all there are";
+    case SELVAGE_ERROR_POLYGONS_NULL:
+      return "the polygons are NULL; they must point to as many as are counted";
+    case SELVAGE_ERROR_SCRATCH_NULL:
+      return "the scratch memory is NULL; it must point to selvage_draw_many_bytes bytes";
+    case SELVAGE_ERROR_SCRATCH_ALIGNMENT:
+      return "the scratch memory is misaligned; it must be as aligned as memory from malloc";
+    case SELVAGE_ERROR_SCRATCH_SIZE:
+      return "the scratch memory is too small; it must have selvage_draw_many_bytes bytes";
+    case SELVAGE_ERROR_SCRATCH_OVERLAP:
+      return "the scratch memory is shared with the target, a polygon or a texture; it must lie "
+             "apart";
     case SELVAGE_ERROR_SNAP_NULL:
       return "there is no vertex to write to; it must not be NULL";
     case SELVAGE_ERROR_SNAP_NOT_FINITE:
