@@ -24,20 +24,20 @@ Rows Bands::rows(size_t band) const {
 
 void BandIndex::end_adding() {
   uint32_t total = 0;
-  for (uint32_t& end : end_) {
-    const uint32_t listed = end;
-    end = total;
-    total += listed;
+  for (Ends& of_runs : end_) {
+    for (uint32_t& end : of_runs) {
+      const uint32_t listed = end;
+      end = total;
+      total += listed;
+    }
   }
 }
 
-// The lists lie one after another in the order of the nodes, so each starts where the one before
-// ends; node 0 does not exist and is empty.
+// Node 0 does not exist and lists nothing.
 BandIndex::Reader::Reader(const BandIndex& index, size_t band) {
   for (size_t node = kMostBands + band; node > 0; node /= 2) {
-    const auto list =
-        index.entries_.subspan(index.end_[node - 1], index.end_[node] - index.end_[node - 1]);
-    if (!list.empty()) lists_[count_++] = list;
+    const uint32_t first = index.end_[node - 1].back(), end = index.end_[node].back();
+    if (first != end) lists_[count_++] = index.entries_.subspan(first, end - first);
   }
 }
 

@@ -11,6 +11,8 @@
 #include <cstdint>
 #include <span>
 
+#include "many/runs.h"
+
 namespace selvage::many {
 
 inline constexpr size_t kMostBands = 64;  // a power of two
@@ -47,6 +49,7 @@ class Bands {
     const Rows seen = reach.within(rows_);
     if (seen.empty()) return;
     size_t first = kMostBands + band_of(seen.first), end = kMostBands + band_of(seen.end - 1) + 1;
+    if (end - first == 1) return take(first);  // most often, and with nothing to be guessed wrong
     for (; first < end; first /= 2, end /= 2) {
       if (first % 2 != 0) take(first++);
       if (end % 2 != 0) take(--end);
@@ -59,18 +62,19 @@ class Bands {
   size_t count_ = 1;
 };
 
-// First add() what each polygon reaches, then end_adding(), then list() each in order, then read.
+// First add() what each polygon reaches, then end_adding(), then list() each, then read. Polygons
+// come in runs: a run adds and lists in order, while others may do the same.
 class BandIndex {
  public:
   // `entries` must hold kMostNodes a polygon, of which there are fewer than 2^32 / kMostNodes.
   BandIndex(const Bands& bands, std::span<uint32_t> entries) : bands_(bands), entries_(entries) {}
 
-  void add(Rows reach) {
-    bands_.for_each_node(reach, [&](size_t node) { ++end_[node]; });
+  void add(size_t run, Rows reach) {
+    bands_.for_each_node(reach, [&](size_t node) { ++end_[node][run]; });
   }
   void end_adding();
-  void list(uint32_t polygon, Rows reach) {
-    bands_.for_each_node(reach, [&](size_t node) { entries_[end_[node]++] = polygon; });
+  void list(size_t run, uint32_t polygon, Rows reach) {
+    bands_.for_each_node(reach, [&](size_t node) { entries_[end_[node][run]++] = polygon; });
   }
 
   // The polygons of a band in their order.
@@ -86,9 +90,13 @@ class BandIndex {
   };
 
  private:
+  // A node's list is that of its first run, then of its second, and so on; the lists of all nodes
+  // lie one after another.
+  using Ends = std::array<uint32_t, kMostRuns>;
+
   Bands bands_;
   std::span<uint32_t> entries_;
-  std::array<uint32_t, 2 * kMostBands> end_{};  // of each node's list; of its start while listing
+  std::array<Ends, 2 * kMostBands> end_{};  // of each part; how much of it is listed, until it is
 };
 
 }  // namespace selvage::many

@@ -8,6 +8,7 @@
 #include "draw_call.h"
 #include "many/bands.h"
 #include "many/prepare.h"
+#include "many/runs.h"
 #include "many/workers.h"
 #include "mapper/image.h"
 #include "selvage.h"
@@ -24,7 +25,7 @@ static_assert(alignof(Prepared) <= alignof(std::max_align_t));
 static_assert(alignof(Prepared) % alignof(uint32_t) == 0);
 
 // More bands balance the threads better, and cost more set-up: a polygon's once in each.
-inline constexpr int32_t kBandsPerWorker = 4;
+inline constexpr int32_t kBandsPerWorker = 3;
 inline constexpr int32_t kLeastBandRows = 8;
 // Below so many rows of polygons, waking another thread takes longer than drawing them.
 inline constexpr int64_t kLeastRowsToShare = 128;
@@ -56,14 +57,18 @@ void draw_one(const Request& request, const selvage_rect& visible, const Prepare
 }
 
 void draw_in_bands(const Request& request, const Bands& bands, std::span<uint32_t> entries,
-                   int32_t workers) {
-  const auto reach = [&](const Prepared& one) {
-    return reach_of(one.polygon, request.options.profile);
-  };
+                   const Runs& runs, int32_t workers) {
   BandIndex index(bands, entries);
-  for (const Prepared& one : request.prepared) index.add(reach(one));
+  const auto reach = [&](size_t i) {
+    return reach_of(request.prepared[i].polygon, request.options.profile);
+  };
+  runs.for_each([&](size_t run, size_t first, size_t end) {
+    for (size_t i = first; i < end; ++i) index.add(run, reach(i));
+  });
   index.end_adding();
-  for (uint32_t i = 0; i < request.prepared.size(); ++i) index.list(i, reach(request.prepared[i]));
+  runs.for_each([&](size_t run, size_t first, size_t end) {
+    for (size_t i = first; i < end; ++i) index.list(run, static_cast<uint32_t>(i), reach(i));
+  });
 
   share_out(bands.count(), workers, [&](size_t band) {
     const Rows rows = bands.rows(band);
@@ -73,20 +78,20 @@ void draw_in_bands(const Request& request, const Bands& bands, std::span<uint32_
   });
 }
 
-void draw_all(const Request& request, const Preparation& preparation, int32_t workers) {
+void draw_all(const Request& request, const Preparation& preparation, const Runs& runs,
+              int32_t workers) {
   const Rows rows = preparation.reach.within({request.visible.top, request.visible.bottom});
   if (rows.empty()) return;
-  const int32_t wanted = workers <= static_cast<int32_t>(kMostBands / 2) / kBandsPerWorker
-                             ? workers * kBandsPerWorker
-                             : static_cast<int32_t>(kMostBands / 2);
-  const Bands bands(rows, static_cast<size_t>(wanted), kLeastBandRows);
+  constexpr auto kMostWanted = static_cast<int32_t>(kMostBands / 2);
+  const int32_t wanted = std::min(workers, kMostWanted) * kBandsPerWorker;
+  const Bands bands(rows, static_cast<size_t>(std::min(wanted, kMostWanted)), kLeastBandRows);
   if (workers == 1 || bands.count() == 1 || preparation.row_count < kLeastRowsToShare) {
     for (const Prepared& one : request.prepared) draw_one(request, request.visible, one);
     return;
   }
   const size_t count = request.prepared.size();
   auto* const entries = reinterpret_cast<uint32_t*>(request.prepared.data() + count);
-  draw_in_bands(request, bands, {entries, count * kMostNodes}, workers);
+  draw_in_bands(request, bands, {entries, count * kMostNodes}, runs, workers);
 }
 
 }  // namespace
@@ -120,9 +125,10 @@ selvage_status selvage_draw_many(const selvage_image* target, const selvage_rect
       .prepared = {static_cast<many::Prepared*>(scratch), polygon_count},
       .scratch = mapper::memory_of(scratch, selvage_draw_many_bytes(polygon_count), 1)};
   const int32_t workers = many::worker_count(threads);
-  const many::Preparation preparation = many::prepare(request, workers);
+  const many::Runs runs(polygon_count, workers);
+  const many::Preparation preparation = many::prepare(request, runs);
   if (preparation.status == SELVAGE_OK) {
-    many::draw_all(request, preparation, workers);
+    many::draw_all(request, preparation, runs, workers);
   } else if (failed != nullptr) {
     *failed = preparation.failed;
   }

@@ -5,14 +5,9 @@
 #include <memory>
 
 #include "draw_call.h"
-#include "many/workers.h"
 
 namespace selvage::many {
 namespace {
-
-// Polygons are shared out in runs of about so many: waking a thread costs as much as some hundred.
-inline constexpr size_t kLeastRun = 512;
-inline constexpr size_t kMostRuns = 64;
 
 // What lies between a polygon and its texels. A texture that the polygon before had is not checked
 // again.
@@ -86,18 +81,14 @@ Rows reach_of(const mapper::Polygon& polygon, selvage_profile profile) {
   return {polygon.top_row, polygon.bottom_row + last_row};
 }
 
-Preparation prepare(const Request& request, int32_t workers) {
-  const size_t count = request.polygons.size();
-  const size_t runs = workers == 1 ? 1 : std::clamp<size_t>(count / kLeastRun, 1, kMostRuns);
-  std::array<Preparation, kMostRuns> results{};
-  share_out(runs, workers, [&](size_t run) {
-    const auto boundary = [&](size_t of) { return count / runs * of + std::min(of, count % runs); };
-    results[run] = prepare_run(request, boundary(run), boundary(run + 1));
-  });
+Preparation prepare(const Request& request, const Runs& runs) {
+  std::array<Preparation, kMostRuns> parts{};
+  runs.for_each(
+      [&](size_t run, size_t first, size_t end) { parts[run] = prepare_run(request, first, end); });
 
   Preparation all;
-  for (size_t run = 0; run < runs && all.status == SELVAGE_OK; ++run) {
-    const Preparation& part = results[run];
+  for (size_t run = 0; run < runs.count() && all.status == SELVAGE_OK; ++run) {
+    const Preparation& part = parts[run];
     all.status = part.status;
     all.failed = part.failed;
     all.reach = {std::min(all.reach.first, part.reach.first),

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "many/bands.h"
+#include "many/runs.h"
 #include "mapper/image.h"
 #include "mapper/polygon.h"
 #include "selvage.h"
@@ -40,6 +41,6 @@ struct Preparation {
 [[nodiscard]] Rows reach_of(const mapper::Polygon& polygon, selvage_profile profile);
 
 // Fills request.prepared, as far as no polygon is refused.
-[[nodiscard]] Preparation prepare(const Request& request, int32_t workers);
+[[nodiscard]] Preparation prepare(const Request& request, const Runs& runs);
 
 }  // namespace selvage::many

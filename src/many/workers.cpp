@@ -4,7 +4,6 @@
 #include <atomic>
 
 #ifdef SELVAGE_WITH_TBB
-#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
@@ -27,15 +26,15 @@ struct Queue {
 
 #ifdef SELVAGE_WITH_TBB
 
-// In an arena of its own: while the caller waits it takes no other work of the program's. Where
-// oneTBB has no memory for its tasks it throws, but returns only when those have ended that it
-// started; the caller's thread then does what is left.
+// As many tasks as workers, in the arena that the caller is in: making one of its own would cost
+// more than a small picture. Isolated: while the caller waits it takes up no other work of the
+// program. Where oneTBB has no memory for its tasks it throws, but returns only when those that it
+// started have ended; the caller's thread then does what is left.
 void run(Queue& queue, int32_t workers) {
   try {
-    tbb::task_arena arena(workers);
-    arena.execute([&] {
+    tbb::this_task_arena::isolate([&] {
       tbb::parallel_for(
-          0, workers, [&](int32_t) { queue.work(); }, tbb::static_partitioner());
+          0, workers, [&](int32_t) { queue.work(); }, tbb::simple_partitioner());
     });
   } catch (...) {
     queue.work();
@@ -52,7 +51,7 @@ void run(Queue& queue, int32_t) { queue.work(); }
 
 int32_t worker_count([[maybe_unused]] int32_t threads) {
 #ifdef SELVAGE_WITH_TBB
-  return threads == 0 ? std::max(tbb::info::default_concurrency(), 1) : threads;
+  return threads == 0 ? std::max(tbb::this_task_arena::max_concurrency(), 1) : threads;
 #else
   return 1;
 #endif
