@@ -67,6 +67,7 @@ constexpr std::array kPromises = {
     Entry{"AFFINE", {kYes, yes(kAffineOnly), yes(kAffineOnly), yes(kAffineOnly)}},
     Entry{"MEM", {kYes, kYes, kYes, kYes}},
     Entry{"TOTAL", {kYes, kYes, kYes, kYes}},
+    Entry{"SAME", {kYes, kYes, kYes, kYes}},
     Entry{"ORACLE", {kYes, no(kOtherSamples), no(kOtherSamples), no(kOtherSamples)}},
 };
 
