@@ -9,6 +9,7 @@
 #include "many/bands.h"
 #include "many/prepare.h"
 #include "many/runs.h"
+#include "many/share_out.h"
 #include "many/workers.h"
 #include "mapper/image.h"
 #include "selvage.h"

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "many/workers.h"
+#include "many/share_out.h"
 
 namespace selvage::many {
 

@@ -1,7 +1,6 @@
-// Workers: the only room that knows of threads.
+// Workers: the only room that knows of threads. share_out.h is what the others call.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 
 namespace selvage::many {
@@ -10,20 +9,11 @@ namespace selvage::many {
 // without oneTBB.
 [[nodiscard]] int32_t worker_count(int32_t threads);
 
-using Task = void (*)(const void* context, size_t index);
+using Work = void (*)(void* context);
 
-// Calls task(context, i) once for each i in [0, count), on the caller's thread and at most
-// `workers` - 1 others (and no more than the machine runs), each taking the least i that is left.
-// Returns when all calls have; what they wrote is then seen by the caller. A task must not throw.
-void share_out(size_t count, int32_t workers, Task task, const void* context);
-
-// The same for anything that can be called with an index.
-template <class Body>
-void share_out(size_t count, int32_t workers, const Body& body) {
-  const Task task = [](const void* context, size_t index) {
-    (*static_cast<const Body*>(context))(index);
-  };
-  share_out(count, workers, task, &body);
-}
+// Calls work(context), on the caller's thread and at the same time on up to `workers` - 1 others,
+// as far as the machine has them. Returns when all calls have; there is at least one. They see what
+// the caller wrote before, and the caller what they wrote. Work must not throw.
+void run_workers(int32_t workers, Work work, void* context);
 
 }  // namespace selvage::many

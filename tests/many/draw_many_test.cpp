@@ -39,7 +39,7 @@ void expect_same(const List& list, const selvage_rect* clip, const selvage_optio
 }
 
 TEST(DrawMany, DrawsAsOneAfterAnother) {
-  for (const size_t count : {1, 2, 30, 500, 3000}) {
+  for (const size_t count : {1U, 2U, 30U, 500U, 3000U}) {
     for (const selvage_profile profile : {0, 1, 2, 3}) {
       const List list(count, /*seed=*/count, profile != SELVAGE_PROFILE_EXACT);
       expect_same(list, nullptr, {profile, 0, SELVAGE_ADDRESS_WRAP, 0});

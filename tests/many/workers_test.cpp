@@ -2,15 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "many/runs.h"
+#include "many/share_out.h"
 
 namespace selvage::many {
 namespace {
 
 TEST(Workers, DoEachTaskOnce) {
-  for (const size_t count : {0, 1, 2, 7, 64, 1000}) {
+  for (const size_t count : {0U, 1U, 2U, 7U, 64U, 1000U}) {
     for (const int32_t workers : {1, 2, 3, 8, 100}) {
       std::vector<int> done(count);
       share_out(count, workers, [&](size_t i) { ++done[i]; });
@@ -34,7 +36,7 @@ TEST(Workers, AreAtLeastOne) {
 }
 
 TEST(Runs, TileTheList) {
-  for (const size_t count : {1, 511, 512, 1023, 1024, 5000, 100'000}) {
+  for (const size_t count : {1U, 511U, 512U, 1023U, 1024U, 5000U, 100'000U}) {
     for (const int32_t workers : {1, 4}) {
       const Runs runs(count, workers);
       ASSERT_LE(runs.count(), kMostRuns);
