@@ -162,7 +162,7 @@ enum {
   SELVAGE_ERROR_THREADS,           /* selvage_draw_many: threads is negative */
   SELVAGE_ERROR_POLYGONS_NULL, /* selvage_draw_many: polygons is NULL and their count is not 0 */
   SELVAGE_ERROR_SCRATCH_NULL,  /* selvage_draw_many: likewise scratch */
-  SELVAGE_ERROR_SCRATCH_ALIGNMENT, /* selvage_draw_many: not as aligned as malloc's memory */
+  SELVAGE_ERROR_SCRATCH_ALIGNMENT, /* selvage_draw_many: not aligned as max_align_t is */
   SELVAGE_ERROR_SCRATCH_SIZE,      /* selvage_draw_many: below selvage_draw_many_bytes */
   SELVAGE_ERROR_SCRATCH_OVERLAP,   /* selvage_draw_many: what is drawn, or on, lies in it */
   SELVAGE_ERROR_SNAP_NULL,         /* selvage_snap: no vertex to write to */
@@ -207,8 +207,8 @@ SELVAGE_API selvage_status selvage_draw(const selvage_image* target, const selva
  * polygons       may be NULL if polygon_count is 0.
  * threads        1: the caller's alone. 0: as many as the machine runs at a time. N: at most N, the
  *                caller's among them. In a library built without oneTBB every call is as with 1.
- * scratch        as aligned as malloc's memory; its first selvage_draw_many_bytes(polygon_count)
- *                bytes are overwritten. May be NULL if polygon_count is 0.
+ * scratch        aligned as max_align_t is; its first selvage_draw_many_bytes(polygon_count) bytes
+ *                are overwritten. May be NULL if polygon_count is 0.
  * scratch_bytes  what is there.
  * failed         may be NULL. If a polygon is refused, its index is written here; other errors
  * leave it alone.

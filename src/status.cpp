@@ -61,7 +61,7 @@ const char* selvage_status_text(selvage_status status) {
     case SELVAGE_ERROR_SCRATCH_NULL:
       return "the scratch memory is NULL; it must point to selvage_draw_many_bytes bytes";
     case SELVAGE_ERROR_SCRATCH_ALIGNMENT:
-      return "the scratch memory is misaligned; it must be as aligned as memory from malloc";
+      return "the scratch memory is misaligned; it must be aligned as max_align_t is";
     case SELVAGE_ERROR_SCRATCH_SIZE:
       return "the scratch memory is too small; it must have selvage_draw_many_bytes bytes";
     case SELVAGE_ERROR_SCRATCH_OVERLAP:
