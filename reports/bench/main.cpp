@@ -10,6 +10,7 @@
 #include "cli/error.h"
 #include "cli/file.h"
 #include "reports/bench/report.h"
+#include "reports/bench/threads.h"
 
 namespace {
 
@@ -26,6 +27,9 @@ void run(const BenchOptions& options, const std::string& output_path) {
   subjects.push_back(subject_fill());  // last: the ratios are to it
   auto document =
       run_benchmark(options, subjects, {std::cout, std::cerr, isatty(STDERR_FILENO) != 0});
+  std::vector<Workload> loads = workloads(options.seed);
+  std::erase_if(loads, [](const Workload& load) { return load.id != "W1" && load.id != "W3"; });
+  document["threads"] = measure_threads(loads, {1, 2, 4}, options.timing);
   document["absent_peers"] = found.absent;
   document["build_information"] = found.build_information;
   const std::string text = document.dump(1) + "\n";

@@ -120,6 +120,10 @@ CLI::App* add_draw(CLI::App& program, DrawOptions& options) {
       ->type_name("FORMAT")
       ->capture_default_str();
   draw->add_option("-o,--output", options.output, "PNG to write")->required()->type_name("FILE");
+  draw->add_option("--threads", options.threads,
+                   "Draw with at most N threads; 0 takes all. The picture is the same")
+      ->type_name("N")
+      ->capture_default_str();
   draw->add_flag("--json", options.json, "Print size, covered pixels and time as JSON");
   draw->footer(footer(kDrawExamples));
   return draw;

@@ -13,8 +13,8 @@ struct Footprint {
   uintptr_t stride_bytes;  // |pitch|
   uintptr_t rows;
 
-  [[nodiscard]] uintptr_t end_byte() const {
-    return first_byte + (rows - 1) * stride_bytes + row_bytes;
+  [[nodiscard]] Memory memory() const {
+    return {first_byte, first_byte + (rows - 1) * stride_bytes + row_bytes};
   }
 };
 
@@ -29,6 +29,14 @@ struct Footprint {
   auto first = reinterpret_cast<uintptr_t>(pixels);
   if (pitch < 0) first -= (rows - 1) * stride;
   return Footprint{first, static_cast<uintptr_t>(width * bytes_per_pixel(format)), stride, rows};
+}
+
+[[nodiscard]] Footprint footprint(const selvage_image& image) {
+  return footprint(image.pixels, image.width, image.height, image.pitch, image.format);
+}
+
+[[nodiscard]] Footprint footprint(const selvage_texture& texture) {
+  return footprint(texture.texels, texture.width, texture.height, texture.pitch, texture.format);
 }
 
 // |pitch| holds a row of whole pixels, and the image spans at most PTRDIFF_MAX bytes.
@@ -58,12 +66,17 @@ struct Footprint {
   return a.row_bytes <= b_column && b_column + b.row_bytes <= stride;
 }
 
-[[nodiscard]] bool ranges_meet(uintptr_t a_begin, uintptr_t a_end, uintptr_t b_begin,
-                               uintptr_t b_end) {
-  return a_begin < b_end && b_begin < a_end;
+}  // namespace
+
+Memory memory_of(const void* values, size_t count, size_t bytes_per_value) {
+  const auto begin = reinterpret_cast<uintptr_t>(values);
+  const uintptr_t most = (UINTPTR_MAX - begin) / bytes_per_value;
+  return {begin, begin + std::min(uintptr_t{count}, most) * bytes_per_value};
 }
 
-}  // namespace
+Memory memory_of(const selvage_image& image) { return footprint(image).memory(); }
+
+Memory memory_of(const selvage_texture& texture) { return footprint(texture).memory(); }
 
 selvage_status check_target(const selvage_image* target) {
   if (target == nullptr || target->pixels == nullptr) return SELVAGE_ERROR_TARGET_NULL;
@@ -88,24 +101,16 @@ selvage_status check_texture(const selvage_texture* texture) {
 
 selvage_status check_pair(const selvage_image& target, const selvage_texture& texture) {
   if (target.format != texture.format) return SELVAGE_ERROR_FORMAT_MISMATCH;
-  const Footprint a =
-      footprint(target.pixels, target.width, target.height, target.pitch, target.format);
-  const Footprint b =
-      footprint(texture.texels, texture.width, texture.height, texture.pitch, texture.format);
-  const bool meet = ranges_meet(a.first_byte, a.end_byte(), b.first_byte, b.end_byte());
-  return meet && !interleave(a, b) ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
+  const Footprint a = footprint(target), b = footprint(texture);
+  return a.memory().meets(b.memory()) && !interleave(a, b) ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
 }
 
 selvage_status check_vertices(const selvage_image& target, const selvage_vertex* vertices,
                               size_t count) {
   if (vertices == nullptr) return SELVAGE_ERROR_VERTICES_NULL;
   if (count < 3) return SELVAGE_ERROR_VERTEX_COUNT;
-  const Footprint a =
-      footprint(target.pixels, target.width, target.height, target.pitch, target.format);
-  const auto begin = reinterpret_cast<uintptr_t>(vertices);
-  const uintptr_t most = (UINTPTR_MAX - begin) / sizeof(selvage_vertex);
-  const uintptr_t end = begin + std::min(uintptr_t{count}, most) * sizeof(selvage_vertex);
-  return ranges_meet(a.first_byte, a.end_byte(), begin, end) ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
+  const Memory bytes = memory_of(vertices, count, sizeof(selvage_vertex));
+  return memory_of(target).meets(bytes) ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
 }
 
 selvage_rect visible_rect(const selvage_image& target, const selvage_rect* clip) {

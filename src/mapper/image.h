@@ -13,6 +13,20 @@ namespace selvage::mapper {
   return format == SELVAGE_INDEX8 ? 1 : format == SELVAGE_RGB565 ? 2 : 4;
 }
 
+// Addresses of bytes, [begin, end).
+struct Memory {
+  uintptr_t begin, end;
+
+  [[nodiscard]] bool meets(const Memory& other) const {
+    return begin < other.end && other.begin < end;
+  }
+};
+// Of so many values; where they would reach beyond the last address, up to there.
+[[nodiscard]] Memory memory_of(const void* values, size_t count, size_t bytes_per_value);
+// From the first pixel's byte to the last's. The image must have passed its checks.
+[[nodiscard]] Memory memory_of(const selvage_image& image);
+[[nodiscard]] Memory memory_of(const selvage_texture& texture);
+
 // Each returns SELVAGE_OK or the error of the first rule that is broken.
 [[nodiscard]] selvage_status check_target(const selvage_image* target);
 [[nodiscard]] selvage_status check_texture(const selvage_texture* texture);
