@@ -61,7 +61,7 @@ class Draw : public InDirectory {
                                SELVAGE_RGBA8888,
                                SELVAGE_LAYOUT_ROWS,
                                nullptr};
-  const selvage_options options{SELVAGE_PROFILE_EXACT, filter, address, 0};
+  const selvage_options options{SELVAGE_PROFILE_EXACT, filter, address, 0, 0};
   EXPECT_EQ(selvage_draw(&image, clip, vertices.data(), vertices.size(), &source, &options),
             SELVAGE_OK);
   return target;
