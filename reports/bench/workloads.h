@@ -10,6 +10,10 @@
 
 namespace selvage::reports {
 
+// Bilinear by the formula of 1/256 weights: fu = floor(256 (u - 1/2)), texel fu >> 8, weight fu &
+// 255, the sum of products + 32768, >> 16.
+inline constexpr selvage_filter kBilinear = 2;
+
 struct Workload {
   std::string id;
   std::string title;
@@ -18,6 +22,7 @@ struct Workload {
   int32_t texture_side_texel = 256;
   bool perspective = false;
   std::vector<std::vector<selvage_vertex>> polygons;
+  selvage_filter filter = SELVAGE_FILTER_NEAREST;
 };
 
 // The seed moves the jittered mesh only.
