@@ -32,9 +32,15 @@ struct Subject {
 };
 
 [[nodiscard]] Subject subject_exact();
+[[nodiscard]] std::vector<Subject> subjects_tolerant();
+[[nodiscard]] std::vector<Subject> subjects_historic();
 [[nodiscard]] std::vector<Subject> subjects_arithmetic();
 [[nodiscard]] Subject subject_subdivided();
+[[nodiscard]] Subject subject_memcpy();
 [[nodiscard]] Subject subject_fill();
+
+// The library that this is linked with draws through the filter.
+[[nodiscard]] bool mapper_takes(selvage_filter filter);
 
 // The mappers of other projects: one file each under reports/peers.
 struct Peers {

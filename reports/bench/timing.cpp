@@ -32,7 +32,7 @@ class Collector : public benchmark::BenchmarkReporter {
 
 // Google Benchmark takes the interleaving from its command line only.
 void initialize() {
-  std::string program = "selvage_bench", interleave = "--benchmark_enable_random_interleaving=true";
+  std::string program = "selvage", interleave = "--benchmark_enable_random_interleaving=true";
   char* arguments[] = {program.data(), interleave.data(), nullptr};
   int count = 2;
   benchmark::Initialize(&count, arguments);
@@ -43,6 +43,7 @@ void initialize() {
 std::vector<std::vector<double>> measure_ns(const std::vector<Timed>& timed,
                                             const TimingOptions& options,
                                             const std::function<void()>& tick) {
+  if (timed.empty()) return {};
   initialize();
   for (const Timed& one : timed) {
     benchmark::RegisterBenchmark(one.name.c_str(),
