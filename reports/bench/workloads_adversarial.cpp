@@ -55,7 +55,7 @@ Workload item(const std::string& id, const std::string& title, const std::string
 void add_pair(std::vector<Workload>& loads, const std::string& id, const std::string& title,
               const std::string& description, Polygon hard, Polygon ordinary) {
   const std::string twin = id + "-ordinary";
-  loads.push_back(item(twin, title + ": off the boundaries",
+  loads.push_back(item(twin, title + ": its ordinary twin",
                        "the shape and slopes of " + id + ", its samples within the texels",
                        std::move(ordinary)));
   loads.push_back(item(id, title, description, std::move(hard)));
