@@ -21,9 +21,9 @@ inline constexpr double kTurn_degree = 23;
 [[nodiscard]] Polygon turned_square(double middle_x_px, double middle_y_px, double side_px,
                                     double texels);
 
-// The triangle that covers columns and rows 0 .. kFar_px / 2 and more, with an affine map given by
+// The triangle that covers the target from its top left pixel on, with an affine map given by
 // u and v, in units of 1/65536 texel, at (0, 0), (kFar_px, 0) and (0, kFar_px).
-inline constexpr int32_t kFar_px = 30000;
+inline constexpr int32_t kFar_px = 32766;
 struct CornerMap {
   int32_t origin_fx16, right_fx16, below_fx16;
 };
