@@ -14,7 +14,7 @@ Curve curve_off_screen() {
       "a square turned by 23 degrees about the middle of a target that it covers whole, of 2 to "
       "400 "
       "times its area, 256 x 256 texels on it: W6 is at 100";
-  curve.axis = "area of the polygon / visible area";
+  curve.axis = "area of the polygon / visible area (100: 99 % off screen)";
   for (const double ratio : {1.0, 2.0, 4.0, 10.0, 20.0, 40.0, 100.0, 200.0, 400.0})
     curve.xs.push_back(ratio);
   curve.load_at = [](double ratio) {

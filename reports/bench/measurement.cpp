@@ -105,7 +105,8 @@ void judge_item(const Item& item, ItemResult& result, Images& images, const Benc
 void time_all(const std::vector<Drawing>& drawings, const TimingOptions& options,
               const Progress& progress) {
   std::vector<Timed> timed;
-  for (const Drawing& drawing : drawings) timed.push_back({drawing.name, drawing.draw});
+  for (const Drawing& drawing : drawings)
+    timed.push_back({drawing.name, drawing.draw, drawing.cell->subject->threads});
   // Before its repetitions a drawing is run a few times more, to find out how often to repeat it.
   const uint64_t total = timed.size() * static_cast<uint64_t>(options.repetitions + 4);
   uint64_t runs = 0;

@@ -19,6 +19,7 @@ struct Subject {
   bool reference = false;       // must agree with the exact model or nothing is timed
   bool judged = true;           // false: a limit that draws no picture, so nothing is judged
   bool bilinear = false;        // can draw workloads whose filter is kBilinear; others are refused
+  bool threads = false;         // draws with several: timed by the clock, not by processor time
   double tolerance_texel = 0;   // a reference's texels may lie this far from the exact (u, v)
   std::string group = "peers";  // "ours", "historic", "usual", "peers", "limits": colour in plots
 

@@ -62,15 +62,17 @@ std::string introduction(const json& bench) {
   return element(
       "p",
       "Nanoseconds per covered pixel, the median of " + bench.at("repetitions").dump() +
-          " interleaved repetitions in one run, with the quartiles. Errors are counted against the "
+          " interleaved repetitions in one run, with the quartiles: processor time on one thread, "
+          "which "
+          "other programs do not change by taking turns. Errors are counted against the "
           "exact model on " +
           bench.at("rows").dump() +
           " rows of each target, one in each equal band, placed by the seed: wrong texels, and "
           "pixels missing, extra, or drawn by two polygons; ppm is all of these per million "
           "covered pixels. Had the exact mapper differed from the model in one pixel of them, or "
           "one with a tolerance by more than that, nothing would have been timed. All mappers read "
-          "the same RGBA texture, its rows padded by 16 texels, and draw into the same memory, on "
-          "one thread. The limits are a solid fill of the same pixels and a memcpy of as many "
+          "the same RGBA texture, its rows padded by 16 texels, and draw into the same memory. The "
+          "limits are a solid fill of the same pixels and a memcpy of as many "
           "bytes.");
 }
 

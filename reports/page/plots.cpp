@@ -12,7 +12,8 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr double kPlaceWithoutErrors = -0.8, kHalfSpread = 0.4;
+constexpr double kPlaceWithoutErrors = -0.95, kHalfSpread = 0.55;
+constexpr double kRightEnd = 6.1, kFarAbove = 1000;  // of the plane; times the topmost of the front
 
 struct Point {
   std::string name;
@@ -102,7 +103,10 @@ std::string plane(const json& work, const json& bench) {
                   std::to_string(p.group), std::to_string(p.number)});
   }
   text += "\n\n";
-  for (const Point& p : front_of(points)) text += line({number(p.place), number(p.ns)});
+  const std::vector<Point> front = front_of(points);
+  text += line({number(front.front().place), number(front.front().ns * kFarAbove)});
+  for (const Point& p : front) text += line({number(p.place), number(p.ns)});
+  text += line({number(kRightEnd), number(front.back().ns)});
   text += "\n\n";
   for (const auto& [id, name] : {std::pair("fill", "solid fill"), std::pair("memcpy", "memcpy")}) {
     const json* result = result_of(work, id);

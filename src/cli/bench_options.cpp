@@ -16,7 +16,8 @@ constexpr const char* kFooter = R"(Examples:
   selvage bench --brief --output reports/baseline.json    records that baseline
 
 Each drawing is first held against the exact model on sampled rows, then all are timed, interleaved
-at random. Times are of one thread, in ns per covered pixel: the median, and the quartiles.
+at random. Times are in ns per covered pixel, the median and the quartiles: of the processor on one
+thread, of the clock for what draws with several.
 
 Exit codes: 0 measured, however slow; 1 a drawing that must be exact, or within its tolerance, is
 not, and nothing was timed; 2 wrong use, a file that cannot be read or written, or a build without
