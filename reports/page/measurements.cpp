@@ -18,7 +18,7 @@ std::string overview_cell(const json* result) {
   const double errors = errors_per_million(*result);
   return element("td",
                  time + "<br>" +
-                     element("small", errors == 0 ? "exact" : rounded(errors) + " ppm",
+                     element("small", errors == 0 ? "no errors" : error_share(*result),
                              errors == 0 ? "class=good" : ""),
                  "class=n");
 }
@@ -68,8 +68,9 @@ std::string introduction(const json& bench) {
           "exact model on " +
           bench.at("rows").dump() +
           " rows of each target, one in each equal band, placed by the seed: wrong texels, and "
-          "pixels missing, extra, or drawn by two polygons; ppm is all of these per million "
-          "covered pixels. Had the exact mapper differed from the model in one pixel of them, or "
+          "pixels missing, extra, or drawn by two polygons; % and ppm (millionths) are all of "
+          "these by the covered pixels. Had the exact mapper differed from the model in one pixel "
+          "of them, or "
           "one with a tolerance by more than that, nothing would have been timed. All mappers read "
           "the same RGBA texture, its rows padded by 16 texels, and draw into the same memory. The "
           "limits are a solid fill of the same pixels and a memcpy of as many "
@@ -91,7 +92,7 @@ std::string measurement_section(const Results& results) {
     return html + element("p", "Not measured: " + escaped(results.unmeasured), "class=bad");
   const json& bench = results.bench;
   return html + introduction(bench) + overview(bench) + subjects(bench) + comparison_part(bench) +
-         adversarial_part(bench) + curves_part(bench) + work_items_part(bench);
+         work_items_part(bench) + curves_part(bench) + adversarial_part(bench);
 }
 
 }  // namespace selvage::reports

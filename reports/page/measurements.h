@@ -10,7 +10,7 @@ namespace selvage::reports {
 [[nodiscard]] std::string plot_figure(const std::string& svg, const std::string& alt, int height_px,
                                       const std::string& caption);
 
-// A heading, a table and a plot for each work item that is no adversarial one.
+// A plot and a table for each work item that is no adversarial one.
 [[nodiscard]] std::string work_items_part(const nlohmann::ordered_json& bench);
 
 // What near-ties everywhere cost; empty where none were measured.

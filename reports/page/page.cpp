@@ -40,7 +40,7 @@ img { max-width: 100%; height: auto; display: block; }
          grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); }
 .worst code { overflow-wrap: anywhere; } .worst img { background: #181818; }
 pre { background: var(--soft); padding: .8rem 1rem; overflow-x: auto; font-size: .85rem; }
-summary { cursor: pointer; }
+summary { cursor: pointer; } details { margin: .8rem 0; }
 )";
 
 }  // namespace

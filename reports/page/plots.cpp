@@ -6,6 +6,9 @@
 #include <cstdio>
 #include <map>
 
+#include "reports/page/html.h"
+#include "reports/page/measurements.h"
+
 namespace selvage::reports {
 
 namespace {
@@ -166,11 +169,17 @@ double errors_per_million(const json& result) {
   return errors * 1e6 / result.at("covered_px").get<double>();
 }
 
+std::string error_share(const json& result) {
+  constexpr double percent = 10000;  // millionths
+  const double errors = errors_per_million(result);
+  return errors < percent ? rounded(errors) + " ppm" : rounded(errors / percent) + " %";
+}
+
 std::vector<PlotFile> plot_files(const json& bench) {
   std::vector<PlotFile> files;
   for (const json& work : bench.at("workloads")) {
     const auto& results = work.at("results");
-    if (std::any_of(results.begin(), results.end(), has_errors))
+    if (!is_adversarial(bench, work) && std::any_of(results.begin(), results.end(), has_errors))
       files.push_back({work.at("id").get<std::string>() + ".plane.dat", plane(work, bench)});
   }
   for (const json& one : bench.at("curves"))

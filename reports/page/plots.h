@@ -12,7 +12,8 @@ struct PlotFile {
   std::string text;
 };
 
-// Of all work items and curves in the JSON of `selvage bench`.
+// Of all work items, without the adversarial ones, and of all curves in the JSON of `selvage
+// bench`.
 [[nodiscard]] std::vector<PlotFile> plot_files(const nlohmann::ordered_json& bench);
 
 // Wrong texels, and missing, extra and twice drawn pixels, per million covered pixels.
@@ -21,6 +22,9 @@ struct PlotFile {
 // What a subject measured on a work item or a curve's point; null where it was not.
 [[nodiscard]] const nlohmann::ordered_json* result_of(const nlohmann::ordered_json& item,
                                                       const std::string& subject);
+
+// The same for people: "63.5 ppm", "2.28 %".
+[[nodiscard]] std::string error_share(const nlohmann::ordered_json& result);
 
 // It was measured, and its picture judged.
 [[nodiscard]] bool has_errors(const nlohmann::ordered_json& result);

@@ -12,7 +12,7 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr double kMostForNearTies = 6;  // times the ordinary cost: what the exact mapper may take
+constexpr int kMostForNearTies = 6;  // times the ordinary cost: what the exact mapper may take
 
 std::string cell(const std::string& html, const std::string& attributes = "") {
   return element("td", html, "class=\"n" + (attributes.empty() ? "" : " " + attributes) + "\"");
@@ -28,9 +28,9 @@ std::vector<std::string> ids_of(const json& bench) {
 std::string near_tie_cell(const json* result, bool ours) {
   if (result == nullptr || result->at("ratio_to_ordinary").is_null()) return cell("&ndash;");
   const double ratio = result->at("ratio_to_ordinary").get<double>();
-  const double errors = has_errors(*result) ? errors_per_million(*result) : 0;
+  const bool errs = has_errors(*result) && errors_per_million(*result) > 0;
   const std::string wrong =
-      errors > 0 ? "<br>" + element("small", rounded(errors) + " ppm wrong") : std::string();
+      errs ? "<br>" + element("small", error_share(*result) + " wrong") : std::string();
   const char* colour = !ours ? "" : ratio <= kMostForNearTies ? "good" : "bad";
   return cell(rounded(ratio) + wrong, colour);
 }
@@ -82,7 +82,7 @@ std::string adversarial_part(const json& bench) {
                  "Polygons made to be doubtful at every pixel, and what they cost: times the same "
                  "shape and slopes with its samples off the texels' boundaries. A mapper that "
                  "decides near-ties exactly must not become an attack: it may take " +
-                     rounded(kMostForNearTies) + " times as long.") +
+                     std::to_string(kMostForNearTies) + " times as long.") +
          element("ul", list) + element("div", element("table", rows), "class=wide");
 }
 

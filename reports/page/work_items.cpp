@@ -67,30 +67,40 @@ std::string work_item(const json& work) {
                            ". It covers " + grouped(work.at("covered_px").get<uint64_t>()) +
                            " pixels of a target of " +
                            escaped(work.at("target_px").get<std::string>()) + "." + sample(work);
-  const auto& results = work.at("results");
-  const bool plotted = std::any_of(results.begin(), results.end(), has_errors);
   return element("h3", escaped(id) + ": " + escaped(work.at("title").get<std::string>())) +
-         element("p", text) +
-         (plotted ? plot_figure(id + ".svg", id + ", time against errors", 420, "") : "") +
-         table(work);
+         element("p", text) + table(work);
+}
+
+std::string plane(const json& work) {
+  const auto& results = work.at("results");
+  if (!std::any_of(results.begin(), results.end(), has_errors)) return {};
+  const auto id = work.at("id").get<std::string>();
+  return plot_figure(
+      id + ".svg", id + ", time against errors", 420,
+      element("strong", escaped(id)) + ": " + escaped(work.at("title").get<std::string>()));
 }
 
 }  // namespace
 
 std::string work_items_part(const json& bench) {
-  std::string html;
+  std::string planes, tables;
   for (const json& work : bench.at("workloads")) {
-    if (!is_adversarial(bench, work)) html += work_item(work);
+    if (is_adversarial(bench, work)) continue;
+    planes += plane(work);
+    tables += work_item(work);
   }
-  return html.empty() ? html
-                      : element("p",
-                                "By work item. In the plots the bars are the quartiles, the dashed "
-                                "grey lines the limits; the stepped line is the Pareto front: what "
-                                "no other beats in both speed and errors. Points without errors "
-                                "stand side by side at the left. Largest and mean are the distance "
-                                "of a drawn texel from the right one, in whole texels; polygons "
-                                "that meet are drawn apart to count the pixels that two draw.") +
-                            html;
+  if (tables.empty()) return {};
+  return element("h3", "The plane of speed and error") +
+         element("p",
+                 "The bars are the quartiles, the dashed grey lines the limits; the stepped line "
+                 "is the Pareto front: below and left of it is nothing that was measured. Points "
+                 "without errors stand side by side at the left.") +
+         element("div", planes, "class=plots") +
+         element("p",
+                 "And as tables. Largest and mean are the distance of a drawn texel from the right "
+                 "one, in whole texels; double are pixels that two polygons draw, found by drawing "
+                 "polygons that are near each other one after the other on empty targets.") +
+         tables;
 }
 
 }  // namespace selvage::reports
