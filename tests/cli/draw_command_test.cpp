@@ -60,7 +60,8 @@ class Draw : public InDirectory {
                                SELVAGE_RGBA8888,
                                SELVAGE_LAYOUT_ROWS,
                                nullptr};
-  const selvage_options options{SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST, address, 0};
+  selvage_options options{};
+  options.address = address;
   EXPECT_EQ(selvage_draw(&image, clip, vertices.data(), vertices.size(), &source, &options),
             SELVAGE_OK);
   return target;
