@@ -42,6 +42,20 @@ std::string simd_of(const std::string& cpuinfo) {
   return found.empty() ? "unknown" : found;
 }
 
+// The mapper's kernels that this build has and this machine can run.
+std::string kernels() {
+  std::string names;
+  for (const auto& [kernel, name] :
+       {std::pair(SELVAGE_KERNEL_SCALAR, "scalar"), std::pair(SELVAGE_KERNEL_SSE4, "sse4"),
+        std::pair(SELVAGE_KERNEL_AVX2, "avx2"), std::pair(SELVAGE_KERNEL_AVX512, "avx512"),
+        std::pair(SELVAGE_KERNEL_NEON, "neon")}) {
+    if (selvage_has_kernel(kernel) == 0) continue;
+    if (!names.empty()) names += ' ';
+    names += name;
+  }
+  return names;
+}
+
 std::string now_utc() {
   const std::time_t now = std::time(nullptr);
   std::tm utc{};
@@ -70,6 +84,7 @@ std::vector<std::pair<std::string, std::string>> describe_machine(const SystemTe
           {"flags_mapper", SELVAGE_REPORTS_FLAGS},
           {"flags_others", SELVAGE_REPORTS_FLAGS " -O3"},
           {"selvage", selvage_version()},
+          {"selvage_kernels", kernels()},
           {"benchmark", "Google Benchmark " SELVAGE_REPORTS_BENCHMARK_VERSION}};
 }
 

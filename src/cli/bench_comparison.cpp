@@ -84,7 +84,7 @@ template <typename Name>
 // As many items across as there is room for, then the next.
 [[nodiscard]] std::string blocks(const Comparison& comparison) {
   const auto items = names(comparison.times, &ComparedTime::item);
-  size_t columns = 0;
+  size_t columns = 8;
   for (const std::string& item : items) columns = std::max(columns, item.size() + 2);
   const size_t across = std::max((kAllColumns - kNameColumns) / columns, size_t{1});
   std::string text;

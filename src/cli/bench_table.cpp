@@ -29,7 +29,7 @@ template <typename Number>
 
 [[nodiscard]] std::string row(const ItemResult& item, const Cell& cell) {
   const std::string& id = cell.subject->id;
-  if (!cell.refusal.empty()) return list_entry(id, "not measured: " + cell.refusal, 14);
+  if (!cell.refusal.empty()) return list_entry(id, "not measured: " + cell.refusal, 13);
   const reports::Spread& ns = cell.ns_per_px;
   std::vector<std::string> fields{
       id, short_number(ns.median),
