@@ -24,6 +24,21 @@ void copy_texel(const Job& job, spec::Texel texel, int32_t x, int32_t y) {
   std::memcpy(pixel, from, static_cast<size_t>(size));
 }
 
+uint32_t texel_value(const Job& job, spec::Texel texel) {
+  uint32_t value;
+  std::memcpy(&value,
+              static_cast<const char*>(job.texture.texels) + texel.t * job.texture.pitch +
+                  texel.s * ptrdiff_t{sizeof value},
+              sizeof value);
+  return value;
+}
+
+void set_pixel(const Job& job, uint32_t value, int32_t x, int32_t y) {
+  char* pixel =
+      static_cast<char*>(job.target.pixels) + y * job.target.pitch + x * ptrdiff_t{sizeof value};
+  std::memcpy(pixel, &value, sizeof value);
+}
+
 spec::Subject subject_of(std::string name, selvage_profile profile, DrawJob draw,
                          EndStatus end_status) {
   const auto call = [draw = std::move(draw), end_status = std::move(end_status)](
@@ -39,7 +54,8 @@ spec::Subject subject_of(std::string name, selvage_profile profile, DrawJob draw
              .clip = clip != nullptr ? *clip : selvage_rect{0, 0, target->width, target->height},
              .vertices = {vertices, vertices + count},
              .texture = *texture,
-             .address = options != nullptr ? options->address : SELVAGE_ADDRESS_CLAMP});
+             .address = options != nullptr ? options->address : SELVAGE_ADDRESS_CLAMP,
+             .filter = options != nullptr ? options->filter : SELVAGE_FILTER_NEAREST});
     return end_status(status);
   };
   return {std::move(name), call, profile};

@@ -18,6 +18,7 @@ struct Job {
   std::vector<selvage_vertex> vertices;
   selvage_texture texture;
   selvage_address address;
+  selvage_filter filter;
 };
 
 // Pixel (x, y) belongs to the clip rectangle.
@@ -25,6 +26,10 @@ struct Job {
 
 // Pixel (x, y) becomes the texel, which has been addressed.
 void copy_texel(const Job& job, spec::Texel texel, int32_t x, int32_t y);
+
+// The value of a texel that has been addressed, and what pixel (x, y) becomes: RGBA8888.
+[[nodiscard]] uint32_t texel_value(const Job& job, spec::Texel texel);
+void set_pixel(const Job& job, uint32_t value, int32_t x, int32_t y);
 
 using DrawJob = std::function<void(Job)>;
 // The status that a call ends with, from the one that its checks gave.

@@ -5,12 +5,28 @@
 namespace selvage::coverage {
 namespace {
 
+[[nodiscard]] uint32_t filtered(const Recipe& recipe, const Job& job, const spec::Sample& point,
+                                int32_t x, int32_t y) {
+  const spec::BoxSides sides = job.filter == SELVAGE_FILTER_AREA
+                                   ? recipe.sides(recipe.gradient(job, x, y))
+                                   : spec::BoxSides{};
+  return recipe.mean(recipe.address_taps(recipe.taps(job.filter, point.u, sides.u_fx8),
+                                         job.texture.width, job.address),
+                     recipe.address_taps(recipe.taps(job.filter, point.v, sides.v_fx8),
+                                         job.texture.height, job.address),
+                     [&](spec::Texel texel) { return texel_value(job, texel); });
+}
+
 void draw_row(const Recipe& recipe, const Job& job, const spec::ScanLine& line, int32_t y) {
   for (int32_t x = 0; x < job.target.width; ++x) {
     const spec::Rational centre = x + spec::Rational(1, 2);
     if (!recipe.in_clip(job, x, y) || !recipe.covers(line, centre)) continue;
     if (line.left.x == line.right.x) continue;
     const spec::Sample point = recipe.map(job, line, centre);
+    if (job.filter != SELVAGE_FILTER_NEAREST) {
+      set_pixel(job, filtered(recipe, job, point, x, y), x, y);
+      continue;
+    }
     const int32_t s = recipe.address(recipe.round(point.u), job.texture.width, job.address);
     const int32_t t = recipe.address(recipe.round(point.v), job.texture.height, job.address);
     copy_texel(job, {s, t}, x, y);

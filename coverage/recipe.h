@@ -7,6 +7,7 @@
 
 #include "coverage/job.h"
 #include "spec/exact.h"
+#include "spec/filter.h"
 #include "spec/subject.h"
 
 namespace selvage::coverage {
@@ -35,6 +36,19 @@ struct Recipe {
   };
   // Along one axis: texel, size, mode.
   std::function<int32_t(int32_t, int32_t, selvage_address)> address = spec::address_texel;
+  // Of filters other than nearest: how fast (u, v) changes at a pixel, the box's sides from that,
+  // columns or rows and their weights, where these lie in the texture, and the pixel.
+  std::function<spec::Gradient(const Job&, int32_t x, int32_t y)> gradient =
+      [](const Job& job, int32_t x, int32_t y) {
+        return spec::gradient(job.vertices, x, y).value();
+      };
+  std::function<spec::BoxSides(const spec::Gradient&)> sides = spec::box_sides;
+  std::function<spec::Taps(selvage_filter, const spec::Rational&, int32_t side_fx8)> taps =
+      spec::taps;
+  std::function<spec::Taps(const spec::Taps&, int32_t, selvage_address)> address_taps =
+      spec::addressed;
+  std::function<uint32_t(const spec::Taps& columns, const spec::Taps& rows, const spec::TexelAt&)>
+      mean = spec::weighted_mean;
   // The status that the call ends with.
   EndStatus status = [](selvage_status s) { return s; };
   // Whatever else it does when it is done.

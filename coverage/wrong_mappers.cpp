@@ -11,6 +11,7 @@ std::span<const WrongMapper> wrong_mappers() {
     Catalogue catalogue;
     add_wrong_coverage(&catalogue);
     add_wrong_mapping(&catalogue);
+    add_wrong_filters(&catalogue);
     add_wrong_historic_edges(&catalogue);
     add_wrong_historic_spans(&catalogue);
     add_wrong_historic_walks(&catalogue);

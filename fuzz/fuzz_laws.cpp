@@ -19,6 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   // their say about such cases, the others about what is acceptable.
   spec::Case acceptable = raw;
   spec::make_acceptable(spec::profile_of(raw), acceptable.vertices);
+  if (!spec::can_be_filtered(raw)) acceptable.filter = SELVAGE_FILTER_NEAREST;
   for (const spec::Law& law : spec::laws()) {
     if (!spec::is_promised(raw.profile, law.name)) continue;
     const spec::Case& c = law.name == "TOTAL" || law.name == "MEM" ? raw : acceptable;

@@ -9,7 +9,10 @@ namespace {
 
 __extension__ typedef __int128 Wide;  // holds height x pitch
 
-constexpr int32_t kMaxImageBytes = 1 << 18;
+// The area filter may look at all of the texture for each pixel.
+int32_t most_image_bytes(const selvage_options& options) {
+  return options.filter == SELVAGE_FILTER_AREA ? 1 << 15 : 1 << 18;
+}
 
 int32_t pixel_bytes(int32_t format) {
   return format == SELVAGE_INDEX8 ? 1 : format == SELVAGE_RGB565 ? 2 : 4;
@@ -19,7 +22,7 @@ Wide magnitude(int64_t pitch) { return pitch < 0 ? -static_cast<Wide>(pitch) : p
 
 // The memory that a claim needs if it may be accepted; nothing if it must be refused. Shrinks a
 // claim that would need too much.
-Extent settle(Claim& claim) {
+Extent settle(Claim& claim, int32_t most_bytes) {
   Extent extent;
   if (claim.format < SELVAGE_INDEX8 || claim.format > SELVAGE_RGBA8888) return extent;
   extent.pixel_bytes = pixel_bytes(claim.format);
@@ -30,9 +33,9 @@ Extent settle(Claim& claim) {
   };
   if (magnitude(claim.pitch) < static_cast<Wide>(claim.width) * extent.pixel_bytes) return extent;
   if (span() > std::numeric_limits<ptrdiff_t>::max()) return extent;
-  claim.width = std::min(claim.width, kMaxImageBytes / extent.pixel_bytes);
-  if (span() > kMaxImageBytes) {
-    const Wide room = kMaxImageBytes - claim.width * extent.pixel_bytes;
+  claim.width = std::min(claim.width, most_bytes / extent.pixel_bytes);
+  if (span() > most_bytes) {
+    const Wide room = most_bytes - claim.width * extent.pixel_bytes;
     claim.height = static_cast<int32_t>(1 + room / magnitude(claim.pitch));
   }
   extent.bytes = static_cast<int64_t>(span());
@@ -60,8 +63,8 @@ Call::Call(Bytes bytes)
       clip(bytes.take<selvage_rect>()),
       options(bytes.take<selvage_options>()),
       shared_offset(bytes.take<uint16_t>()),
-      target_extent(settle(target_claim)),
-      texture_extent(settle(texture_claim)) {
+      target_extent(settle(target_claim, most_image_bytes(options))),
+      texture_extent(settle(texture_claim, most_image_bytes(options))) {
   vertices.reserve(std::max<size_t>(bytes.left() / sizeof(selvage_vertex), 1));  // exact
   while (bytes.left() >= sizeof(selvage_vertex)) {
     vertices.push_back(bytes.take<selvage_vertex>());

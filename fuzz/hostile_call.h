@@ -1,6 +1,6 @@
 // A call of selvage_draw with raw arguments, and memory behind it that is exactly as large as the
 // accepted arguments require: a sanitizer sees the first byte beyond. Claims that would need more
-// than kMaxImageBytes are made smaller.
+// than a fraction of a megabyte are made smaller.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,7 @@ namespace {
 //
 //   bytes  0   target width, target height, texture width, texture height: 2 bytes each
 //          8   flags
-//          9   padding: the low 4 bits
+//          9   padding: the low 4 bits; filter: the next 2
 //         10   clip: left, top, right, bottom: 2 bytes each, signed
 //         18   choice: 4 bytes
 constexpr size_t kVertexBytes = 17;
@@ -20,6 +20,10 @@ constexpr uint64_t kFormatCount = 3;
 constexpr uint64_t kWrap = 4, kFlipTarget = 8, kFlipTexture = 16, kHasClip = 32;
 constexpr int kProfileShift = 6;
 static_assert(SELVAGE_PROFILE_DKIT < 1 << (8 - kProfileShift));
+
+constexpr int kFilterShift = 4;
+constexpr uint64_t kPaddingMask = 15, kFilterMask = 3;
+static_assert(SELVAGE_FILTER_AREA <= kFilterMask);
 
 class Writer {
  public:
@@ -95,8 +99,9 @@ void set_flags(uint64_t flags, Case* c) {
 }  // namespace
 
 bool operator==(const Case& a, const Case& b) {
-  return a.profile == b.profile && a.format == b.format && a.address == b.address &&
-         a.target_width_px == b.target_width_px && a.target_height_px == b.target_height_px &&
+  return a.profile == b.profile && a.format == b.format && a.filter == b.filter &&
+         a.address == b.address && a.target_width_px == b.target_width_px &&
+         a.target_height_px == b.target_height_px &&
          a.texture_width_texel == b.texture_width_texel &&
          a.texture_height_texel == b.texture_height_texel && a.padding_px == b.padding_px &&
          a.flip_target == b.flip_target && a.flip_texture == b.flip_texture &&
@@ -112,7 +117,7 @@ std::vector<uint8_t> encode(const Case& c) {
   writer.put(c.texture_width_texel - 1, 2);
   writer.put(c.texture_height_texel - 1, 2);
   writer.put(static_cast<int64_t>(flags(c)), 1);
-  writer.put(c.padding_px, 1);
+  writer.put(c.padding_px | c.filter << kFilterShift, 1);
   for (const int32_t side : {c.clip.left, c.clip.top, c.clip.right, c.clip.bottom}) {
     writer.put(side, 2);
   }
@@ -135,7 +140,9 @@ Case decode(std::span<const uint8_t> bytes) {
   c.texture_width_texel = reader.take_size();
   c.texture_height_texel = std::min(reader.take_size(), kMaxTextureTexels / c.texture_width_texel);
   set_flags(reader.take_unsigned(1), &c);
-  c.padding_px = static_cast<int32_t>(reader.take_unsigned(1) & 15);
+  const uint64_t padding_and_filter = reader.take_unsigned(1);
+  c.padding_px = static_cast<int32_t>(padding_and_filter & kPaddingMask);
+  c.filter = static_cast<selvage_filter>(padding_and_filter >> kFilterShift & kFilterMask);
   for (int32_t* side : {&c.clip.left, &c.clip.top, &c.clip.right, &c.clip.bottom}) {
     *side = reader.take_signed(2);
   }

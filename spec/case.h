@@ -24,6 +24,7 @@ inline constexpr size_t kMaxVertices = 256;
 struct Case {
   selvage_profile profile = SELVAGE_PROFILE_EXACT;
   selvage_format format = SELVAGE_RGBA8888;
+  selvage_filter filter = SELVAGE_FILTER_NEAREST;
   selvage_address address = SELVAGE_ADDRESS_CLAMP;
   int32_t target_width_px = 16, target_height_px = 16;  // 1 .. 65536, product <= kMaxTargetPx
   int32_t texture_width_texel = 16, texture_height_texel = 16;  // likewise kMaxTextureTexels
@@ -37,6 +38,11 @@ struct Case {
 
   friend bool operator==(const Case& a, const Case& b);
 };
+
+// Profile and format allow filters other than nearest.
+[[nodiscard]] inline bool can_be_filtered(const Case& c) {
+  return c.profile == SELVAGE_PROFILE_EXACT && c.format == SELVAGE_RGBA8888;
+}
 
 // Little-endian: 22 bytes of header, then 17 bytes a vertex (x 3, y 3, u 4, v 4, q - 1: 3).
 // Missing header bytes read as zero; vertices beyond kMaxVertices and trailing bytes short of a

@@ -37,6 +37,19 @@ namespace {
   }
 }
 
+[[nodiscard]] const char* filter_name(selvage_filter filter) {
+  switch (filter) {
+    case SELVAGE_FILTER_FOUR:
+      return "four, ";
+    case SELVAGE_FILTER_BILINEAR:
+      return "bilinear, ";
+    case SELVAGE_FILTER_AREA:
+      return "area, ";
+    default:
+      return "";  // nearest goes without saying
+  }
+}
+
 void print_image(std::ostream& out, const Case& c, bool flipped) {
   if (c.padding_px > 0) out << ", padding " << c.padding_px << " px a row";
   if (flipped) out << ", bottom row first";
@@ -47,7 +60,7 @@ void print_image(std::ostream& out, const Case& c, bool flipped) {
 
 std::string print(const Case& c) {
   std::ostringstream out;
-  out << profile_of(c).name << ", " << format_name(c.format) << ", "
+  out << profile_of(c).name << ", " << format_name(c.format) << ", " << filter_name(c.filter)
       << (c.address == SELVAGE_ADDRESS_WRAP ? "wrap" : "clamp") << ", choice " << c.choice << '\n';
   out << "target   " << c.target_width_px << " x " << c.target_height_px << " px";
   print_image(out, c, c.flip_target);

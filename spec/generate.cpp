@@ -113,6 +113,23 @@ void set_images(Random& random, Case* c) {
   c->flip_texture = random.percent(20);
 }
 
+// Coordinates on the grid that filters weigh by, or just below it: where they tie at vertices,
+// edges and, with even steps, at centres.
+void tie_on_grid(Random& random, Case* c) {
+  constexpr int32_t kGrid_fx16 = SELVAGE_SUBTEXELS / 256;
+  const int32_t miss = random.pick({0, 0, kGrid_fx16 / 2, kGrid_fx16 - 1});
+  for (selvage_vertex& v : c->vertices) {
+    v.u = (v.u & ~(kGrid_fx16 - 1)) + miss;
+    v.v = (v.v & ~(kGrid_fx16 - 1)) + miss;
+  }
+}
+
+void set_filter(Random& random, Case* c) {
+  if (!can_be_filtered(*c) || random.percent(50)) return;
+  c->filter = random.pick({SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR, SELVAGE_FILTER_AREA});
+  if (random.percent(25)) tie_on_grid(random, c);
+}
+
 }  // namespace
 
 Case generate(uint64_t seed) {
@@ -128,6 +145,7 @@ Case generate(uint64_t seed) {
   set_q(random, c.vertices);
   if (c.vertices.size() == 3 && random.percent(30)) graze_a_texel(random, frame, c.vertices);
   c.choice = static_cast<uint32_t>(random.bits() >> 32);
+  set_filter(random, &c);
   return c;
 }
 

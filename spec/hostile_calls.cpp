@@ -17,7 +17,7 @@ inline constexpr int32_t kInt32Max = std::numeric_limits<int32_t>::max();
 using Calls = std::vector<HostileCall>;
 
 void spoil_options(Calls* calls) {
-  for (const int32_t unknown : {-1, 77, kInt32Min, kInt32Max}) {
+  for (const int32_t unknown : {-1, 4, 77, kInt32Min, kInt32Max}) {
     calls->push_back({"an unknown profile", SELVAGE_ERROR_PROFILE,
                       [=](Arguments& a) { a.options.profile = unknown; }});
     calls->push_back({"an unknown filter", SELVAGE_ERROR_FILTER,
@@ -27,6 +27,19 @@ void spoil_options(Calls* calls) {
   }
   calls->push_back({"a negative tolerance", SELVAGE_ERROR_TOLERANCE,
                     [](Arguments& a) { a.options.tolerance = -1; }});
+}
+
+// Filters that mix texels: what has colours can be mixed, in the exact profile.
+void choose_filters(Calls* calls, const Case& c, bool nearest_only) {
+  const selvage_status wanted = nearest_only                         ? SELVAGE_ERROR_FILTER
+                                : c.profile != SELVAGE_PROFILE_EXACT ? SELVAGE_ERROR_FILTER_PROFILE
+                                : c.format != SELVAGE_RGBA8888       ? SELVAGE_ERROR_FILTER_FORMAT
+                                                                     : SELVAGE_OK;
+  for (const selvage_filter filter :
+       {SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR, SELVAGE_FILTER_AREA}) {
+    calls->push_back({"filter " + std::to_string(filter), wanted,
+                      [=](Arguments& a) { a.options.filter = filter; }});
+  }
 }
 
 // The errors that a target and a texture share.
@@ -183,9 +196,10 @@ void leave_out(Calls* calls) {
 
 }  // namespace
 
-std::vector<HostileCall> hostile_calls(const Case& c) {
+std::vector<HostileCall> hostile_calls(const Case& c, bool nearest_only) {
   std::vector<HostileCall> calls;
   spoil_options(&calls);
+  choose_filters(&calls, c, nearest_only);
   spoil_images(&calls, c.format);
   spoil_pointers(&calls, c.format);
   spoil_vertices(&calls, c.choice % 3);

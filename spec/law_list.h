@@ -19,6 +19,7 @@ namespace selvage::spec {
 [[nodiscard]] Judgement check_split(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_identity(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_affine(const Subject& subject, const Case& c);
+[[nodiscard]] Judgement check_filter(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_mem(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_total(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_oracle(const Subject& subject, const Case& c);

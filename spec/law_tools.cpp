@@ -23,10 +23,17 @@ Pixel choose_pixel(const Case& c, Choices& choices) {
   return {x_px, y_px};
 }
 
+Case with_nearest(const Case& c) {
+  Case changed = c;
+  changed.filter = SELVAGE_FILTER_NEAREST;
+  return changed;
+}
+
 Case with_vertices(const Case& c, std::vector<selvage_vertex> vertices) {
   Case changed = c;
   changed.vertices = std::move(vertices);
   make_acceptable(profile_of(c), changed.vertices);
+  if (!can_be_filtered(c)) changed.filter = SELVAGE_FILTER_NEAREST;
   return changed;
 }
 
@@ -58,8 +65,16 @@ void tell_coordinates(Violation* violation, const Case& shown, int32_t x_px, int
   violation->v = point->v.get_str();
 }
 
+std::string describe_colour(uint32_t pixel) {
+  std::string text = "channels";
+  for (int i = 0; i < 4; ++i) text += (i == 0 ? " " : ", ") + std::to_string(channel(pixel, i));
+  return text;
+}
+
 std::string describe_pixel(const Case& c, const std::optional<uint32_t>& pixel) {
-  return pixel ? describe_texel(c.format, *pixel) : "nothing";
+  if (!pixel) return "nothing";
+  return c.filter == SELVAGE_FILTER_NEAREST ? describe_texel(c.format, *pixel)
+                                            : describe_colour(*pixel);
 }
 
 Violation violation_at(std::string_view law, std::string what, const Case& shown, int32_t x_px,

@@ -40,7 +40,11 @@ struct Pixel {
   return sample_point(profile_of(c), pixel.x_px, pixel.y_px);
 }
 
-// The case with another outline, made acceptable to the profile.
+// The case as the laws that read texels back draw it: a mixed pixel tells no texel.
+[[nodiscard]] Case with_nearest(const Case& c);
+
+// The case with another outline, made acceptable to the profile, and with a filter that profile and
+// format allow.
 [[nodiscard]] Case with_vertices(const Case& c, std::vector<selvage_vertex> vertices);
 
 // The case with its own outline made acceptable: for laws that make other outlines of it.
@@ -56,6 +60,8 @@ struct Pixel {
 // The exact coordinates at a pixel as text, for a violation; empty if it is not covered.
 void tell_coordinates(Violation* violation, const Case& shown, int32_t x_px, int32_t y_px);
 
+// The four channels of a pixel that mixes texels.
+[[nodiscard]] std::string describe_colour(uint32_t pixel);
 [[nodiscard]] std::string describe_pixel(const Case& c, const std::optional<uint32_t>& pixel);
 
 [[nodiscard]] Violation violation_at(std::string_view law, std::string what, const Case& shown,

@@ -26,6 +26,8 @@ constexpr std::array kLaws = {
     Law{"SPLIT", "cutting along a chord changes nothing", check_split},
     Law{"IDENTITY", "an axis-aligned one-to-one polygon is a block copy", check_identity},
     Law{"AFFINE", "equal q is no q, and projective maps keep cross-ratios", check_affine},
+    Law{"FILTER", "a filtered pixel is its formula's mean, and a constant texture stays constant",
+        check_filter},
     Law{"MEM", "nothing but the target's visible pixels is written", check_mem},
     Law{"TOTAL", "every input gets a picture or a named error, and an error draws nothing",
         check_total},

@@ -74,7 +74,7 @@ struct Interval {
 
 // A triangle with the case's positions and q, on a texture so fine that texels tell u well.
 [[nodiscard]] Case on_fine_texture(const Case& c) {
-  Case fine = with_vertices(c, {c.vertices[0], c.vertices[1], c.vertices[2]});
+  Case fine = with_vertices(with_nearest(c), {c.vertices[0], c.vertices[1], c.vertices[2]});
   fine.format = SELVAGE_RGBA8888;
   fine.has_clip = false;
   fine.texture_width_texel = fine.texture_height_texel = 256;

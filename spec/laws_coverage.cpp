@@ -110,7 +110,7 @@ namespace {
 
 Judgement check_cov(const Subject& subject, const Case& c) {
   if (!is_valid(c)) return {};
-  const Picture model = expected(c);
+  const Picture model = expected(with_nearest(c));  // the filter covers no other pixels
   const Picture drawn = draw(subject, c);
   Judgement judgement;
   for (int32_t y = 0; y < c.target_height_px; ++y) {

@@ -82,7 +82,8 @@ namespace {
 
 // A corner with its neighbours, moved so that the corner lies on a sample point of the target, and
 // its twin, in four quarter turns, so that every side of a corner and of an edge is drawn in one.
-Judgement check_vert(const Subject& subject, const Case& c) {
+Judgement check_vert(const Subject& subject, const Case& any) {
+  const Case c = with_nearest(any);
   const size_t count = c.vertices.size();
   if (count < 3) return {};
   Choices choices(c.choice);
@@ -155,14 +156,16 @@ namespace {
 
 }  // namespace
 
-Judgement check_map(const Subject& subject, const Case& c) {
+Judgement check_map(const Subject& subject, const Case& any) {
+  const Case c = with_nearest(any);
   if (!is_valid(c)) return {};
   if (c.profile != SELVAGE_PROFILE_EXACT) return judge_within_reach(subject, c);
   return judge_exactly("MAP", "a drawn pixel shows the texel that holds its exact (u, v)", subject,
                        c);
 }
 
-Judgement check_dda(const Subject& subject, const Case& c) {
+Judgement check_dda(const Subject& subject, const Case& any) {
+  const Case c = with_nearest(any);
   if (!is_valid(c) || c.profile == SELVAGE_PROFILE_EXACT) return {};
   return judge_exactly("DDA", "a drawn pixel shows the texel of the profile's own arithmetic",
                        subject, c);
@@ -179,7 +182,8 @@ namespace {
 
 }  // namespace
 
-Judgement check_gamut(const Subject& subject, const Case& c) {
+Judgement check_gamut(const Subject& subject, const Case& any) {
+  const Case c = with_nearest(any);
   if (!is_valid(c)) return {};
   const TexelRange s = gamut_of(c, &selvage_vertex::u, c.texture_width_texel);
   const TexelRange t = gamut_of(c, &selvage_vertex::v, c.texture_height_texel);

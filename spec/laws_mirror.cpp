@@ -88,7 +88,8 @@ struct Motion {
 
 // Where texels are floored u becomes width - u, where they are rounded width - 1 - u, and likewise
 // v; texel s then is texel width - 1 - s.
-[[nodiscard]] Judgement judge_texture_flip(const Subject& subject, const Case& c) {
+[[nodiscard]] Judgement judge_texture_flip(const Subject& subject, const Case& any) {
+  const Case c = with_nearest(any);
   Case flipped = c;
   const int64_t ends_fx16 = 2 * profile_of(c).rounding_fx16;
   for (selvage_vertex& v : flipped.vertices) {

@@ -91,7 +91,7 @@ namespace {
 
 [[nodiscard]] Judgement judge_texture_shift(const Subject& subject, const Case& c,
                                             Choices& choices) {
-  Case wrapped = c;
+  Case wrapped = with_nearest(c);
   wrapped.address = SELVAGE_ADDRESS_WRAP;
   const int32_t ds = choices.pick(-1100, 1101), dt = choices.pick(-1100, 1101);
   Case shifted = wrapped;
@@ -110,6 +110,21 @@ namespace {
       });
 }
 
+// By whole periods of a texture that is repeated: the same picture, whatever the filter.
+[[nodiscard]] Judgement judge_period_shift(const Subject& subject, const Case& c,
+                                           Choices& choices) {
+  Case wrapped = c;
+  wrapped.address = SELVAGE_ADDRESS_WRAP;
+  const int32_t ds = choices.pick(-1100, 1101) / c.texture_width_texel * c.texture_width_texel;
+  const int32_t dt = choices.pick(-1100, 1101) / c.texture_height_texel * c.texture_height_texel;
+  Case shifted = wrapped;
+  if (!shift_texture(&shifted.vertices, ds, dt)) return {};
+  const Picture before = draw(subject, wrapped);
+  return compare("SHIFT", "(u, v) shifted by whole periods of the texture change nothing", shifted,
+                 draw(subject, shifted),
+                 [&](int32_t x, int32_t y) { return must_be(before.at(x, y)); });
+}
+
 }  // namespace
 
 Judgement check_shift(const Subject& subject, const Case& c) {
@@ -117,6 +132,9 @@ Judgement check_shift(const Subject& subject, const Case& c) {
   Choices choices(c.choice);
   Judgement judgement = judge_target_shift(subject, c, choices);
   if (!judgement.violation) add(&judgement, judge_texture_shift(subject, c, choices));
+  if (!judgement.violation && c.filter != SELVAGE_FILTER_NEAREST) {
+    add(&judgement, judge_period_shift(subject, c, choices));
+  }
   return judgement;
 }
 

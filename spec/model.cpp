@@ -8,6 +8,10 @@
 namespace selvage::spec {
 
 selvage_status validity(const Case& c) {
+  if (c.filter != SELVAGE_FILTER_NEAREST && !can_be_filtered(c)) {
+    return c.profile != SELVAGE_PROFILE_EXACT ? SELVAGE_ERROR_FILTER_PROFILE
+                                              : SELVAGE_ERROR_FILTER_FORMAT;
+  }
   const selvage_status outline = validity(c.vertices);
   if (outline != SELVAGE_OK || !profile_of(c).whole_px) return outline;
   const auto has_fraction = [](const selvage_vertex& v) {

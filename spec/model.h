@@ -11,11 +11,11 @@
 
 namespace selvage::spec {
 
-// What a mapper must answer to the outline: SELVAGE_OK, or the first of SELVAGE_ERROR_VERTEX_COUNT,
-// SELVAGE_ERROR_NOT_MONOTONE and, in historic profiles, SELVAGE_ERROR_VERTEX_FRACTION and
-// SELVAGE_ERROR_VERTEX_Q_DIFFERS that applies.
+// What a mapper must answer: SELVAGE_OK, or the first of SELVAGE_ERROR_FILTER_PROFILE,
+// SELVAGE_ERROR_FILTER_FORMAT, SELVAGE_ERROR_VERTEX_COUNT, SELVAGE_ERROR_NOT_MONOTONE and, in
+// historic profiles, SELVAGE_ERROR_VERTEX_FRACTION and SELVAGE_ERROR_VERTEX_Q_DIFFERS that applies.
 [[nodiscard]] selvage_status validity(const Case& c);
-// The outline is one that a mapper must draw.
+// It is one that a mapper must draw.
 [[nodiscard]] inline bool is_valid(const Case& c) { return validity(c) == SELVAGE_OK; }
 
 // One row of a valid case. Target and clip do not matter.

@@ -19,12 +19,12 @@ inline constexpr std::array<uint8_t, 2> kOutsideTexture = {0xEE, 0x11};
   return format == SELVAGE_INDEX8 ? 4 : format == SELVAGE_RGB565 ? 8 : 16;
 }
 
-[[nodiscard]] Canvas coordinate_texture(const Case& c, uint8_t outside) {
+[[nodiscard]] Canvas texture_of(const Case& c, const TexelAt& texel_at, uint8_t outside) {
   Canvas texture(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
                  c.flip_texture, outside);
   for (int32_t t = 0; t < c.texture_height_texel; ++t) {
     for (int32_t s = 0; s < c.texture_width_texel; ++s) {
-      texture.set_pixel(s, t, coordinate_texel(c.format, s, t));
+      texture.set_pixel(s, t, texel_at({s, t}));
     }
   }
   return texture;
@@ -52,8 +52,8 @@ template <class T>
   vertices.reserve(1);  // no vertices are not NULL vertices
   const selvage_image image = canvas.image();
   const selvage_texture view = texture.texture();
-  const selvage_options options{c.profile, SELVAGE_FILTER_NEAREST, c.address,
-                                /*tolerance=*/0, SELVAGE_KERNEL_FASTEST};
+  const selvage_options options{c.profile, c.filter, c.address, /*tolerance=*/0,
+                                SELVAGE_KERNEL_FASTEST};
   const selvage_rect clip = c.clip;
   const auto arguments = [&] {
     return std::vector{bytes_of(image), bytes_of(view), bytes_of(options), bytes_of(clip)};
@@ -70,6 +70,15 @@ template <class T>
                                        vertices.size() * sizeof(selvage_vertex)) != 0;
   if (vertices_changed || arguments() != arguments_before) *fault = "an argument was written";
   return {std::move(canvas), status};
+}
+
+[[nodiscard]] TexelAt coordinate_texture(selvage_format format) {
+  return [format](Texel texel) { return coordinate_texel(format, texel.s, texel.t); };
+}
+
+[[nodiscard]] bool is_clipped(const Case& c, int32_t x_px, int32_t y_px) {
+  return c.has_clip &&
+         (x_px < c.clip.left || c.clip.right <= x_px || y_px < c.clip.top || c.clip.bottom <= y_px);
 }
 
 [[nodiscard]] Picture blank(const Case& c) {
@@ -108,10 +117,14 @@ std::string describe_texel(selvage_format format, uint32_t value) {
 }
 
 Picture draw(const Subject& subject, const Case& c) {
+  return draw(subject, c, coordinate_texture(c.format));
+}
+
+Picture draw(const Subject& subject, const Case& c, const TexelAt& texel_at) {
   Picture picture = blank(c);
-  const Drawn first = draw_over(subject, c, coordinate_texture(c, kOutsideTexture[0]),
+  const Drawn first = draw_over(subject, c, texture_of(c, texel_at, kOutsideTexture[0]),
                                 kBackgrounds[0], &picture.memory_fault);
-  const Drawn second = draw_over(subject, c, coordinate_texture(c, kOutsideTexture[1]),
+  const Drawn second = draw_over(subject, c, texture_of(c, texel_at, kOutsideTexture[1]),
                                  kBackgrounds[1], &picture.memory_fault);
   picture.status = first.status;
   if (second.status != first.status) picture.memory_fault = "the status depends on the target";
@@ -133,18 +146,39 @@ Picture draw(const Subject& subject, const Case& c) {
   return picture;
 }
 
-Picture expected(const Case& c) {
+Weights filter_weights(const Case& c, int32_t x_px, int32_t y_px, const Sample& point) {
+  const BoxSides sides = c.filter == SELVAGE_FILTER_AREA
+                             ? box_sides(gradient(c.vertices, x_px, y_px).value())
+                             : BoxSides{};
+  return {
+      addressed(taps(c.filter, point.u, sides.u_fx8), c.texture_width_texel, c.address),
+      addressed(taps(c.filter, point.v, sides.v_fx8), c.texture_height_texel, c.address),
+  };
+}
+
+Picture expected(const Case& c) { return expected(c, coordinate_texture(c.format)); }
+
+Picture expected(const Case& c, const TexelAt& texel_at) {
   Picture picture = blank(c);
   picture.status = validity(c);
   if (picture.status != SELVAGE_OK) return picture;
+  const auto address = [&](Texel texel) {
+    return Texel{address_texel(texel.s, c.texture_width_texel, c.address),
+                 address_texel(texel.t, c.texture_height_texel, c.address)};
+  };
   size_t index = 0;
   for (int32_t y = 0; y < c.target_height_px; ++y) {
     const ModelRow row(c, y);
     for (int32_t x = 0; x < c.target_width_px; ++x, ++index) {
-      const bool clipped = c.has_clip && (x < c.clip.left || c.clip.right <= x || y < c.clip.top ||
-                                          c.clip.bottom <= y);
-      const std::optional<Texel> texel = clipped ? std::nullopt : row.texel(x);
-      if (texel) picture.pixels[index] = addressed_value(c, *texel);
+      if (is_clipped(c, x, y)) continue;
+      const std::optional<Texel> texel = row.texel(x);
+      if (!texel) continue;
+      if (c.filter == SELVAGE_FILTER_NEAREST) {
+        picture.pixels[index] = texel_at(address(*texel));
+        continue;
+      }
+      const auto [columns, rows] = filter_weights(c, x, y, *row.coordinates(x));
+      picture.pixels[index] = weighted_mean(columns, rows, texel_at);
     }
   }
   return picture;

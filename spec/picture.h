@@ -8,6 +8,7 @@
 
 #include "spec/case.h"
 #include "spec/exact.h"
+#include "spec/filter.h"
 #include "spec/subject.h"
 
 namespace selvage::spec {
@@ -40,7 +41,18 @@ struct Picture {
 // differs between the two is a memory fault.
 [[nodiscard]] Picture draw(const Subject& subject, const Case& c);
 
+// The same with another texture.
+[[nodiscard]] Picture draw(const Subject& subject, const Case& c, const TexelAt& texel_at);
+
 // The same by the model of the case's profile.
 [[nodiscard]] Picture expected(const Case& c);
+[[nodiscard]] Picture expected(const Case& c, const TexelAt& texel_at);
+
+// The texels, addressed, that the case's filter makes a pixel of, which its polygon covers.
+struct Weights {
+  Taps columns, rows;
+};
+[[nodiscard]] Weights filter_weights(const Case& c, int32_t x_px, int32_t y_px,
+                                     const Sample& point);
 
 }  // namespace selvage::spec

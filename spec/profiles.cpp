@@ -45,6 +45,8 @@ constexpr std::string_view kDirected =
 constexpr std::string_view kAffineOnly = "equal q; others are refused";
 constexpr std::string_view kOtherSamples = "OpenCV samples elsewhere and steps no edges";
 
+constexpr std::string_view kNoFilters = "it knows no filters; DDA judges the nearest texel";
+
 constexpr std::array kPromises = {
     Entry{"COV", {kYes, kYes, kYes, kYes}},
     Entry{"PART", {kYes, kYes, kYes, no(kEnds)}},
@@ -65,6 +67,7 @@ constexpr std::array kPromises = {
     Entry{"SPLIT", {kYes, yes(kCoverage), yes(kCoverage), no(kEnds)}},
     Entry{"IDENTITY", {kYes, kYes, yes("of as many texel centres as pixels"), kYes}},
     Entry{"AFFINE", {kYes, yes(kAffineOnly), yes(kAffineOnly), yes(kAffineOnly)}},
+    Entry{"FILTER", {kYes, none(kNoFilters), none(kNoFilters), none(kNoFilters)}},
     Entry{"MEM", {kYes, kYes, kYes, kYes}},
     Entry{"TOTAL", {kYes, kYes, kYes, kYes}},
     Entry{"ORACLE", {kYes, no(kOtherSamples), no(kOtherSamples), no(kOtherSamples)}},
@@ -126,6 +129,7 @@ Case in_profile(const Case& exact, selvage_profile id) {
   if (exact.profile != SELVAGE_PROFILE_EXACT || !profile.whole_px) return exact;
   Case c = exact;
   c.profile = id;
+  c.filter = SELVAGE_FILTER_NEAREST;
   // A centre at 1/2 goes to 0, and the nearest whole pixel to x - 1/2, halves upward, is floor(x).
   static_assert(kProfiles[0].sample_fx8 == SELVAGE_SUBPIXELS / 2);
   make_acceptable(profile, c.vertices);

@@ -138,6 +138,9 @@ void plain_options(const Case& c, Candidates& candidates) {
   });
   candidates.offer_value(&Case::format, selvage_format{SELVAGE_RGBA8888});
   candidates.offer_value(&Case::address, selvage_address{SELVAGE_ADDRESS_CLAMP});
+  for (selvage_filter simple = SELVAGE_FILTER_NEAREST; simple < c.filter; ++simple) {
+    candidates.offer_value(&Case::filter, simple);
+  }
   candidates.offer_value(&Case::flip_target, false);
   candidates.offer_value(&Case::flip_texture, false);
   for (const int64_t padding : nearer_to_zero(c.padding_px)) {

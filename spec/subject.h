@@ -14,6 +14,8 @@ struct Subject {
                                size_t, const selvage_texture*, const selvage_options*)>
       draw;
   selvage_profile profile = SELVAGE_PROFILE_EXACT;  // the one it is held to
+  bool nearest_only = false;  // it has no other filter: verify() draws with nearest alone, and
+                              // others must get SELVAGE_ERROR_FILTER
 };
 
 // The mapper that this program is linked with.

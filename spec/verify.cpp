@@ -48,6 +48,7 @@ LawVerdict verify(const Law& law, const Subject& subject, uint64_t first_seed, u
   const uint64_t progress_every = std::max<uint64_t>(1, case_count / kProgressSteps);
   while (verdict.cases < case_count) {
     Case c = generate(first_seed + verdict.cases, subject.profile);
+    if (subject.nearest_only) c.filter = SELVAGE_FILTER_NEAREST;
     Judgement judgement = law.check(subject, c);
     ++verdict.cases;
     verdict.judged_px += judgement.judged_px;

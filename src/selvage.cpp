@@ -15,12 +15,24 @@ namespace {
   if (options.profile < SELVAGE_PROFILE_EXACT || options.profile > SELVAGE_PROFILE_DKIT) {
     return SELVAGE_ERROR_PROFILE;
   }
-  if (options.filter != SELVAGE_FILTER_NEAREST) return SELVAGE_ERROR_FILTER;
+  if (options.filter < SELVAGE_FILTER_NEAREST || options.filter > SELVAGE_FILTER_AREA) {
+    return SELVAGE_ERROR_FILTER;
+  }
   if (options.address != SELVAGE_ADDRESS_CLAMP && options.address != SELVAGE_ADDRESS_WRAP) {
     return SELVAGE_ERROR_ADDRESS;
   }
   if (options.tolerance < 0) return SELVAGE_ERROR_TOLERANCE;
-  return selvage::mapper::is_usable(options.kernel) ? SELVAGE_OK : SELVAGE_ERROR_KERNEL;
+  if (!selvage::mapper::is_usable(options.kernel)) return SELVAGE_ERROR_KERNEL;
+  const bool filtered = options.filter != SELVAGE_FILTER_NEAREST;
+  return filtered && options.profile != SELVAGE_PROFILE_EXACT ? SELVAGE_ERROR_FILTER_PROFILE
+                                                              : SELVAGE_OK;
+}
+
+// Target and texture have one format.
+[[nodiscard]] selvage_status check_filter(selvage_filter filter, selvage_format format) {
+  return filter != SELVAGE_FILTER_NEAREST && format != SELVAGE_RGBA8888
+             ? SELVAGE_ERROR_FILTER_FORMAT
+             : SELVAGE_OK;
 }
 
 // The arguments have passed every check.
@@ -38,7 +50,8 @@ void draw_by_profile(const selvage_image& target, const selvage_rect& visible,
     case SELVAGE_PROFILE_DKIT:
       return historic::draw_classroom(target, visible, polygon, texture, options.address);
     default:
-      return mapper::draw({target, texture, options.address}, visible, polygon, options.kernel);
+      return mapper::draw({target, texture, options.address}, visible, polygon, options.filter,
+                          options.kernel);
   }
 }
 
@@ -54,6 +67,7 @@ selvage_status selvage_draw(const selvage_image* target, const selvage_rect* cli
   if (status == SELVAGE_OK) status = check_target(target);
   if (status == SELVAGE_OK) status = check_texture(texture);
   if (status == SELVAGE_OK) status = check_pair(*target, *texture);
+  if (status == SELVAGE_OK) status = check_filter(chosen.filter, target->format);
   if (status == SELVAGE_OK) status = check_vertices(*target, vertices, count);
   if (status != SELVAGE_OK) return status;
 

@@ -105,7 +105,16 @@ enum {
 };
 
 typedef int32_t selvage_filter;
-enum { SELVAGE_FILTER_NEAREST = 0 /* the texel that holds (u, v): (floor u, floor v) */ };
+enum {
+  SELVAGE_FILTER_NEAREST = 0, /* the texel that holds (u, v): (floor u, floor v) */
+  /* The others mix texels, each of the four channels by itself, in integers that spec/README.md
+   * gives; halves are rounded up. They need RGBA8888 and SELVAGE_PROFILE_EXACT. */
+  SELVAGE_FILTER_FOUR = 1,     /* the mean of the four texels around (u, v) */
+  SELVAGE_FILTER_BILINEAR = 2, /* these four, weighed by the distance in steps of 1/256 texel */
+  SELVAGE_FILTER_AREA = 3      /* the mean of a box as large as a pixel is in the texture, and at
+                                  least a texel: bilinear where nothing is minified. Time is then
+                                  proportional to the texels of the texture under the boxes */
+};
 
 typedef int32_t selvage_address;
 enum {
@@ -161,6 +170,8 @@ enum {
   SELVAGE_ERROR_VERTEX_Q_DIFFERS,  /* historic profiles: the q are not all equal */
   SELVAGE_ERROR_PROFILE,           /* not a selvage_profile */
   SELVAGE_ERROR_FILTER,            /* not a selvage_filter */
+  SELVAGE_ERROR_FILTER_PROFILE,    /* historic profiles: a filter other than nearest */
+  SELVAGE_ERROR_FILTER_FORMAT,     /* a filter other than nearest, and not RGBA8888 */
   SELVAGE_ERROR_ADDRESS,           /* not a selvage_address */
   SELVAGE_ERROR_TOLERANCE,         /* negative */
   SELVAGE_ERROR_KERNEL,            /* not a selvage_kernel, or not one for this machine */

@@ -49,7 +49,12 @@ const char* selvage_status_text(selvage_status status) {
     case SELVAGE_ERROR_PROFILE:
       return "the profile is unknown; it must be EXACT, ABRASH56, ABRASH57 or DKIT";
     case SELVAGE_ERROR_FILTER:
-      return "the filter is unknown; it must be NEAREST";
+      return "the filter is unknown; it must be NEAREST, FOUR, BILINEAR or AREA";
+    case SELVAGE_ERROR_FILTER_PROFILE:
+      return "a historic profile knows no filters; the filter must be NEAREST, or the profile "
+             "EXACT";
+    case SELVAGE_ERROR_FILTER_FORMAT:
+      return "the format cannot be filtered; the filter must be NEAREST, or the format RGBA8888";
     case SELVAGE_ERROR_ADDRESS:
       return "the address mode is unknown; it must be CLAMP or WRAP";
     case SELVAGE_ERROR_TOLERANCE:

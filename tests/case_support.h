@@ -15,6 +15,7 @@ namespace selvage::spec {
   };
   const auto bad_position = [](int32_t at) { return at < SELVAGE_X_MIN || at >= SELVAGE_X_END; };
   if (c.format < SELVAGE_INDEX8 || c.format > SELVAGE_RGBA8888) return "format";
+  if (c.filter < SELVAGE_FILTER_NEAREST || c.filter > SELVAGE_FILTER_AREA) return "filter";
   if (c.address != SELVAGE_ADDRESS_CLAMP && c.address != SELVAGE_ADDRESS_WRAP) return "address";
   if (bad_size(c.target_width_px, c.target_height_px)) return "target size";
   if (bad_size(c.texture_width_texel, c.texture_height_texel)) return "texture size";

@@ -20,6 +20,7 @@ constexpr size_t kVertexBytes = 17;
 [[nodiscard]] Case distinct() {
   Case c;
   c.format = SELVAGE_RGB565;
+  c.filter = SELVAGE_FILTER_BILINEAR;
   c.address = SELVAGE_ADDRESS_WRAP;
   c.target_width_px = 3;
   c.target_height_px = 260;
@@ -38,6 +39,7 @@ TEST(CaseEquality, SeesEveryField) {
   const Case c = distinct();
   EXPECT_TRUE(c == distinct());
   const std::vector<void (*)(Case&)> changes = {[](Case& d) { d.format = SELVAGE_INDEX8; },
+                                                [](Case& d) { d.filter = SELVAGE_FILTER_FOUR; },
                                                 [](Case& d) { d.address = SELVAGE_ADDRESS_CLAMP; },
                                                 [](Case& d) { ++d.target_width_px; },
                                                 [](Case& d) { ++d.target_height_px; },
@@ -77,7 +79,7 @@ TEST(CaseCodec, HasTheLayoutThatTheHeaderStates) {
                                        4,
                                        0,  // sizes less one
                                        1 + 4 + 16 + 32,
-                                       11,  // flags, padding
+                                       11 + 32,  // flags, padding and filter
                                        0xff,
                                        0xff,
                                        2,
@@ -137,6 +139,7 @@ TEST(CaseCodec, KeepsTheEndsOfEveryRange) {
     c.target_height_px = c.texture_width_texel = height;
     for (const selvage_format format : {SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888}) {
       c.format = format;
+      c.filter = format + 1;
       for (const int32_t end : {0, 1}) {
         c.padding_px = end * 15;
         c.choice = end == 0 ? 0 : std::numeric_limits<uint32_t>::max();
@@ -201,7 +204,7 @@ TEST(CaseHex, ReadsWhatItWrites) {
   EXPECT_EQ(hex.substr(0, 20),
             "020003011000"
             "0400"
-            "350b");
+            "352b");
   EXPECT_EQ(hex.size(), 2 * (kHeaderBytes + 2 * kVertexBytes));
   EXPECT_TRUE(from_hex(hex) == distinct());
   std::string upper = hex;
@@ -219,7 +222,7 @@ TEST(CaseHex, RefusesWhatIsNoHexadecimal) {
 
 TEST(CasePrint, TellsEverythingExactly) {
   EXPECT_EQ(print(distinct()),
-            "exact, RGB565, wrap, choice 2309737967\n"
+            "exact, RGB565, bilinear, wrap, choice 2309737967\n"
             "target   3 x 260 px, padding 11 px a row\n"
             "texture  17 x 5 texels, padding 11 px a row, bottom row first\n"
             "clip     columns [-1, 300), rows [2, -32768)\n"
@@ -243,6 +246,10 @@ TEST(CasePrint, TellsThePlainCasePlainly) {
   EXPECT_EQ(print(c).substr(0, 13), "exact, INDEX8");
   c.profile = SELVAGE_PROFILE_DKIT;
   EXPECT_EQ(print(c).substr(0, 12), "dkit, INDEX8");
+  c.filter = SELVAGE_FILTER_FOUR;
+  EXPECT_EQ(print(c).substr(0, 19), "dkit, INDEX8, four,");
+  c.filter = SELVAGE_FILTER_AREA;
+  EXPECT_EQ(print(c).substr(0, 19), "dkit, INDEX8, area,");
 }
 
 }  // namespace

@@ -56,6 +56,38 @@ TEST(Exhaustive, TrianglesOfTheHalfPixelGrid) {
   EXPECT_GT(covered_px, 100000U);
 }
 
+// The same with filters: weights tie at every half texel, and boxes from half a texel to dozens.
+TEST(Exhaustive, TrianglesOfTheHalfPixelGridWithFilters) {
+  constexpr int32_t kSide = 8;
+  const Subject subject = built_in();
+  Case c;
+  c.target_width_px = c.target_height_px = 4;
+  c.texture_width_texel = 8;
+  c.texture_height_texel = 7;
+  int32_t triangles = 0;
+  uint64_t covered_px = 0;
+  for (int32_t i = 0; i < kSide * kSide; ++i) {
+    for (int32_t j = i + 1; j < kSide * kSide; ++j) {
+      for (int32_t k = j + 1; k < kSide * kSide; ++k, ++triangles) {
+        c.vertices.clear();
+        for (const int32_t index : ordered(i, j, k, triangles)) {
+          selvage_vertex v = grid_vertex(index, triangles);
+          v.x = index % kSide * 128;
+          v.y = index / kSide * 128;
+          c.vertices.push_back(v);
+        }
+        c.filter = SELVAGE_FILTER_FOUR + triangles / 3 % 3;
+        c.address = triangles % 2 == 0 ? SELVAGE_ADDRESS_WRAP : SELVAGE_ADDRESS_CLAMP;
+        const Picture model = expected(c), drawn = draw(subject, c);
+        ASSERT_EQ(drawn.pixels, model.pixels) << print(c) << to_hex(c);
+        for (const auto& pixel : drawn.pixels) covered_px += pixel.has_value() ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_EQ(triangles, 41664);
+  EXPECT_GT(covered_px, 50000U);
+}
+
 // The same for the historic profiles, on whole pixels: every triangle, either way round.
 TEST(Exhaustive, TrianglesOfWholePixelsInHistoricProfiles) {
   constexpr int32_t kSide = 7;

@@ -79,7 +79,7 @@ TEST(Face, TheFirstErrorIsTheOneReported) {
   Image target = pictures.target();
   Texture texture = pictures.texture();
   auto v = corners();
-  Options options{4, 1, 2, -1, 6};
+  Options options{4, 4, 2, -1, 6};
   target.format = 9, target.width = 0, target.pitch = 3;
   texture.format = 9, texture.width = 0, texture.pitch = 3;
   v[2].q = 0;
@@ -87,13 +87,16 @@ TEST(Face, TheFirstErrorIsTheOneReported) {
   EXPECT_EQ(status(), SELVAGE_ERROR_PROFILE);
   options.profile = SELVAGE_PROFILE_EXACT;
   EXPECT_EQ(status(), SELVAGE_ERROR_FILTER);
-  options.filter = SELVAGE_FILTER_NEAREST;
+  options.filter = SELVAGE_FILTER_AREA;
+  options.profile = SELVAGE_PROFILE_DKIT;
   EXPECT_EQ(status(), SELVAGE_ERROR_ADDRESS);
   options.address = SELVAGE_ADDRESS_CLAMP;
   EXPECT_EQ(status(), SELVAGE_ERROR_TOLERANCE);
   options.tolerance = 0;
   EXPECT_EQ(status(), SELVAGE_ERROR_KERNEL);
   options.kernel = SELVAGE_KERNEL_FASTEST;
+  EXPECT_EQ(status(), SELVAGE_ERROR_FILTER_PROFILE);
+  options.profile = SELVAGE_PROFILE_EXACT;
   EXPECT_EQ(status(), SELVAGE_ERROR_TARGET_FORMAT);
   target.format = SELVAGE_RGBA8888;
   EXPECT_EQ(status(), SELVAGE_ERROR_TARGET_SIZE);
@@ -108,6 +111,10 @@ TEST(Face, TheFirstErrorIsTheOneReported) {
   texture.pitch = kSide_texel * 4;
   EXPECT_EQ(status(), SELVAGE_ERROR_FORMAT_MISMATCH);
   texture.format = SELVAGE_RGBA8888;
+  EXPECT_EQ(status(), SELVAGE_ERROR_VERTEX_Q);
+  target.format = texture.format = SELVAGE_INDEX8;
+  EXPECT_EQ(status(), SELVAGE_ERROR_FILTER_FORMAT);
+  options.filter = SELVAGE_FILTER_NEAREST;
   EXPECT_EQ(status(), SELVAGE_ERROR_VERTEX_Q);
   v[2].q = 1;
   EXPECT_EQ(status(), SELVAGE_OK);

@@ -43,7 +43,7 @@ template <class Pixel>
                         address};
   const SpanMap map = one_to_one(first_texel);
   const Span span{0, 1, 5};
-  const Kernels& kernels = kernels_for(kernel, surface);
+  const Kernels& kernels = kernels_for(kernel, surface, {});
   if (affine) {
     const AffineField lanes = AffineLanes(map, span).field(span);
     kernels.draw_affine({one_span(span), lanes, ExactMap(map)}, surface);
@@ -116,10 +116,13 @@ TEST(Kernel, AddressesATextureOfAnyPitch) {
                     SELVAGE_ADDRESS_CLAMP};
   const Surface near{
       far.target, {texels.data(), 3, 1, 3, SELVAGE_INDEX8, 0, nullptr}, SELVAGE_ADDRESS_CLAMP};
-  EXPECT_EQ(&kernels_for(SELVAGE_KERNEL_FASTEST, far), &scalar_kernels());
+  Polygon at_the_end;
+  at_the_end.least_texel_fx16 = INT32_MIN + 65535;
+  EXPECT_EQ(&kernels_for(SELVAGE_KERNEL_FASTEST, far, {}), &scalar_kernels());
   for (const selvage_kernel kernel : usable_kernels()) {
-    EXPECT_EQ(&kernels_for(kernel, far), &scalar_kernels());
-    EXPECT_EQ(&kernels_for(kernel, near) == &scalar_kernels(), kernel == SELVAGE_KERNEL_SCALAR);
+    EXPECT_EQ(&kernels_for(kernel, far, {}), &scalar_kernels());
+    EXPECT_EQ(&kernels_for(kernel, near, {}) == &scalar_kernels(), kernel == SELVAGE_KERNEL_SCALAR);
+    EXPECT_EQ(&kernels_for(kernel, near, at_the_end), &scalar_kernels());
   }
 }
 

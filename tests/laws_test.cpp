@@ -17,10 +17,30 @@ TEST(Laws, HaveNamesAndStatementsOfTheirOwn) {
     EXPECT_EQ(find_law(law.name), &law);
   }
   EXPECT_EQ(find_law("NONE"), nullptr);
-  for (const char* name : {"COV", "PART", "PINWHEEL", "CLIP", "VERT", "MAP", "GAMUT", "SHIFT",
-                           "ORDER", "MIRROR", "SPLIT", "IDENTITY", "AFFINE", "MEM", "TOTAL"}) {
+  for (const char* name :
+       {"COV", "PART", "PINWHEEL", "CLIP", "VERT", "MAP", "GAMUT", "SHIFT", "ORDER", "MIRROR",
+        "SPLIT", "IDENTITY", "AFFINE", "FILTER", "MEM", "TOTAL"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
+}
+
+TEST(Laws, ExplainFiltersByChannels) {
+  Case c;
+  c.filter = SELVAGE_FILTER_BILINEAR;
+  c.vertices = {{0, 0, 0, 0, 1}, {1024, 0, 65536, 0, 1}, {0, 1024, 0, 65536, 1}};
+  const Subject nearest{
+      "nearest",
+      [](const selvage_image* target, const selvage_rect* clip, const selvage_vertex* vertices,
+         size_t count, const selvage_texture* texture, const selvage_options* options) {
+        selvage_options changed = *options;
+        changed.filter = SELVAGE_FILTER_NEAREST;
+        return selvage_draw(target, clip, vertices, count, texture, &changed);
+      }};
+  const Judgement judgement = find_law("FILTER")->check(nearest, c);
+  ASSERT_TRUE(judgement.violation);
+  EXPECT_EQ(judgement.violation->allowed.substr(0, 8), "channels");
+  EXPECT_NE(judgement.violation->allowed, judgement.violation->drawn);
+  EXPECT_FALSE(find_law("COV")->check(nearest, c).violation);
 }
 
 TEST(Laws, ExplainThemselves) {

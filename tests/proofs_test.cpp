@@ -17,6 +17,8 @@
 #include <vector>
 
 #include "mapper/edge.h"
+#include "mapper/filter_point.h"
+#include "mapper/footprint.h"
 #include "mapper/lanes.h"
 #include "mapper/plane.h"
 #include "mapper/vector_kernel.h"
@@ -129,6 +131,10 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
         {"COLUMN_DIVISOR_BITS", number(kColumnDivisorBits), "37"},
         {"STEP_BITS", number(kStepBits), "30"},
         {"STEP_DIVISOR_BITS", number(kStepDivisorBits), "29"}}},
+      {"footprint", {{"ROUNDINGS", number(kFootprintRoundings), number(kFootprintRoundings - 2)}}},
+      {"filter_grid",
+       {{"GRID_FRACTION", number(kGridFraction)},
+        {"WIDEST", number(kWidestMargin_fx32), "50331649"}}},
       {"filter", {lane_fraction, {"WIDEST", number(kWidestMargin_fx32), "4294967297"}}},
       {"numerator_bits",
        {q_bits,

@@ -11,24 +11,33 @@
 
 namespace selvage::mapper {
 
+// Calls visit(left, right, span) for rows of a polygon between two columns, at their edges.
+template <class Visit>
+void for_each_row(const Polygon& polygon, int32_t first_row, int32_t end_row, int32_t first_px,
+                  int32_t end_px, Visit visit) {
+  Chain forward(polygon, Chain::Direction::kForward),
+      backward(polygon, Chain::Direction::kBackward);
+  end_row = std::min(polygon.bottom_row, end_row);
+  for (int32_t row = std::max(polygon.top_row, first_row); row < end_row; ++row) {
+    const Edge& a = forward.at_row(row);
+    const Edge& b = backward.at_row(row);
+    const auto [left, right] =
+        std::minmax(a, b, [](const Edge& e, const Edge& f) { return e.first_px() < f.first_px(); });
+    const Span span{row, std::max(left.first_px(), first_px), std::min(right.first_px(), end_px)};
+    if (!span.empty()) visit(left, right, span);
+  }
+}
+
 // Calls visit(case, polygon, map, span) for the spans of a case, up to 2 px beyond its target's
 // sides.
 template <class Visit>
 void for_each_span(const spec::Case& c, Visit visit) {
   Polygon polygon;
   if (examine(c.vertices, &polygon) != SELVAGE_OK) return;
-  Chain forward(polygon, Chain::Direction::kForward),
-      backward(polygon, Chain::Direction::kBackward);
-  const int32_t end_row = std::min(polygon.bottom_row, c.target_height_px);
-  for (int32_t row = std::max(polygon.top_row, 0); row < end_row; ++row) {
-    const Edge& a = forward.at_row(row);
-    const Edge& b = backward.at_row(row);
-    const auto [left, right] =
-        std::minmax(a, b, [](const Edge& e, const Edge& f) { return e.first_px() < f.first_px(); });
-    const Span span{row, std::max(left.first_px(), -2),
-                    std::min(right.first_px(), c.target_width_px + 2)};
-    if (!span.empty()) visit(c, polygon, SpanMap(left.at(row), right.at(row)), span);
-  }
+  for_each_row(polygon, 0, c.target_height_px, -2, c.target_width_px + 2,
+               [&](const Edge& left, const Edge& right, const Span& span) {
+                 visit(c, polygon, SpanMap(left.at(span.row), right.at(span.row)), span);
+               });
 }
 
 template <class Visit>

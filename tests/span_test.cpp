@@ -57,8 +57,8 @@ TEST(SpanMap, DecidesBetweenTwoTexels) {
         const int32_t s = spec::floor(exact->u), t = spec::floor(exact->v);
         for (const int32_t below : {0, 1}) {
           const ExactRow row = ExactMap(map).row_from(span.left_px, span.row);
-          ASSERT_EQ(row.u_texel(0, s - below), s);
-          ASSERT_EQ(row.v_texel(0, t - below), t);
+          ASSERT_EQ(row.reaches(row.u, 0, s + below), below == 0);
+          ASSERT_EQ(row.reaches(row.v, 0, t + below), below == 0);
         }
       });
 }

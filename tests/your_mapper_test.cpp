@@ -29,6 +29,23 @@ selvage_status draw_with_my_mapper(const selvage_image* target, const selvage_re
 
 TEST(YourMapper, ObeysTheLaws) { EXPECT_EQ(broken_laws({"mine", draw_with_my_mapper}), 0); }
 
+// A mapper without filters says so, here and in its status; everything else is asked of it.
+TEST(YourMapper, NeedsNoFilters) {
+  const auto draw_nearest = [](const selvage_image* target, const selvage_rect* clip,
+                               const selvage_vertex* vertices, size_t count,
+                               const selvage_texture* texture,
+                               const selvage_options* options) -> selvage_status {
+    const bool known_profile =
+        options != nullptr && options->profile >= 0 && options->profile <= SELVAGE_PROFILE_DKIT;
+    if (known_profile && options->filter != SELVAGE_FILTER_NEAREST) return SELVAGE_ERROR_FILTER;
+    return selvage_draw(target, clip, vertices, count, texture, options);
+  };
+  selvage::spec::Subject plain{"plain", draw_nearest};
+  EXPECT_GT(broken_laws(plain), 0);
+  plain.nearest_only = true;
+  EXPECT_EQ(broken_laws(plain), 0);
+}
+
 TEST(YourMapper, WouldBeToldWhatItDoesWrong) {
   const selvage::spec::Subject lazy{"lazy", [](auto...) { return SELVAGE_OK; }};
   EXPECT_GT(broken_laws(lazy), 0);

@@ -40,15 +40,18 @@ constexpr const char* kDrawExamples = R"(Examples:
                --polygon '10,10,0,0 200,20,640,0 190,180,640,480 20,170,0,480'
   selvage draw --texture floor.png --background room.png --address wrap -o out.png \
                --polygon '80,40,0,0,4 160,40,64,0,4 240,180,64,64,1 0,180,0,64,1'
+  selvage draw --texture earth.jpg --size 64x32 --filter area -o small.png \
+               --polygon '0,0,0,0 64,0,2048,0 64,32,2048,1024 0,32,0,1024'
   selvage draw --texture earth.jpg --polygon-file globe.json --size 640x480 -o out.png --json
 
 A polygon's vertices go around it, either way; every row of pixels may cross two of its edges or
 none. The texture replaces what is under it: alpha is copied, not blended. The historic profiles
-want vertices on whole pixels, and no w.
+want vertices on whole pixels, no w and no filter but nearest, which is also all that 8-bit and
+16-bit formats can do. area takes the mean of all that a pixel shows: for pictures made smaller.
 
 A polygon file:
   {"vertices": [[10, 10, 0, 0], [200, 20, 640, 0], {"x": 190, "y": 180, "u": 640, "v": 480, "w": 2}],
-   "clip": [0, 0, 128, 128], "address": "wrap", "filter": "nearest",
+   "clip": [0, 0, 128, 128], "address": "wrap", "filter": "bilinear",
    "profile": "exact"}
 or several, drawn in order: {"polygons": [{"vertices": ...}, ...]}. Only "vertices" is needed.
 )";
@@ -107,6 +110,10 @@ CLI::App* add_draw(CLI::App& program, DrawOptions& options) {
   draw->add_option("--address", options.address,
                    "Beyond the texture: clamp (the default) or wrap; wins over the polygon file")
       ->type_name("MODE");
+  draw->add_option("--filter", options.filter,
+                   "How texels make a pixel: nearest (the default), four, bilinear or area; wins "
+                   "over the polygon file")
+      ->type_name("NAME");
   draw->add_option("--profile", options.profile,
                    "Conventions to draw by: exact (the default), abrash56, abrash57 or dkit; wins "
                    "over the polygon file")

@@ -20,7 +20,8 @@ using Pixel = std::optional<uint32_t>;
 // The colours of the coordinate texture's texels.
 class Palette {
  public:
-  explicit Palette(const spec::Case& c) {
+  Palette(const spec::Case& c, bool colours) : shows_colours_(colours) {
+    if (colours) return;
     const int32_t width = c.texture_width_texel;
     const int32_t height = c.texture_height_texel;
     for (int32_t t = 0; t < height; ++t) {
@@ -40,11 +41,16 @@ class Palette {
       const uint8_t grey = (x_px + y_px) % 2 == 0 ? 96 : 128;
       return {grey, grey, grey};
     }
+    if (shows_colours_) {
+      const auto channel = [&](int i) { return static_cast<uint8_t>(spec::channel(*pixel, i)); };
+      return {channel(0), channel(1), channel(2)};
+    }
     const auto found = colours_.find(*pixel);
     return found == colours_.end() ? kUnknown : found->second;
   }
 
  private:
+  bool shows_colours_;
   std::unordered_map<uint32_t, Colour> colours_;
 };
 
@@ -121,7 +127,7 @@ void frame(Raster& raster, int32_t left_px, int32_t top_px, int32_t side_px) {
 }  // namespace
 
 Raster comparison_picture(const Comparison& c) {
-  const Palette palette(c.scene);
+  const Palette palette(c.scene, c.colours);
   const Point shown = focus(c);
   const View view = view_around(c.drawn, shown.x_px, shown.y_px);
   Raster raster = filled(view.panel_left_px(view.stacked ? 0 : kPanels - 1) + view.across_px(),

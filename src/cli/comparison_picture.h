@@ -11,7 +11,8 @@
 namespace selvage::cli {
 
 struct Comparison {
-  spec::Case scene;  // whose coordinate texture both were drawn with
+  spec::Case scene;      // whose coordinate texture both were drawn with, unless
+  bool colours = false;  // the pixels are colours: RGBA8888
   spec::Picture drawn{}, expected{};
   int32_t x_px = -1, y_px = -1;  // the pixel to show and to frame; -1, -1: the first that differs
 
@@ -22,9 +23,10 @@ struct Comparison {
 };
 
 // Texel (s, t) is coloured by its place, red growing with s and green with t; a value that no texel
-// has is magenta; what was not drawn is a grey chequerboard. The difference is a dim copy of what
-// was expected where nothing differs. A white frame marks the pixel to show. Of a large target only
-// the surroundings of that pixel are shown; of one much wider than high, one panel below the other.
+// has is magenta. Colours are shown as they are, without alpha. What was not drawn is a grey
+// chequerboard. The difference is a dim copy of what was expected where nothing differs. A white
+// frame marks the pixel to show. Of a large target only the surroundings of that pixel are shown;
+// of one much wider than high, one panel below the other.
 [[nodiscard]] Raster comparison_picture(const Comparison& comparison);
 
 }  // namespace selvage::cli

@@ -55,6 +55,9 @@ void check_png_name(const std::string& output) {
     if (!options.address.empty()) {
       polygon.options.address = about("--address", [&] { return parse_address(options.address); });
     }
+    if (!options.filter.empty()) {
+      polygon.options.filter = about("--filter", [&] { return parse_filter(options.filter); });
+    }
   }
   return job;
 }

@@ -18,7 +18,7 @@ struct DrawOptions {
   std::string polygon_file;           // JSON; either this or `polygons`
   std::string size;                   // empty: the size of the background picture
   std::string background = "#000000";
-  std::string clip, address, profile;  // empty: what the polygon file says
+  std::string clip, address, filter, profile;  // empty: what the polygon file says
   std::string format = "rgba8888";
   std::string output;
   bool json = false;

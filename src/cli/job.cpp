@@ -47,7 +47,10 @@ selvage_address parse_address(std::string_view name) {
 
 selvage_filter parse_filter(std::string_view name) {
   if (name == "nearest") return SELVAGE_FILTER_NEAREST;
-  throw UserError("'" + std::string(name) + "' is no filter; nearest is");
+  if (name == "four") return SELVAGE_FILTER_FOUR;
+  if (name == "bilinear") return SELVAGE_FILTER_BILINEAR;
+  if (name == "area") return SELVAGE_FILTER_AREA;
+  throw UserError("'" + std::string(name) + "' is no filter; nearest, four, bilinear and area are");
 }
 
 std::vector<std::vector<selvage_vertex>> snap(const Job& job) {

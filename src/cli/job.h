@@ -25,7 +25,8 @@ struct JobPolygon {
 
 using Job = std::vector<JobPolygon>;
 
-// "exact", "abrash56", "abrash57", "dkit"; "clamp", "wrap"; "nearest".
+// "exact", "abrash56", "abrash57", "dkit"; "clamp", "wrap"; "nearest",
+// "four", "bilinear", "area".
 [[nodiscard]] selvage_profile parse_profile(std::string_view name);
 [[nodiscard]] selvage_address parse_address(std::string_view name);
 [[nodiscard]] selvage_filter parse_filter(std::string_view name);

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "mapper/copy_row.h"
+#include "mapper/filter_draw.h"
 #include "mapper/image.h"
 #include "mapper/kernel.h"
 #include "mapper/plane.h"
@@ -11,6 +12,11 @@
 
 namespace selvage::mapper {
 namespace {
+
+// Texel centres on pixel centres, one for one: bilinear weights are 0 and 1, the box is one texel.
+[[nodiscard]] bool is_copy(const Polygon& polygon, selvage_filter filter) {
+  return polygon.untransformed && filter != SELVAGE_FILTER_FOUR;
+}
 
 // u = x + ds and v = y + dt: rows of the texture, byte by byte.
 void draw_copies(const Polygon& polygon, const selvage_rect& visible, const Surface& surface) {
@@ -53,13 +59,14 @@ void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surfa
 }  // namespace
 
 void draw(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
-          selvage_kernel kernel) {
+          selvage_filter filter, selvage_kernel kernel) {
   if (visible.left >= visible.right ||
       std::max(visible.top, polygon.top_row) >= std::min(visible.bottom, polygon.bottom_row)) {
     return;
   }
-  if (polygon.untransformed) return draw_copies(polygon, visible, surface);
-  const Kernels& kernels = kernels_for(kernel, surface);
+  if (is_copy(polygon, filter)) return draw_copies(polygon, visible, surface);
+  if (filter != SELVAGE_FILTER_NEAREST) return draw_filtered(surface, visible, polygon, filter);
+  const Kernels& kernels = kernels_for(kernel, surface, polygon);
   if (const std::optional<Plane> plane = Plane::of(polygon, visible)) {
     return draw_plane(*plane, polygon, visible, surface, kernels);
   }

@@ -10,6 +10,6 @@ namespace selvage::mapper {
 // All arguments have passed their checks; `visible` lies within the target or is empty, and this
 // machine can run the kernel.
 void draw(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
-          selvage_kernel kernel);
+          selvage_filter filter, selvage_kernel kernel);
 
 }  // namespace selvage::mapper

@@ -72,6 +72,15 @@ EdgePoint Edge::at(int32_t row) const {
   };
 }
 
+EdgeChange Edge::change() const {
+  return EdgeChange{
+      .x = int64_t{bottom_->x} - top_->x,
+      .uq = int64_t{bottom_->u} * bottom_->q - int64_t{top_->u} * top_->q,
+      .vq = int64_t{bottom_->v} * bottom_->q - int64_t{top_->v} * top_->q,
+      .q = int64_t{bottom_->q} - top_->q,
+  };
+}
+
 Chain::Chain(const Polygon& polygon, Direction direction)
     : polygon_(&polygon), direction_(direction), vertex_(polygon.top) {}
 

@@ -24,6 +24,12 @@ struct EdgePoint {
   int64_t q;       // q * height
 };
 
+// How far an edge goes: the change of each value of EdgePoint from its top to its bottom, not times
+// the height. Per 1/256 px of y it is what the numerators change by.
+struct EdgeChange {
+  int64_t x, uq, vq, q;
+};
+
 // An edge between two vertices, kept from top to bottom whichever way the outline runs, so that the
 // two polygons on its sides compute the same numbers. It steps from row to row by additions: the
 // first pixel centre at or right of the edge is a quotient whose remainder is carried along.
@@ -56,6 +62,7 @@ class Edge {
   [[nodiscard]] int32_t first_px() const { return static_cast<int32_t>(first_px_); }
 
   [[nodiscard]] EdgePoint at(int32_t row) const;
+  [[nodiscard]] EdgeChange change() const;
 
  private:
   const selvage_vertex* top_ = nullptr;

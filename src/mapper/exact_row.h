@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "mapper/number.h"
 #include "mapper/plane.h"
@@ -9,29 +10,23 @@
 
 namespace selvage::mapper {
 
-// u = (u + i u_step) / (d + i d_step) texels, and likewise v, at the i-th pixel from some pixel on.
-// Numbers are kept modulo 2^128: they may leave their range on pixels that nobody asks for.
+// A coordinate's numerator at some pixel of a row, and how much it changes to the next one.
+// Modulo 2^128: numbers may leave their range on pixels that nobody asks for.
+struct ExactLine {
+  uint128 start, step;
+
+  [[nodiscard]] uint128 at(int32_t i) const { return start + static_cast<uint128>(i) * step; }
+};
+
+// u = u.at(i) / d.at(i) texels, and likewise v, at the i-th pixel of a span.
 struct ExactRow {
-  uint128 u, u_step, v, v_step;
-  uint128 d, d_step;
+  ExactLine u, v, d;
 
-  // floor u and floor v at a pixel, of which it is known that they are `low_texel` or one more:
-  // decided by the sign of one integer, without a division. It lies in [-d, d), d at the pixel.
-  [[nodiscard]] int32_t u_texel(int32_t i, int32_t low_texel) const {
-    return low_texel + (is_reached(u, u_step, i, low_texel) ? 1 : 0);
-  }
-  [[nodiscard]] int32_t v_texel(int32_t i, int32_t low_texel) const {
-    return low_texel + (is_reached(v, v_step, i, low_texel) ? 1 : 0);
-  }
-
-  // The same integers modulo 2^64 have the same sign.
-  [[nodiscard]] bool fits_int64() const { return d_step == 0 && d >> 63 == 0; }
-
- private:
-  [[nodiscard]] bool is_reached(uint128 n, uint128 n_step, int32_t i, int32_t low_texel) const {
-    const auto times = static_cast<uint128>(int128{i});
-    const auto next = static_cast<uint128>(int128{low_texel} + 1);
-    return static_cast<int128>(n + times * n_step - next * (d + times * d_step)) >= 0;
+  // Whether a coordinate is at or beyond a whole texel that is no further from it than one: the
+  // sign of one integer in [-d, d], without a division.
+  [[nodiscard]] bool reaches(const ExactLine& coordinate, int32_t i, int32_t texel) const {
+    const auto whole = static_cast<uint128>(int128{texel});
+    return static_cast<int128>(coordinate.at(i) - whole * d.at(i)) >= 0;
   }
 };
 
@@ -47,23 +42,40 @@ class ExactMap {
   }
 
  private:
+  [[nodiscard]] static ExactLine line(int128 start, int128 step) {
+    return {static_cast<uint128>(start), static_cast<uint128>(step)};
+  }
   [[nodiscard]] static ExactRow row_of_span(const void* of, int32_t px, int32_t /*row*/) {
     const auto& map = *static_cast<const SpanMap*>(of);
-    const auto modular = [](int128 a) { return static_cast<uint128>(a); };
-    return {modular(map.u_numerator(px)), modular(map.u_numerator_step()),
-            modular(map.v_numerator(px)), modular(map.v_numerator_step()),
-            modular(map.denominator(px)), modular(map.denominator_step())};
+    return {line(map.u_numerator(px), map.u_numerator_step()),
+            line(map.v_numerator(px), map.v_numerator_step()),
+            line(map.denominator(px), map.denominator_step())};
   }
   [[nodiscard]] static ExactRow row_of_plane(const void* of, int32_t px, int32_t row) {
     const auto& plane = *static_cast<const Plane*>(of);
-    const auto modular = [](int128 a) { return static_cast<uint128>(a); };
-    return {modular(plane.u_numerator(px, row)), modular(plane.u_numerator_step()),
-            modular(plane.v_numerator(px, row)), modular(plane.v_numerator_step()),
-            modular(plane.denominator()),        0};
+    return {line(plane.u_numerator(px, row), plane.u_numerator_step()),
+            line(plane.v_numerator(px, row), plane.v_numerator_step()),
+            line(plane.denominator(), 0)};
   }
 
   const void* map_;
   ExactRow (*row_from_)(const void* of, int32_t px, int32_t row);
+};
+
+// The exact row of a span, once somebody asks for it.
+class RowOnDemand {
+ public:
+  RowOnDemand(const ExactMap& map, const Span& span) : map_(&map), span_(span) {}
+
+  [[nodiscard]] const ExactRow& get() {
+    if (!row_) row_ = map_->row_from(span_.left_px, span_.row);
+    return *row_;
+  }
+
+ private:
+  const ExactMap* map_;
+  Span span_;
+  std::optional<ExactRow> row_;
 };
 
 }  // namespace selvage::mapper

@@ -13,8 +13,8 @@ bool is_usable(selvage_kernel kernel) {
          vector_kernels(kernel) != nullptr;
 }
 
-const Kernels& kernels_for(selvage_kernel kernel, const Surface& surface) {
-  if (kernel == SELVAGE_KERNEL_SCALAR || !fits_vectors(surface)) return scalar_kernels();
+const Kernels& kernels_for(selvage_kernel kernel, const Surface& surface, const Polygon& polygon) {
+  if (kernel == SELVAGE_KERNEL_SCALAR || !fits_vectors(surface, polygon)) return scalar_kernels();
   if (kernel != SELVAGE_KERNEL_FASTEST) return *vector_kernels(kernel);
   for (const selvage_kernel each : kByPreference) {
     if (const Kernels* found = vector_kernels(each)) return *found;

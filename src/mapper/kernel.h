@@ -9,6 +9,7 @@
 
 #include "mapper/exact_row.h"
 #include "mapper/lanes.h"
+#include "mapper/polygon.h"
 #include "mapper/span_batch.h"
 #include "selvage.h"
 
@@ -48,9 +49,10 @@ struct Kernels {
 // Any surface.
 [[nodiscard]] const Kernels& scalar_kernels();
 
-// Those of a selvage_kernel that this machine can run; surfaces that a vector kernel cannot address
-// get the scalar ones.
-[[nodiscard]] const Kernels& kernels_for(selvage_kernel kernel, const Surface& surface);
+// Those of a selvage_kernel that this machine can run, or the scalar ones, for what a vector kernel
+// cannot hold.
+[[nodiscard]] const Kernels& kernels_for(selvage_kernel kernel, const Surface& surface,
+                                         const Polygon& polygon);
 [[nodiscard]] bool is_usable(selvage_kernel kernel);
 
 }  // namespace selvage::mapper

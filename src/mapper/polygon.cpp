@@ -1,5 +1,7 @@
 #include "mapper/polygon.h"
 
+#include <algorithm>
+
 #include "mapper/number.h"
 
 namespace selvage::mapper {
@@ -66,17 +68,20 @@ selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygo
 
   *polygon = Polygon{.vertices = vertices};
   int32_t bottom_fx8 = vertices[0].y, left_fx8 = vertices[0].x, right_fx8 = left_fx8;
+  int32_t least_fx16 = std::min(vertices[0].u, vertices[0].v);
   for (size_t i = 1; i < vertices.size(); ++i) {
     if (vertices[i].y < vertices[polygon->top].y) polygon->top = i;
     if (vertices[i].y > bottom_fx8) bottom_fx8 = vertices[i].y;
     if (vertices[i].x < left_fx8) left_fx8 = vertices[i].x;
     if (vertices[i].x > right_fx8) right_fx8 = vertices[i].x;
     if (vertices[i].q != vertices[0].q) polygon->affine = false;
+    least_fx16 = std::min(least_fx16, std::min(vertices[i].u, vertices[i].v));
   }
   polygon->top_row = first_centre_px(vertices[polygon->top].y);
   polygon->bottom_row = first_centre_px(bottom_fx8);
   polygon->left_px = first_centre_px(left_fx8);
   polygon->right_px = first_centre_px(right_fx8);
+  polygon->least_texel_fx16 = least_fx16;
   find_shift(polygon);
   return SELVAGE_OK;
 }

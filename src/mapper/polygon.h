@@ -15,9 +15,10 @@ struct Polygon {
   int32_t top_row = 0, bottom_row = 0;  // rows whose centres lie in [least y, greatest y)
   // Columns whose centres lie in [least x, greatest x).
   int32_t left_px = 0, right_px = 0;
-  bool affine = true;          // all q are equal
-  bool untransformed = false;  // u = x + ds and v = y + dt, ds and dt whole, everywhere
-  int32_t ds = 0, dt = 0;      // texels; of an untransformed polygon
+  int32_t least_texel_fx16 = 0;  // of all u and v
+  bool affine = true;            // all q are equal
+  bool untransformed = false;    // u = x + ds and v = y + dt, ds and dt whole, everywhere
+  int32_t ds = 0, dt = 0;        // texels; of an untransformed polygon
 };
 
 // Checks count, ranges and y-monotonicity. On SELVAGE_OK *polygon refers to `vertices`.

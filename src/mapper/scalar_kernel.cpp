@@ -9,15 +9,15 @@
 namespace selvage::mapper {
 namespace {
 
-// Lanes, span and texture come by value: no store through `pixel` can change them.
+// Lanes and texture come by value: no store through `pixel` can change them.
 template <class Pixel, class Address, class Lanes>
-int32_t draw_texels(const ExactMap& exact, const Span span, const Lanes lanes,
+int32_t draw_texels(RowOnDemand& exact, const int32_t width_px, const Lanes lanes,
                     const selvage_texture texture, char* pixel) {
   const char* texels = static_cast<const char*>(texture.texels);
   int32_t decided = 0;
-  for (int32_t px = span.left_px; px < span.right_px; ++px) {
-    const Lane lane = lanes.at(px - span.left_px);
-    const TexelIndex texel = texel_under(lane, lanes.margin_fx32(), exact, px, span.row);
+  for (int32_t offset_px = 0; offset_px < width_px; ++offset_px) {
+    const Lane lane = lanes.at(offset_px);
+    const TexelIndex texel = texel_under(lane, lanes.margin_fx32(), exact, offset_px);
     const ptrdiff_t s = Address::index(texel.s, texture.width);
     const ptrdiff_t t = Address::index(texel.t, texture.height);
     std::memcpy(pixel, texels + t * texture.pitch + s * ptrdiff_t{sizeof(Pixel)}, sizeof(Pixel));
@@ -33,44 +33,45 @@ int32_t draw_texels(const ExactMap& exact, const Span span, const Lanes lanes,
 
 // u and v are monotone along a span, so its ends tell whether all of it is inside the texture.
 template <class Lanes>
-[[nodiscard]] bool stays_inside(const Lanes& lanes, const ExactMap& exact, const Span& span,
+[[nodiscard]] bool stays_inside(const Lanes& lanes, RowOnDemand& exact, int32_t width_px,
                                 const selvage_texture& texture) {
-  const auto inside_at = [&](int32_t px) {
-    return is_inside(
-        texel_under(lanes.at(px - span.left_px), lanes.margin_fx32(), exact, px, span.row),
-        texture);
+  const auto inside_at = [&](int32_t offset_px) {
+    return is_inside(texel_under(lanes.at(offset_px), lanes.margin_fx32(), exact, offset_px),
+                     texture);
   };
-  return inside_at(span.left_px) && inside_at(span.right_px - 1);
+  return inside_at(0) && inside_at(width_px - 1);
 }
 
 template <class Pixel, class Lanes>
-int32_t draw_row(const Lanes& lanes, const ExactMap& exact, const Span& span,
+int32_t draw_row(const Lanes& lanes, const ExactMap& map, const Span& span,
                  const Surface& surface) {
   const selvage_texture& texture = surface.texture;
   char* pixel = static_cast<char*>(surface.target.pixels) + span.row * surface.target.pitch +
                 span.left_px * ptrdiff_t{sizeof(Pixel)};
-  if (stays_inside(lanes, exact, span, texture)) {
-    return draw_texels<Pixel, Inside>(exact, span, lanes, texture, pixel);
+  const int32_t width_px = span.width_px();
+  RowOnDemand exact(map, span);
+  if (stays_inside(lanes, exact, width_px, texture)) {
+    return draw_texels<Pixel, Inside>(exact, width_px, lanes, texture, pixel);
   }
   if (surface.address == SELVAGE_ADDRESS_CLAMP) {
-    return draw_texels<Pixel, Clamp>(exact, span, lanes, texture, pixel);
+    return draw_texels<Pixel, Clamp>(exact, width_px, lanes, texture, pixel);
   }
   if (WrapMasked::fits(texture.width) && WrapMasked::fits(texture.height)) {
-    return draw_texels<Pixel, WrapMasked>(exact, span, lanes, texture, pixel);
+    return draw_texels<Pixel, WrapMasked>(exact, width_px, lanes, texture, pixel);
   }
-  return draw_texels<Pixel, Wrap>(exact, span, lanes, texture, pixel);
+  return draw_texels<Pixel, Wrap>(exact, width_px, lanes, texture, pixel);
 }
 
 template <class Lanes>
-int32_t draw_lanes(const Lanes& lanes, const ExactMap& exact, const Span& span,
+int32_t draw_lanes(const Lanes& lanes, const ExactMap& map, const Span& span,
                    const Surface& surface) {
   switch (surface.target.format) {
     case SELVAGE_INDEX8:
-      return draw_row<uint8_t>(lanes, exact, span, surface);
+      return draw_row<uint8_t>(lanes, map, span, surface);
     case SELVAGE_RGB565:
-      return draw_row<uint16_t>(lanes, exact, span, surface);
+      return draw_row<uint16_t>(lanes, map, span, surface);
     default:
-      return draw_row<uint32_t>(lanes, exact, span, surface);
+      return draw_row<uint32_t>(lanes, map, span, surface);
   }
 }
 

@@ -36,6 +36,8 @@ class SpanWalk {
 
   [[nodiscard]] const Span& span() const { return span_; }
   [[nodiscard]] SpanMap map() const { return {left_->at(row_), right_->at(row_)}; }
+  [[nodiscard]] const Edge& left() const { return *left_; }
+  [[nodiscard]] const Edge& right() const { return *right_; }
 
  private:
   selvage_rect visible_;

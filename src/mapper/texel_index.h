@@ -5,7 +5,6 @@
 
 #include "mapper/exact_row.h"
 #include "mapper/lanes.h"
-#include "mapper/span.h"
 
 namespace selvage::mapper {
 
@@ -18,28 +17,31 @@ struct TexelIndex {
   return static_cast<uint32_t>(lane_fx32) >= 0U - margin_fx32;
 }
 
-// The exact texel under a lane of which one coordinate at least is a near-tie. Rare, and kept out
-// of the loops.
-[[nodiscard, gnu::noinline]] inline TexelIndex decide(const ExactMap& exact, int32_t px,
-                                                      int32_t row, Lane lane,
-                                                      uint32_t margin_fx32) {
-  TexelIndex texel{static_cast<int32_t>(lane.u_fx32 >> kLaneFraction),
-                   static_cast<int32_t>(lane.v_fx32 >> kLaneFraction)};
-  const ExactRow from_here = exact.row_from(px, row);
-  if (is_near_tie(lane.u_fx32, margin_fx32)) texel.s = from_here.u_texel(0, texel.s);
-  if (is_near_tie(lane.v_fx32, margin_fx32)) texel.t = from_here.v_texel(0, texel.t);
-  return texel;
-}
-
 [[nodiscard]] inline bool is_near_tie(Lane lane, uint32_t margin_fx32) {
   return is_near_tie(lane.u_fx32, margin_fx32) || is_near_tie(lane.v_fx32, margin_fx32);
 }
 
+// The exact texel under a lane of which one coordinate at least is a near-tie: its own or the next.
+// Rare, and kept out of the loops.
+[[nodiscard, gnu::noinline]] inline TexelIndex decide(RowOnDemand& row, int32_t offset_px,
+                                                      Lane lane, uint32_t margin_fx32) {
+  TexelIndex texel{static_cast<int32_t>(lane.u_fx32 >> kLaneFraction),
+                   static_cast<int32_t>(lane.v_fx32 >> kLaneFraction)};
+  const ExactRow& exact = row.get();
+  if (is_near_tie(lane.u_fx32, margin_fx32)) {
+    texel.s += exact.reaches(exact.u, offset_px, texel.s + 1) ? 1 : 0;
+  }
+  if (is_near_tie(lane.v_fx32, margin_fx32)) {
+    texel.t += exact.reaches(exact.v, offset_px, texel.t + 1) ? 1 : 0;
+  }
+  return texel;
+}
+
 // floor u and floor v at a pixel: those of the lanes, which are exact unless near-ties.
-[[nodiscard]] inline TexelIndex texel_under(Lane lane, uint32_t margin_fx32, const ExactMap& exact,
-                                            int32_t px, int32_t row) {
+[[nodiscard]] inline TexelIndex texel_under(Lane lane, uint32_t margin_fx32, RowOnDemand& row,
+                                            int32_t offset_px) {
   if (is_near_tie(lane, margin_fx32)) [[unlikely]] {
-    return decide(exact, px, row, lane, margin_fx32);
+    return decide(row, offset_px, lane, margin_fx32);
   }
   return {static_cast<int32_t>(lane.u_fx32 >> kLaneFraction),
           static_cast<int32_t>(lane.v_fx32 >> kLaneFraction)};

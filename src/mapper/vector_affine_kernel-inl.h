@@ -36,52 +36,16 @@ inline constexpr int kAnchorShift = kLaneFraction - kTexelFraction;
   return hn::Add(whole, hn::ShiftRight<kAnchorShift>(fraction));
 }
 
-[[nodiscard]] HWY_INLINE int32_t floor_texel(int64_t lane_fx32) {
-  return static_cast<int32_t>(lane_fx32 >> kLaneFraction);
-}
-
-using D64 = hn::Repartition<uint64_t, D32>;
-using V64 = hn::Vec<D64>;
-
-// Modulo 2^64.
-[[nodiscard]] HWY_INLINE V64 product(V64 a, V64 b) {
-  const hn::Repartition<uint32_t, D64> d32;
-  const auto a_low = hn::BitCast(d32, a), b_low = hn::BitCast(d32, b);
-  const auto a_high = hn::BitCast(d32, hn::ShiftRight<32>(a));
-  const auto b_high = hn::BitCast(d32, hn::ShiftRight<32>(b));
-  const V64 cross = hn::Add(hn::MulEven(a_high, b_low), hn::MulEven(a_low, b_high));
-  return hn::Add(hn::MulEven(a_low, b_low), hn::ShiftLeft<32>(cross));
-}
-
-// ExactRow::u_texel for kLanes pixels at once, all modulo 2^64: lanes of 32.32 say the low texel,
-// and it is the next one where n - (low + 1) d is not negative.
-[[nodiscard]] HWY_INLINE V32 exact_texels(int64_t lane_fx32, int64_t step_fx32, uint64_t n,
-                                          uint64_t n_step, uint64_t d) {
-  const D64 d64;
-  const D32 d32;
-  const auto half = [&](uint64_t first, V32* low) {
-    const V64 i = hn::Iota(d64, first);
-    const V64 lane = hn::Add(hn::Set(d64, static_cast<uint64_t>(lane_fx32)),
-                             product(i, hn::Set(d64, static_cast<uint64_t>(step_fx32))));
-    *low = hn::BitCast(d32, lane);
-    const hn::RebindToSigned<D64> di64;
-    const auto texel = hn::ShiftRight<kLaneFraction>(hn::BitCast(di64, lane));
-    const V64 next = hn::BitCast(d64, hn::Add(texel, hn::Set(di64, 1)));
-    const V64 at = hn::Add(hn::Set(d64, n), product(i, hn::Set(d64, n_step)));
-    return hn::BitCast(d32, hn::Sub(at, product(next, hn::Set(d64, d))));
-  };
-  V32 lanes_low, lanes_high;
-  const V32 rest_low = half(0, &lanes_low), rest_high = half(kLanes / 2, &lanes_high);
-  const V32 texel = hn::ConcatOdd(d32, lanes_high, lanes_low);
-  const V32 rest_sign = hn::ShiftRight<31>(hn::ConcatOdd(d32, rest_high, rest_low));
-  return hn::Add(hn::Add(texel, rest_sign), hn::Set(d32, 1));
-}
+// kLanes lanes of both coordinates.
+struct LaneVectors {
+  V32 u, v;
+};
 
 template <class Address>
 class AffineBatch {
  public:
   HWY_INLINE AffineBatch(const AffineSpans& spans, const Surface& surface)
-      : spans_(spans),
+      : exact_(spans.exact),
         width_texel_(surface.texture.width),
         height_texel_(surface.texture.height),
         pitch_texel_(pitch_texel(surface.texture)),
@@ -90,107 +54,168 @@ class AffineBatch {
         offset_u_(offsets_fx16(spans.field.step_x.u_fx32)),
         offset_v_(offsets_fx16(spans.field.step_x.v_fx32)) {}
 
-  // Writes the places in the texture, in texels from its first, of kLanes pixels from `px` on, of
-  // which `count` are asked for; the others' are valid places too. Returns how many it decided.
-  HWY_INLINE int32_t find_places(int32_t row, int32_t px, Lane lane, int32_t count,
-                                 int32_t* HWY_RESTRICT place) const {
+  // Of kLanes pixels, given the 32.32 lane of the first.
+  HWY_INLINE LaneVectors lanes_from(Lane lane) const {
     const D32 d;
-    const V32 u = hn::Add(hn::Set(d, floor_fx16(lane.u_fx32)), offset_u_);
-    const V32 v = hn::Add(hn::Set(d, floor_fx16(lane.v_fx32)), offset_v_);
-    store_places(hn::ShiftRight<kTexelFraction>(u), hn::ShiftRight<kTexelFraction>(v), place);
+    return {hn::Add(hn::Set(d, floor_fx16(lane.u_fx32)), offset_u_),
+            hn::Add(hn::Set(d, floor_fx16(lane.v_fx32)), offset_v_)};
+  }
 
-    // Where adding what a lane may lack changes the texel.
-    const V32 lack = hn::Set(d, lack_fx16_);
-    const V32 change = hn::Or(hn::Xor(hn::Add(u, lack), u), hn::Xor(hn::Add(v, lack), v));
-    const auto near = hn::And(hn::Ne(hn::ShiftRight<kTexelFraction>(change), hn::Zero(d)),
-                              hn::FirstN(d, static_cast<size_t>(count)));
-    if (HWY_LIKELY(hn::AllFalse(d, near))) return 0;
-    return decide_places(row, px, lane, lane_bits(d, near), place);
+  // Places in the texture, in texels from its first; those of lanes that mean nothing are valid
+  // too.
+  HWY_INLINE V32 places(const LaneVectors& lanes) const {
+    return places_of(texel_of(lanes.u), texel_of(lanes.v));
+  }
+
+  // Whether adding all that a lane may lack changes some texel.
+  [[nodiscard]] HWY_INLINE bool any_near(const LaneVectors& lanes) const {
+    return !hn::AllFalse(D32(), is_changed(hn::Or(change(lanes.u), change(lanes.v))));
+  }
+  [[nodiscard]] HWY_INLINE uint32_t near_bits(V32 lane_fx16) const {
+    return lane_bits(D32(), is_changed(change(lane_fx16)));
+  }
+
+  // The places of pixels that follow each other in a row. Counts the near-ties among those asked
+  // for.
+  HWY_NOINLINE V32 decided_places(int32_t px, int32_t row, const LaneVectors& lanes, uint32_t asked,
+                                  int32_t* decided) const {
+    const D32 d;
+    const uint32_t near_u = near_bits(lanes.u) & asked, near_v = near_bits(lanes.v) & asked;
+    *decided += static_cast<int32_t>(hwy::PopCount(near_u | near_v));
+    const ExactRow exact = exact_.row_from(px, row);
+    return places_of(decide(d, texel_of(lanes.u), near_u, exact, exact.u),
+                     decide(d, texel_of(lanes.v), near_v, exact, exact.v));
+  }
+
+  // The place of one pixel, near-ties or not.
+  [[nodiscard]] int32_t decided_place(int32_t px, int32_t row, int32_t u_fx16,
+                                      int32_t v_fx16) const {
+    const ExactRow exact = exact_.row_from(px, row);
+    const auto texel = [&](const ExactLine& coordinate, int32_t lane_fx16) {
+      const int32_t low = lane_fx16 >> kTexelFraction;
+      return (lane_fx16 & 0xFFFF) + lack_fx16_ > 0xFFFF && exact.reaches(coordinate, 0, low + 1)
+                 ? low + 1
+                 : low;
+    };
+    return Address::Scalar::index(texel(exact.v, v_fx16), height_texel_) * pitch_texel_ +
+           Address::Scalar::index(texel(exact.u, u_fx16), width_texel_);
   }
 
  private:
-  // The near-ties among the pixels, by the exact map; low texels are those of the 32.32 lanes.
-  HWY_NOINLINE int32_t decide_places(int32_t row, int32_t px, Lane lane, uint32_t near,
-                                     int32_t* place) const {
-    const ExactRow exact = spans_.exact.row_from(px, row);
-    const Lane& step = spans_.field.step_x;
-    if (exact.fits_int64()) {
-      const auto low64 = [](uint128 a) { return static_cast<uint64_t>(a); };
-      const auto d = low64(exact.d);
-      const V32 s = exact_texels(lane.u_fx32, step.u_fx32, low64(exact.u), low64(exact.u_step), d);
-      const V32 t = exact_texels(lane.v_fx32, step.v_fx32, low64(exact.v), low64(exact.v_step), d);
-      store_places(s, t, place);
-      return static_cast<int32_t>(hwy::PopCount(near));
-    }
-    int32_t decided = 0;
-    for (int32_t i = 0; near >> i != 0; ++i) {
-      if ((near >> i & 1U) == 0) continue;
-      const int32_t s = exact.u_texel(i, floor_texel(lane.u_fx32 + i * step.u_fx32));
-      const int32_t t = exact.v_texel(i, floor_texel(lane.v_fx32 + i * step.v_fx32));
-      place[i] = Address::Scalar::index(t, height_texel_) * pitch_texel_ +
-                 Address::Scalar::index(s, width_texel_);
-      ++decided;
-    }
-    return decided;
+  static HWY_INLINE V32 texel_of(V32 lane_fx16) {
+    return hn::ShiftRight<kTexelFraction>(lane_fx16);
+  }
+  HWY_INLINE V32 change(V32 lane_fx16) const {
+    return hn::Xor(hn::Add(lane_fx16, hn::Set(D32(), lack_fx16_)), lane_fx16);
+  }
+  static HWY_INLINE hn::Mask<D32> is_changed(V32 change) {
+    return hn::Ne(texel_of(change), hn::Zero(D32()));
+  }
+  HWY_INLINE V32 places_of(V32 s, V32 t) const {
+    const V32 row = hn::Mul(Address::index(t, height_texel_), hn::Set(D32(), pitch_texel_));
+    return hn::Add(row, Address::index(s, width_texel_));
   }
 
-  HWY_INLINE void store_places(V32 s, V32 t, int32_t* HWY_RESTRICT place) const {
-    const D32 d;
-    const V32 row = hn::Mul(Address::index(t, height_texel_), hn::Set(d, pitch_texel_));
-    hn::StoreU(hn::Add(row, Address::index(s, width_texel_)), d, place);
-  }
-
-  const AffineSpans& spans_;
+  const ExactMap& exact_;
   int32_t width_texel_, height_texel_, pitch_texel_;
   int32_t lack_fx16_;
   V32 offset_u_, offset_v_;
 };
 
+[[nodiscard]] HWY_INLINE uint32_t first_bits(int32_t count) {
+  return static_cast<uint32_t>((uint64_t{1} << count) - 1);
+}
+
 template <class Pixel, class Address>
 int32_t draw_wide(const AffineSpans& spans, const Surface& surface) {
   const AffineBatch<Address> batch(spans, surface);
-  const Lane step = spans.field.step_x;
+  const D32 d;
+  const int64_t step_u = kLanes * spans.field.step_x.u_fx32;
+  const int64_t step_v = kLanes * spans.field.step_x.v_fx32;
   HWY_ALIGN int32_t place[kLanes];
   int32_t decided = 0;
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
     Lane lane = spans.field.at(span.left_px, span.row);
     char* pixel = first_pixel<Pixel>(surface, span);
-    int32_t px = span.left_px;
-    for (; span.right_px - px >= kLanes; px += kLanes) {
-      decided += batch.find_places(span.row, px, lane, kLanes, place);
-      fetch<Pixel>(surface.texture.texels, place, kLanes, pixel);
+    for (int32_t px = span.left_px; px < span.right_px; px += kLanes) {
+      const int32_t count = HWY_MIN(span.right_px - px, kLanes);
+      const LaneVectors lanes = batch.lanes_from(lane);
+      hn::Store(batch.places(lanes), d, place);
+      if (HWY_UNLIKELY(batch.any_near(lanes))) {
+        hn::Store(batch.decided_places(px, span.row, lanes, first_bits(count), &decided), d, place);
+      }
+      if (HWY_LIKELY(count == kLanes)) {
+        fetch<Pixel>(surface.texture.texels, place, kLanes, pixel);
+      } else {
+        fetch<Pixel>(surface.texture.texels, place, count, pixel);
+      }
       pixel += kLanes * ptrdiff_t{sizeof(Pixel)};
-      lane.u_fx32 += kLanes * step.u_fx32;
-      lane.v_fx32 += kLanes * step.v_fx32;
+      lane.u_fx32 += step_u;
+      lane.v_fx32 += step_v;
     }
-    decided += batch.find_places(span.row, px, lane, span.right_px - px, place);
-    fetch<Pixel>(surface.texture.texels, place, span.right_px - px, pixel);
   }
   return decided;
 }
 
-// Spans up to kNarrow_px wide: the places of all one after another, their texels in one loop, then
-// each row stored under a mask. Hardly a branch depends on a span's width.
+// Near-ties among packed pixels [first, first + kLanes): finds each one's row by the widths.
+template <class Address>
+HWY_NOINLINE int32_t decide_packed(const AffineBatch<Address>& batch, const SpanBatch& rows,
+                                   const LaneVectors& lanes, int32_t first, int32_t* place) {
+  HWY_ALIGN int32_t u_fx16[kLanes], v_fx16[kLanes];
+  hn::Store(lanes.u, D32(), u_fx16);
+  hn::Store(lanes.v, D32(), v_fx16);
+  const uint32_t near = batch.near_bits(lanes.u) | batch.near_bits(lanes.v);
+  int32_t decided = 0, row = 0, row_first = 0;
+  for (int32_t i = 0; near >> i != 0; ++i) {
+    if ((near >> i & 1U) == 0) continue;
+    while (row < rows.rows && first + i >= row_first + rows.span(row).width_px()) {
+      row_first += rows.span(row++).width_px();
+    }
+    if (row == rows.rows) break;  // beyond the last pixel
+    const Span span = rows.span(row);
+    place[i] =
+        batch.decided_place(span.left_px + first + i - row_first, span.row, u_fx16[i], v_fx16[i]);
+    ++decided;
+  }
+  return decided;
+}
+
+// Spans up to kNarrow_px wide: the lanes of all are packed one after another, so that vectors are
+// full although rows are short; each row is stored under a mask.
 template <class Pixel, class Address>
 int32_t draw_narrow(const AffineSpans& spans, const Surface& surface) {
+  constexpr int32_t kMost = kRowsPerBatch * kNarrow_px;
   const AffineBatch<Address> batch(spans, surface);
   const AffineField field = spans.field;
-  HWY_ALIGN int32_t place[kRowsPerBatch * kNarrow_px + kMostLanes];
-  HWY_ALIGN Pixel texel[kRowsPerBatch * kNarrow_px + kNarrow_px];
-  int32_t decided = 0, count = 0;
+  const D32 d;
+  HWY_ALIGN int32_t u_fx16[kMost + kMostLanes], v_fx16[kMost + kMostLanes];
+  int32_t packed = 0;
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
-    int32_t px = span.left_px;
+    int32_t done = 0;
     do {
-      decided += batch.find_places(span.row, px, field.at(px, span.row),
-                                   std::min(span.right_px - px, kLanes),
-                                   place + count + (px - span.left_px));
-      px += kLanes;
-    } while (px < span.right_px);
-    count += span.width_px();
+      const LaneVectors lanes = batch.lanes_from(field.at(span.left_px + done, span.row));
+      hn::StoreU(lanes.u, d, u_fx16 + packed + done);
+      hn::StoreU(lanes.v, d, v_fx16 + packed + done);
+      done += kLanes;
+    } while (done < span.width_px());
+    packed += span.width_px();
   }
-  fetch<Pixel>(surface.texture.texels, place, count, reinterpret_cast<char*>(texel));
+  hn::StoreU(hn::Zero(d), d, u_fx16 + packed);
+  hn::StoreU(hn::Zero(d), d, v_fx16 + packed);
+
+  HWY_ALIGN int32_t place[kLanes];
+  HWY_ALIGN Pixel texel[kMost + kMostLanes];
+  int32_t decided = 0;
+  for (int32_t first = 0; first < packed; first += kLanes) {
+    const LaneVectors lanes{hn::Load(d, u_fx16 + first), hn::Load(d, v_fx16 + first)};
+    hn::Store(batch.places(lanes), d, place);
+    if (HWY_UNLIKELY(batch.any_near(lanes))) {
+      decided += decide_packed(batch, spans.batch, lanes, first, place);
+    }
+    fetch<Pixel>(surface.texture.texels, place, kLanes, reinterpret_cast<char*>(texel + first));
+  }
   const Pixel* row = texel;
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);

@@ -23,81 +23,81 @@ inline constexpr int32_t kDoubles = static_cast<int32_t>(hn::MaxLanes(DD()));
 template <class Address>
 class ProjectiveRow {
  public:
-  HWY_INLINE ProjectiveRow(const ProjectiveSpan& each, const ExactMap& exact,
-                           const Surface& surface)
-      : span_(each.span),
-        exact_(exact),
+  HWY_INLINE ProjectiveRow(const ProjectiveSpan& each, const ExactMap& map, const Surface& surface)
+      : exact_(map),
+        span_(each.span),
         width_texel_(surface.texture.width),
         height_texel_(surface.texture.height),
         pitch_texel_(pitch_texel(surface.texture)),
-        u_(numerator(each.lanes.u_numerator_fx32())),
-        v_(numerator(each.lanes.v_numerator_fx32())),
+        u_(in_texels(each.lanes.u_numerator_fx32())),
+        v_(in_texels(each.lanes.v_numerator_fx32())),
         denominator_(each.lanes.denominator()),
-        error_texel_(static_cast<double>(each.lanes.error_fx32()) * kUnit) {}
+        error_texel_(static_cast<double>(each.lanes.error_fx32()) * kUnit_texel) {}
 
   // As AffineBatch::find_places, for kDoubles pixels.
-  HWY_INLINE int32_t find_places(int32_t offset_px, int32_t count,
-                                 int32_t* HWY_RESTRICT place) const {
+  HWY_INLINE int32_t find_places(int32_t offset_px, int32_t count, int32_t* HWY_RESTRICT place) {
     const DD d;
-    const DHalf d32;
     const VD i = hn::Add(hn::Iota(d, 0.0), hn::Set(d, static_cast<double>(offset_px)));
     const VD w = hn::Div(hn::Set(d, 1.0), at(denominator_, i));
     const VD u = hn::Mul(at(u_, i), w), v = hn::Mul(at(v_, i), w);
-    const VD error = hn::Set(d, error_texel_);
-    const VD low_u = hn::Floor(hn::Sub(u, error)), low_v = hn::Floor(hn::Sub(v, error));
-    const auto same_u = hn::Eq(low_u, hn::Floor(hn::Add(u, error)));
-    const auto same_v = hn::Eq(low_v, hn::Floor(hn::Add(v, error)));
-    const auto s = hn::DemoteTo(d32, low_u), t = hn::DemoteTo(d32, low_v);
-    hn::StoreU(hn::Add(hn::Mul(Address::index(t, height_texel_), hn::Set(d32, pitch_texel_)),
-                       Address::index(s, width_texel_)),
-               d32, place);
-    const auto near =
-        hn::AndNot(hn::And(same_u, same_v), hn::FirstN(d, static_cast<size_t>(count)));
+    const VD low_u = low(u), low_v = low(v);
+    store_places(hn::DemoteTo(DHalf(), low_u), hn::DemoteTo(DHalf(), low_v), place);
+    const auto decided = hn::And(is_decided(low_u, u), is_decided(low_v, v));
+    const auto near = hn::AndNot(decided, hn::FirstN(d, static_cast<size_t>(count)));
     if (HWY_LIKELY(hn::AllFalse(d, near))) return 0;
-    HWY_ALIGN int32_t low_s[kDoubles], low_t[kDoubles];
-    hn::Store(s, d32, low_s);
-    hn::Store(t, d32, low_t);
-    return decide_places(offset_px, lane_bits(d, near), low_s, low_t, place);
+    decide_places(offset_px, u, v, lane_bits(d, near), place);
+    return static_cast<int32_t>(hn::CountTrue(d, near));
   }
 
  private:
-  static constexpr double kUnit = 1.0 / (int64_t{1} << kLaneFraction);
+  static constexpr double kUnit_texel = 1.0 / (int64_t{1} << kLaneFraction);
 
   using Linear = ProjectiveLanes::Linear;
-  // In texels: a power of two less, exactly.
-  static Linear numerator(const Linear& fx32) { return {fx32.start * kUnit, fx32.step * kUnit}; }
+  // A power of two less, exactly.
+  static Linear in_texels(const Linear& fx32) {
+    return {fx32.start * kUnit_texel, fx32.step * kUnit_texel};
+  }
   static HWY_INLINE VD at(const Linear& line, VD i) {
     const DD d;
     return hn::MulAdd(i, hn::Set(d, line.step), hn::Set(d, line.start));
   }
-
-  // Each coordinate is its low texel or the next.
-  HWY_NOINLINE int32_t decide_places(int32_t offset_px, uint32_t near, const int32_t* low_s,
-                                     const int32_t* low_t, int32_t* place) const {
-    const ExactRow exact = exact_.row_from(span_.left_px + offset_px, span_.row);
-    int32_t decided = 0;
-    for (int32_t i = 0; near >> i != 0; ++i) {
-      if ((near >> i & 1U) == 0) continue;
-      const int32_t s = exact.u_texel(i, low_s[i]);
-      const int32_t t = exact.v_texel(i, low_t[i]);
-      place[i] = Address::Scalar::index(t, height_texel_) * pitch_texel_ +
-                 Address::Scalar::index(s, width_texel_);
-      ++decided;
-    }
-    return decided;
+  // The texels of the two ends of where the value may be.
+  HWY_INLINE VD low(VD estimate) const {
+    return hn::Floor(hn::Sub(estimate, hn::Set(DD(), error_texel_)));
+  }
+  HWY_INLINE hn::Mask<DD> is_decided(VD low, VD estimate) const {
+    return hn::Eq(low, hn::Floor(hn::Add(estimate, hn::Set(DD(), error_texel_))));
   }
 
-  const Span& span_;
+  HWY_NOINLINE void decide_places(int32_t offset_px, VD u, VD v, uint32_t asked, int32_t* place) {
+    const DD d;
+    const DHalf d32;
+    const ExactRow row = exact_.row_from(span_.left_px + offset_px, span_.row);
+    const VD low_u = low(u), low_v = low(v);
+    const uint32_t near_u = ~lane_bits(d, is_decided(low_u, u)) & asked;
+    const uint32_t near_v = ~lane_bits(d, is_decided(low_v, v)) & asked;
+    store_places(decide(d32, hn::DemoteTo(d32, low_u), near_u, row, row.u),
+                 decide(d32, hn::DemoteTo(d32, low_v), near_v, row, row.v), place);
+  }
+
+  HWY_INLINE void store_places(hn::Vec<DHalf> s, hn::Vec<DHalf> t,
+                               int32_t* HWY_RESTRICT place) const {
+    const DHalf d;
+    const auto row = hn::Mul(Address::index(t, height_texel_), hn::Set(d, pitch_texel_));
+    hn::StoreU(hn::Add(row, Address::index(s, width_texel_)), d, place);
+  }
+
   const ExactMap& exact_;
+  const Span& span_;
   int32_t width_texel_, height_texel_, pitch_texel_;
   Linear u_, v_, denominator_;
   double error_texel_;
 };
 
 template <class Pixel, class Address>
-int32_t draw_projective_row(const ProjectiveSpan& each, const ExactMap& exact,
+int32_t draw_projective_row(const ProjectiveSpan& each, const ExactMap& map,
                             const Surface& surface) {
-  const ProjectiveRow<Address> row(each, exact, surface);
+  ProjectiveRow<Address> row(each, map, surface);
   char* pixel = first_pixel<Pixel>(surface, each.span);
   HWY_ALIGN int32_t place[kLanes];
   int32_t decided = 0;

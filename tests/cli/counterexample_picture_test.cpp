@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "spec/filter_texture.h"
 #include "spec/picture.h"
 #include "support.h"
 #include "wrong_subjects.h"
@@ -53,6 +54,22 @@ TEST(CounterexamplePicture, HasThreePanels) {
   const Raster picture = counterexample_picture(spec::built_in(), violation_of(rectangle(), 3, 3));
   EXPECT_EQ(picture.width_px, 3 * 8 * kScale + 4 * kGap);
   EXPECT_EQ(picture.height_px, 8 * kScale + 2 * kGap);
+}
+
+TEST(CounterexamplePicture, OfAFilterShowsColours) {
+  spec::Case c = rectangle();
+  c.filter = SELVAGE_FILTER_BILINEAR;
+  const Raster picture = counterexample_picture(spec::built_in(), violation_of(c, 3, 3));
+  const spec::Picture colours = spec::expected(c, spec::filter_texture(c));
+  const auto channel = [&](int i) {
+    return static_cast<uint8_t>(spec::channel(*colours.at(3, 3), i));
+  };
+  EXPECT_EQ(at(picture, kExpected, 3, 3), (Colour{channel(0), channel(1), channel(2)}));
+  EXPECT_EQ(at(picture, kDrawn, 3, 3), at(picture, kExpected, 3, 3));
+  EXPECT_NE(at(picture, kDifference, 3, 3), kRed);
+  EXPECT_EQ(
+      at(counterexample_picture(shifted_texture(1), violation_of(c, 3, 3)), kDifference, 3, 3),
+      kRed);
 }
 
 TEST(CounterexamplePicture, OfARightDrawingShowsNoDifference) {

@@ -50,7 +50,8 @@ class Draw : public InDirectory {
 // By selvage_draw itself, nothing of the program between.
 [[nodiscard]] Raster drawn_directly(Raster target, Raster texture, const selvage_rect* clip,
                                     selvage_address address,
-                                    const std::vector<selvage_vertex>& vertices) {
+                                    const std::vector<selvage_vertex>& vertices,
+                                    selvage_filter filter = SELVAGE_FILTER_NEAREST) {
   const selvage_image image{target.rgba.data(), target.width_px, target.height_px,
                             4 * ptrdiff_t{target.width_px}, SELVAGE_RGBA8888};
   const selvage_texture source{texture.rgba.data(),
@@ -61,6 +62,7 @@ class Draw : public InDirectory {
                                SELVAGE_LAYOUT_ROWS,
                                nullptr};
   selvage_options options{};
+  options.filter = filter;
   options.address = address;
   EXPECT_EQ(selvage_draw(&image, clip, vertices.data(), vertices.size(), &source, &options),
             SELVAGE_OK);
@@ -95,6 +97,29 @@ TEST_F(Draw, ClipsAndWrapsAsAsked) {
                                      SELVAGE_ADDRESS_WRAP,
                                      {vertex(0, 0, -30, -30), vertex(120, 0, 60, -30, half),
                                       vertex(120, 80, 60, 60, half), vertex(0, 80, -30, 60)}));
+}
+
+TEST_F(Draw, FiltersAsAsked) {
+  std::vector<Raster> pictures;
+  for (const auto& [name, filter] :
+       {std::pair("nearest", SELVAGE_FILTER_NEAREST), std::pair("four", SELVAGE_FILTER_FOUR),
+        std::pair("bilinear", SELVAGE_FILTER_BILINEAR), std::pair("area", SELVAGE_FILTER_AREA)}) {
+    options_.polygons = {"0,0,-30,-30 20,0,60,-30 20,30,60,60 0,30,-30,60"};
+    options_.filter = name;
+    EXPECT_EQ(run(), kExitFine);
+    pictures.push_back(output());
+    EXPECT_EQ(pictures.back(), drawn_directly(filled(120, 80, {0x20, 0x30, 0x40}), texture_,
+                                              nullptr, SELVAGE_ADDRESS_CLAMP,
+                                              {vertex(0, 0, -30, -30), vertex(20, 0, 60, -30),
+                                               vertex(20, 30, 60, 60), vertex(0, 30, -30, 60)},
+                                              filter));
+    for (size_t i = 0; i + 1 < pictures.size(); ++i) EXPECT_NE(pictures[i], pictures.back());
+  }
+  options_.format = "rgb565";
+  expect_contains(refusal(), selvage_status_text(SELVAGE_ERROR_FILTER_FORMAT));
+  options_.format = "rgba8888";
+  options_.profile = "dkit";
+  expect_contains(refusal(), selvage_status_text(SELVAGE_ERROR_FILTER_PROFILE));
 }
 
 TEST_F(Draw, DrawsOverAPictureOfItsSize) {
@@ -222,6 +247,7 @@ TEST_F(Draw, NamesTheOptionThatIsWrong) {
   expect_contains(refused(&DrawOptions::background, "#12"), "--background: '#12' is no colour");
   expect_contains(refused(&DrawOptions::clip, "1,2"), "--clip: '1,2' is no clip");
   expect_contains(refused(&DrawOptions::address, "mirror"), "--address: 'mirror' is no address");
+  expect_contains(refused(&DrawOptions::filter, "cubic"), "--filter: 'cubic' is no filter");
   expect_contains(refused(&DrawOptions::format, "cmyk"), "--format: 'cmyk' is no format");
   options_.polygons = {kQuad, "1,2,3,4"};
   expect_contains(refusal(), "--polygon 2: a polygon needs at least 3 vertices; this one has 1");

@@ -70,6 +70,10 @@ TEST(Options, HaveNames) {
   EXPECT_EQ(parse_address("clamp"), SELVAGE_ADDRESS_CLAMP);
   EXPECT_EQ(parse_address("wrap"), SELVAGE_ADDRESS_WRAP);
   EXPECT_EQ(parse_filter("nearest"), SELVAGE_FILTER_NEAREST);
+  EXPECT_EQ(parse_filter("four"), SELVAGE_FILTER_FOUR);
+  EXPECT_EQ(parse_filter("bilinear"), SELVAGE_FILTER_BILINEAR);
+  EXPECT_EQ(parse_filter("area"), SELVAGE_FILTER_AREA);
+  EXPECT_THROW(static_cast<void>(parse_filter("Area")), UserError);
   EXPECT_THROW(static_cast<void>(parse_address("Wrap")), UserError);
   EXPECT_THROW(static_cast<void>(parse_filter("")), UserError);
 }

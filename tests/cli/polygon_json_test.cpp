@@ -106,8 +106,8 @@ TEST(PolygonJson, NamesWhatIsOfTheWrongKind) {
   EXPECT_EQ(refused_beside(R"("address": "mirror")"),
             "address: 'mirror' is no address mode; clamp and wrap are");
   EXPECT_EQ(refused_beside(R"("address": 1)"), "address: a text is needed, not 1");
-  EXPECT_EQ(refused_beside(R"("filter": "bilinear")"),
-            "filter: 'bilinear' is no filter; nearest is");
+  EXPECT_EQ(refused_beside(R"("filter": "cubic")"),
+            "filter: 'cubic' is no filter; nearest, four, bilinear and area are");
 }
 
 TEST(PolygonJson, WantsFourWholeNumbersForAClip) {

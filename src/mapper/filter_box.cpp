@@ -1,0 +1,122 @@
+#include "mapper/filter_box.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "mapper/channels.h"
+
+namespace selvage::mapper {
+namespace {
+
+// Consecutive texels of one axis, each with the same weight in 1/256 texel.
+struct Run {
+  int32_t first, count;
+  int64_t weight_fx8;
+};
+
+// A side of a box as runs of addressed texels; several may name the same texel.
+class Runs {
+ public:
+  Runs(int32_t begin_fx8, int32_t side_fx8, int32_t size_texel, selvage_address address) {
+    if (address == SELVAGE_ADDRESS_CLAMP) {
+      clamp(begin_fx8, side_fx8, size_texel);
+    } else {
+      wrap(begin_fx8, side_fx8, size_texel);
+    }
+  }
+
+  [[nodiscard]] const Run* begin() const { return runs_.data(); }
+  [[nodiscard]] const Run* end() const { return runs_.data() + count_; }
+
+ private:
+  void add(Run run) {
+    if (run.count > 0) runs_[count_++] = run;
+  }
+
+  // The outermost texels stand for all that is beyond them.
+  void clamp(int32_t begin_fx8, int32_t side_fx8, int32_t size_texel) {
+    const int64_t end_fx8 = int64_t{begin_fx8} + side_fx8;
+    const int32_t first = std::clamp(begin_fx8 >> kGridBits, 0, size_texel - 1);
+    const int32_t last =
+        std::clamp(static_cast<int32_t>((end_fx8 - 1) >> kGridBits), 0, size_texel - 1);
+    if (first == last) return add({first, 1, side_fx8});
+    add({first, 1, (int64_t{first} + 1) * kTexel_fx8 - begin_fx8});
+    add({first + 1, last - first - 1, kTexel_fx8});
+    add({last, 1, end_fx8 - int64_t{last} * kTexel_fx8});
+  }
+
+  // Whole periods cover each texel alike; the rest starts within the first period and ends within
+  // the second.
+  void wrap(int32_t begin_fx8, int32_t side_fx8, int32_t size_texel) {
+    const int64_t period_fx8 = int64_t{size_texel} * kTexel_fx8;
+    add({0, side_fx8 >= period_fx8 ? size_texel : 0, side_fx8 / period_fx8 * kTexel_fx8});
+    const int64_t rest_fx8 = side_fx8 % period_fx8;
+    if (rest_fx8 == 0) return;
+    const int64_t start_fx8 = begin_fx8 - floor_div(begin_fx8, period_fx8) * period_fx8;
+    const int64_t end_fx8 = start_fx8 + rest_fx8;
+    const auto first = static_cast<int32_t>(start_fx8 >> kGridBits);
+    const int64_t last = (end_fx8 - 1) >> kGridBits;
+    if (first == last) return add({first, 1, rest_fx8});
+    const auto into_period = [&](int64_t texel) {
+      return static_cast<int32_t>(texel < size_texel ? texel : texel - size_texel);
+    };
+    add({first, 1, (int64_t{first} + 1) * kTexel_fx8 - start_fx8});
+    const int64_t middle = int64_t{first} + 1;
+    const int64_t to_end = std::clamp<int64_t>(size_texel - middle, 0, last - middle);
+    add({into_period(middle), static_cast<int32_t>(to_end), kTexel_fx8});
+    add({into_period(middle + to_end), static_cast<int32_t>(last - middle - to_end), kTexel_fx8});
+    add({into_period(last), 1, end_fx8 - last * kTexel_fx8});
+  }
+
+  std::array<Run, 5> runs_{};
+  size_t count_ = 0;
+};
+
+// A row of texels, each as often as a side of a box covers it. A side is at most 2^24, so 32 bits
+// hold a channel's sum.
+static_assert(uint64_t{255} * kMostSide_fx8 <= UINT32_MAX);
+[[nodiscard]] Channels row_sum(const char* row, const Runs& columns) {
+  Channels total;
+  for (const Run& run : columns) {
+    const char* texel = row + ptrdiff_t{run.first} * kPixelBytes;
+    Channels sum;
+    for (int32_t i = 0; i < run.count; ++i, texel += kPixelBytes) {
+      sum = sum + Channels::of(load_texel(texel));
+    }
+    total = total + sum * static_cast<uint32_t>(run.weight_fx8);
+  }
+  return total;
+}
+
+}  // namespace
+
+BoxSum box_sum(const selvage_texture& texture, selvage_address address, const Box& box) {
+  const Runs columns(box.left_fx8, box.width_fx8, texture.width, address);
+  const Runs rows(box.top_fx8, box.height_fx8, texture.height, address);
+  BoxSum total{};
+  for (const Run& run : rows) {
+    const auto weight = static_cast<uint64_t>(run.weight_fx8);
+    for (int32_t t = run.first; t < run.first + run.count; ++t) {
+      const Channels sum =
+          row_sum(static_cast<const char*>(texture.texels) + t * texture.pitch, columns);
+      total[0] += weight * (sum.even & UINT32_MAX);
+      total[1] += weight * (sum.odd & UINT32_MAX);
+      total[2] += weight * (sum.even >> 32);
+      total[3] += weight * (sum.odd >> 32);
+    }
+  }
+  return total;
+}
+
+uint32_t box_mean(const selvage_texture& texture, selvage_address address, const Box& box) {
+  const BoxSum sum = box_sum(texture, address, box);
+  const uint64_t area =
+      static_cast<uint64_t>(box.width_fx8) * static_cast<uint64_t>(box.height_fx8);
+  uint32_t pixel = 0;
+  for (size_t i = 0; i < sum.size(); ++i) {
+    pixel |= static_cast<uint32_t>((2 * sum[i] + area) / (2 * area)) << (8 * i);
+  }
+  return pixel;
+}
+
+}  // namespace selvage::mapper

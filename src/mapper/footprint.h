@@ -1,0 +1,62 @@
+// The footprint: how many texels a pixel is wide and high, for the area filter.
+//
+// On a row the map is u = N / D, where N = U_L w_L + U_R w_R and likewise D, with what the two
+// edges carry and the distances w to the other edge (SpanMap). Edges are straight, so all of these
+// have exact changes along x and along y, and
+//
+//     |du/dx| + |du/dy| = (|N_x D - N D_x| + |N_y D - N D_y|) / D^2.
+//
+// With x, y in 1/256 px and u in 1/65536 texel this is in 1/256 texel per pixel, as it is needed.
+#pragma once
+
+#include <cstdint>
+
+#include "mapper/edge.h"
+#include "mapper/number.h"
+
+namespace selvage::mapper {
+
+// The sides of a box, 1/256 texel: at least a texel, at most all texels that coordinates reach.
+struct BoxSides {
+  int32_t u_fx8, v_fx8;
+  friend bool operator==(const BoxSides&, const BoxSides&) = default;
+};
+inline constexpr int32_t kLeastSide_fx8 = 1 << 8;
+inline constexpr int32_t kMostSide_fx8 = 1 << 24;
+
+// In units of 2^-53, the error of a footprint in double, relative to its terms without their signs.
+inline constexpr double kFootprintRoundings = 44;
+
+// One row of a polygon.
+class Footprint {
+ public:
+  Footprint(const EdgePoint& left, const EdgeChange& left_change, const EdgePoint& right,
+            const EdgeChange& right_change)
+      : left_(left), right_(right), left_change_(left_change), right_change_(right_change) {}
+
+  // ceil of the footprint's sides at a pixel between the edges, within the least and the most.
+  [[nodiscard]] BoxSides at(int32_t px) const;
+
+ private:
+  // What is linear along a row, and how it changes with x and y.
+  struct Linear {
+    int128 value, along_x, along_y;
+  };
+  struct Weights {
+    int64_t left, right;
+  };
+  [[nodiscard]] Linear mix(Weights weights, int128 left, int128 left_change, int128 right,
+                           int128 right_change) const;
+  [[nodiscard]] static int32_t side_fx8(const Linear& n, const Linear& d);
+
+  EdgePoint left_, right_;
+  EdgeChange left_change_, right_change_;
+};
+
+// |N| < 2^127 and D < 2^96 by SpanMap's bounds, D here without its 16 bits of fraction. N_x is a
+// difference of two edge values times a height; N_y a sum of four terms as long. Products and their
+// sums stay below 2^(127 + 77), and a side times D^2 below 2^(24 + 192).
+static_assert(kDenominatorBits - kTexelFraction == 96);
+static_assert(kEdgeBits + kPositionBits + 2 < 127 && kQBits + 2 * kPositionBits + 5 <= 77);
+
+}  // namespace selvage::mapper

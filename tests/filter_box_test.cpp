@@ -1,0 +1,104 @@
+#include "mapper/filter_box.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "mapper/filter_blend.h"
+#include "spec/filter.h"
+#include "spec/random.h"
+
+namespace selvage::mapper {
+namespace {
+
+// A texture of random colours in rows with padding.
+class Texels {
+ public:
+  Texels(spec::Random& random, int32_t width, int32_t height) : width_(width), height_(height) {
+    for (int32_t i = 0; i < (width + 1) * height; ++i) {
+      texels_.push_back(static_cast<uint32_t>(random.bits()));
+    }
+  }
+  [[nodiscard]] selvage_texture texture() const {
+    return {texels_.data(),      width_, height_, 4 * (ptrdiff_t{width_} + 1), SELVAGE_RGBA8888,
+            SELVAGE_LAYOUT_ROWS, nullptr};
+  }
+  [[nodiscard]] uint32_t at(spec::Texel texel) const {
+    return texels_[static_cast<size_t>(texel.t * (width_ + 1) + texel.s)];
+  }
+
+ private:
+  int32_t width_, height_;
+  std::vector<uint32_t> texels_;
+};
+
+// One side of a box by the specification, whose coordinate is the middle.
+[[nodiscard]] spec::Taps side(int32_t begin_fx8, int32_t side_fx8, int32_t size,
+                              selvage_address address) {
+  const spec::Rational point(begin_fx8 + (side_fx8 - 256) / 2 + 128);
+  return spec::addressed(spec::taps(SELVAGE_FILTER_AREA, point / 256, side_fx8), size, address);
+}
+
+[[nodiscard]] int32_t any_side(spec::Random& random) {
+  const int32_t any = random.in(256, 4000);
+  return random.pick({256, 257, 511, 512, any, any, random.in(256, 1 << 17)});
+}
+
+TEST(BoxSum, IsTheSpecificationsForEverySizeAndPlace) {
+  spec::Random random(1);
+  for (int i = 0; i < 4000; ++i) {
+    const int32_t width = random.in(1, 9), height = random.in(1, 9);
+    const Texels texels(random, width, height);
+    const selvage_address address =
+        random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP;
+    Box box{random.in(-5000, 5000), random.in(-5000, 5000), any_side(random), any_side(random)};
+    if (random.percent(20)) box.width_fx8 = 256 * width * random.in(1, 4);  // whole periods
+    if (random.percent(20)) box.left_fx8 = 256 * random.in(-9, 18);
+    const spec::Taps columns = side(box.left_fx8, box.width_fx8, width, address);
+    const spec::Taps rows = side(box.top_fx8, box.height_fx8, height, address);
+    BoxSum wanted{};
+    for (const spec::Tap& row : rows) {
+      for (const spec::Tap& column : columns) {
+        for (int k = 0; k < 4; ++k) {
+          wanted[static_cast<size_t>(k)] += static_cast<uint64_t>(row.weight * column.weight) *
+                                            spec::channel(texels.at({column.texel, row.texel}), k);
+        }
+      }
+    }
+    ASSERT_EQ(box_sum(texels.texture(), address, box), wanted)
+        << box.left_fx8 << " " << box.top_fx8 << " " << box.width_fx8 << " x " << box.height_fx8
+        << " of " << width << " x " << height;
+    ASSERT_EQ(box_mean(texels.texture(), address, box),
+              spec::weighted_mean(columns, rows, [&](spec::Texel t) { return texels.at(t); }));
+  }
+}
+
+TEST(BoxSum, HoldsTheLargestBoxes) {
+  const uint32_t white = 0xFFFFFFFF;
+  const selvage_texture texture{&white, 1, 1, 4, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr};
+  for (const selvage_address address : {SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP}) {
+    for (const int32_t begin : {-(1 << 24), 0, 1 << 23}) {
+      const Box box{begin, begin, kMostSide_fx8, kMostSide_fx8};
+      const BoxSum sum = box_sum(texture, address, box);
+      for (const uint64_t channel : sum) EXPECT_EQ(channel, uint64_t{255} << 48);
+      EXPECT_EQ(box_mean(texture, address, box), white);
+    }
+  }
+}
+
+TEST(BoxMean, OfTheLeastBoxIsBilinear) {
+  spec::Random random(2);
+  for (int i = 0; i < 2000; ++i) {
+    const Texels texels(random, random.in(1, 6), random.in(1, 6));
+    const FilterPoint point{random.in(-3000, 3000), random.in(-3000, 3000)};
+    const BoxSides least{kLeastSide_fx8, kLeastSide_fx8};
+    for (const selvage_address address : {SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP}) {
+      uint32_t bilinear = 0;
+      blend_bilinear({&point, 1}, texels.texture(), address, reinterpret_cast<char*>(&bilinear));
+      ASSERT_EQ(box_mean(texels.texture(), address, Box::around(point, least)), bilinear);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper

@@ -1,0 +1,65 @@
+#include "mapper/filter_point.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+#include <vector>
+
+#include "spec/exact.h"
+#include "spec/random.h"
+#include "tests/span_support.h"
+
+namespace selvage::mapper {
+namespace {
+
+[[nodiscard]] int32_t point_fx8(const spec::Rational& coordinate) {
+  return spec::floor(256 * (coordinate - spec::Rational(1, 2)));
+}
+
+template <class Lanes>
+void expect_exact(std::span<const selvage_vertex> vertices, const SpanMap& map, const Span& span,
+                  const Lanes& lanes) {
+  for (int32_t px = span.left_px; px < span.right_px; ++px) {
+    const auto exact = spec::sample(vertices, px, span.row);
+    ASSERT_TRUE(exact);
+    const FilterPoint point = filter_point(map, span, lanes, px);
+    ASSERT_EQ(point.u_fx8, point_fx8(exact->u)) << "pixel " << px;
+    ASSERT_EQ(point.v_fx8, point_fx8(exact->v)) << "pixel " << px;
+  }
+}
+
+TEST(FilterPoint, IsTheFloorOnAGridOfATexelsFractions) {
+  for_each_generated_span(
+      2500, [&](const spec::Case& c, const Polygon& polygon, const SpanMap& map, const Span& span) {
+        if (testing::Test::HasFatalFailure()) return;
+        if (polygon.affine) {
+          expect_exact(c.vertices, map, span, AffineLanes(map, span).field(span));
+        }
+        expect_exact(c.vertices, map, span, ProjectiveLanes(map, span));
+        ASSERT_FALSE(testing::Test::HasFatalFailure()) << spec::print(c);
+      });
+}
+
+// With q in such a ratio lanes are low by more than a step of the grid.
+TEST(FilterPoint, IsExactWhereLanesTellNothing) {
+  spec::Random random(3);
+  const auto texel = [&] { return random.pick({INT32_MIN, INT32_MAX, 0, 65536, -65537}); };
+  for (int i = 0; i < 300; ++i) {
+    std::vector<selvage_vertex> vertices;
+    for (const auto& [x, y] :
+         {std::pair(0, 0), std::pair(40 * 256, 77), std::pair(300, 20 * 256)}) {
+      const int32_t u = texel(), v = texel();
+      vertices.push_back({x, y, u, v, vertices.size() == 1 ? SELVAGE_Q_MAX : 1});
+    }
+    Polygon polygon;
+    ASSERT_EQ(examine(vertices, &polygon), SELVAGE_OK);
+    for_each_row(polygon, 0, 20, 0, 64, [&](const Edge& left, const Edge& right, const Span& span) {
+      const SpanMap map(left.at(span.row), right.at(span.row));
+      expect_exact(vertices, map, span, ProjectiveLanes(map, span));
+    });
+    ASSERT_FALSE(HasFatalFailure());
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper

@@ -1,0 +1,92 @@
+#include "mapper/footprint.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "spec/filter.h"
+#include "spec/gradient.h"
+#include "spec/random.h"
+#include "tests/span_support.h"
+
+namespace selvage::mapper {
+namespace {
+
+struct Seen {
+  int least = 0, between = 0, most = 0;
+};
+
+// At both ends and in the middle of a span: the sides of the specification.
+void expect_exact(std::span<const selvage_vertex> vertices, const Edge& left, const Edge& right,
+                  const Span& span, Seen* seen) {
+  const Footprint footprint(left.at(span.row), left.change(), right.at(span.row), right.change());
+  for (const int32_t px : {span.left_px, span.left_px + span.width_px() / 2, span.right_px - 1}) {
+    const auto gradient = spec::gradient(vertices, px, span.row);
+    ASSERT_TRUE(gradient);
+    const spec::BoxSides wanted = spec::box_sides(*gradient);
+    const BoxSides sides = footprint.at(px);
+    ASSERT_EQ(sides.u_fx8, wanted.u_fx8) << "pixel " << px << ", row " << span.row;
+    ASSERT_EQ(sides.v_fx8, wanted.v_fx8) << "pixel " << px << ", row " << span.row;
+    ++(sides.u_fx8 == kLeastSide_fx8  ? seen->least
+       : sides.u_fx8 == kMostSide_fx8 ? seen->most
+                                      : seen->between);
+  }
+}
+
+TEST(Footprint, IsTheSpecificationsForGeneratedCases) {
+  Seen seen;
+  for (uint64_t seed = 1; seed <= 3000; ++seed) {
+    const spec::Case c = spec::generate(seed);
+    Polygon polygon;
+    if (examine(c.vertices, &polygon) != SELVAGE_OK) continue;
+    for_each_row(polygon, 0, c.target_height_px, 0, c.target_width_px,
+                 [&](const Edge& left, const Edge& right, const Span& span) {
+                   if (!HasFatalFailure()) expect_exact(c.vertices, left, right, span, &seen);
+                 });
+    ASSERT_FALSE(HasFatalFailure()) << spec::print(c);
+  }
+  EXPECT_GT(seen.least, 5000);
+  EXPECT_GT(seen.between, 5000);
+  EXPECT_GT(seen.most, 50);
+}
+
+// Numbers as long as they may be.
+TEST(Footprint, IsExactAtTheEndsOfEveryRange) {
+  spec::Random random(7);
+  Seen seen;
+  for (int i = 0; i < 3000; ++i) {
+    const auto position = [&] {
+      const int32_t any = random.in(SELVAGE_X_MIN, SELVAGE_X_END);
+      return random.pick({int32_t{SELVAGE_X_MIN}, SELVAGE_X_END - 1, SELVAGE_X_MIN + 1, any, any});
+    };
+    const auto texel = [&] {
+      const int32_t any = random.in(INT32_MIN, int64_t{INT32_MAX} + 1);
+      return random.pick({INT32_MIN, INT32_MAX, INT32_MIN + 1, any, any});
+    };
+    std::vector<selvage_vertex> vertices;
+    const bool perspective = random.percent(70);
+    for (int k = 0; k < (random.percent(50) ? 3 : 4); ++k) {
+      const int32_t x = position(), y = position(), u = texel(), v = texel();
+      const int32_t any = random.in(1, SELVAGE_Q_MAX + 1);
+      const int32_t q = random.pick({1, int32_t{SELVAGE_Q_MAX}, SELVAGE_Q_MAX - 1, any});
+      vertices.push_back({x, y, u, v, perspective ? q : 1});
+    }
+    Polygon polygon;
+    if (examine(vertices, &polygon) != SELVAGE_OK || polygon.top_row >= polygon.bottom_row)
+      continue;
+    const int32_t row = random.in(polygon.top_row, polygon.bottom_row);
+    for (const int32_t at : {polygon.top_row, row, polygon.bottom_row - 1}) {
+      for_each_row(polygon, at, at + 1, INT32_MIN, INT32_MAX,
+                   [&](const Edge& left, const Edge& right, const Span& span) {
+                     expect_exact(vertices, left, right, span, &seen);
+                   });
+      ASSERT_FALSE(HasFatalFailure()) << i;
+    }
+  }
+  EXPECT_GT(seen.least, 300);
+  EXPECT_GT(seen.between, 1000);
+  EXPECT_GT(seen.most, 50);
+}
+
+}  // namespace
+}  // namespace selvage::mapper

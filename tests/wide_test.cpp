@@ -1,0 +1,69 @@
+#include "mapper/wide.h"
+
+#include <gtest/gtest.h>
+
+#include <gmpxx.h>
+
+#include "spec/random.h"
+
+namespace selvage::mapper {
+namespace {
+
+[[nodiscard]] mpz_class whole(uint128 n) {
+  return (mpz_class(static_cast<unsigned long>(n >> 64)) << 64) +
+         mpz_class(static_cast<unsigned long>(n));
+}
+[[nodiscard]] mpz_class whole_signed(int128 n) {
+  return n < 0 ? mpz_class(-whole(magnitude(n))) : whole(magnitude(n));
+}
+[[nodiscard]] mpz_class whole(const Wide& n) { return (whole(n.high) << 128) + whole(n.low); }
+
+// Of any length up to the given one, or just below a power of two.
+[[nodiscard]] uint128 any(spec::Random& random, int most_bits) {
+  const int bits = random.in(0, most_bits + 1);
+  if (bits == 0) return 0;
+  const uint128 mask = ~uint128{0} >> (128 - bits);
+  const uint128 number = (uint128{random.bits()} << 64 | random.bits()) & mask;
+  return random.percent(30) ? mask - (number & 1) : number;
+}
+
+[[nodiscard]] int128 any_signed(spec::Random& random, int most_bits) {
+  const auto number = static_cast<int128>(any(random, most_bits));
+  return random.percent(50) ? -number : number;
+}
+
+TEST(Wide, MultipliesAddsAndCompares) {
+  spec::Random random(1);
+  for (int i = 0; i < 20000; ++i) {
+    const uint128 a = any(random, 128), b = any(random, 128);
+    const uint128 c = any(random, 127), d = any(random, 127);
+    const Wide p = product(a, b), r = product(c, d);
+    ASSERT_EQ(whole(p), whole(a) * whole(b));
+    ASSERT_EQ(p < r, whole(p) < whole(r));
+    ASSERT_EQ(p == r, whole(p) == whole(r));
+    const Wide half = product(a >> 1, b);
+    ASSERT_EQ(whole(half + r), whole(half) + whole(r));
+    ASSERT_EQ(whole(std::max(p, r) - std::min(p, r)), abs(mpz_class(whole(p) - whole(r))));
+  }
+}
+
+TEST(Wide, OrdersByTheHighPartFirst) {
+  const Wide low{0, ~uint128{0}}, high{1, 0};
+  EXPECT_LT(low, high);
+  EXPECT_EQ(low + Wide(0, 1), high);
+  EXPECT_EQ(high - Wide(0, 1), low);
+}
+
+TEST(Wide, TakesDistancesOfProductsOfEitherSign) {
+  spec::Random random(2);
+  for (int i = 0; i < 20000; ++i) {
+    const int128 a = any_signed(random, 127), b = any_signed(random, 127);
+    const int128 c = any_signed(random, 127), d = random.percent(20) ? a : any_signed(random, 127);
+    const mpz_class wanted =
+        abs(mpz_class(whole_signed(a) * whole_signed(b) - whole_signed(c) * whole_signed(d)));
+    ASSERT_EQ(whole(distance(a, b, c, d)), wanted);
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper
