@@ -4,6 +4,7 @@
 #include <random>
 
 #include "spec/exact.h"
+#include "spec/filter.h"
 
 namespace selvage::reports {
 
@@ -23,29 +24,13 @@ Bounds bounds_of(const std::vector<selvage_vertex>& polygon, int32_t side_px) {
           px(bottom->y + SELVAGE_SUBPIXELS)};
 }
 
-// The bytes of the texture's texels are those of s and t, so a texel's byte is a function of its
-// place.
-uint32_t byte_of(uint32_t colour, int which) { return colour >> (8 * which) & 0xFF; }
-
-// The formula stated at kBilinear, for each byte of RGBA8888.
 uint32_t bilinear_colour(const spec::Sample& sample, int32_t side_texel) {
-  const spec::Rational half(1, 2);
-  const int32_t u_fx8 = spec::floor((sample.u - half) * 256);
-  const int32_t v_fx8 = spec::floor((sample.v - half) * 256);
-  const auto texel = [&](int32_t right, int32_t below) {
-    return place_of(spec::address_texel((u_fx8 >> 8) + right, side_texel, SELVAGE_ADDRESS_CLAMP),
-                    spec::address_texel((v_fx8 >> 8) + below, side_texel, SELVAGE_ADDRESS_CLAMP));
+  const auto taps = [&](const spec::Rational& coordinate) {
+    return spec::addressed(spec::taps(kBilinear, coordinate, spec::kLeastBoxSide_fx8), side_texel,
+                           SELVAGE_ADDRESS_CLAMP);
   };
-  const uint32_t x = static_cast<uint32_t>(u_fx8 & 255), y = static_cast<uint32_t>(v_fx8 & 255);
-  uint32_t colour = 0;
-  for (int byte = 0; byte < 4; ++byte) {
-    const uint32_t sum = byte_of(texel(0, 0), byte) * (256 - x) * (256 - y) +
-                         byte_of(texel(1, 0), byte) * x * (256 - y) +
-                         byte_of(texel(0, 1), byte) * (256 - x) * y +
-                         byte_of(texel(1, 1), byte) * x * y;
-    colour |= (sum + 32768) >> 16 << (8 * byte);
-  }
-  return colour;
+  return spec::weighted_mean(taps(sample.u), taps(sample.v),
+                             [](const spec::Texel& texel) { return place_of(texel.s, texel.t); });
 }
 
 uint32_t nearest_colour(const spec::Sample& sample, int32_t side_texel) {

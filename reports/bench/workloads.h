@@ -10,9 +10,7 @@
 
 namespace selvage::reports {
 
-// Bilinear by the formula of 1/256 weights: fu = floor(256 (u - 1/2)), texel fu >> 8, weight fu &
-// 255, the sum of products + 32768, >> 16.
-inline constexpr selvage_filter kBilinear = 2;
+inline constexpr selvage_filter kBilinear = SELVAGE_FILTER_BILINEAR;
 
 struct Workload {
   std::string id;
