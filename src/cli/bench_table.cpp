@@ -23,7 +23,7 @@ template <typename Number>
 }
 
 [[nodiscard]] std::string row(const std::vector<std::string>& fields) {
-  constexpr int widths[] = {-13, 7, 16, 8, 8, 9, 8, 7, 7, 8, 9};
+  constexpr int widths[] = {-13, 7, 18, 7, 8, 8, 8, 7, 7, 8, 9};
   return columns(fields, widths);
 }
 
