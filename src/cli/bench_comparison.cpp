@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cli/error.h"
+#include "cli/text_columns.h"
 
 namespace selvage::cli {
 namespace {
@@ -164,11 +165,11 @@ Comparison compare(const std::vector<reports::ItemResult>& results, const std::s
 
 std::string comparison_table(const Comparison& comparison) {
   const Baseline& then = comparison.baseline;
-  std::string text = "Against " + then.source + " (" + then.date + ", " + then.compiler +
-                     "): time now / time then; below 1 is faster.\n";
+  std::string text = wrapped("Against " + then.source + " (" + then.date + ", " + then.compiler +
+                             "): time now / time then; below 1 is faster.");
   if (then.cpu != comparison.cpu)
-    text += "It was measured on another machine: " + then.cpu + "; this one is " + comparison.cpu +
-            ".\n";
+    text += wrapped("It was measured on another machine: " + then.cpu + "; this one is " +
+                    comparison.cpu + ".");
   if (comparison.only_now > 0)
     text +=
         std::to_string(comparison.only_now) + " measurements are new: it has no time of them.\n";
