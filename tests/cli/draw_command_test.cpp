@@ -61,7 +61,9 @@ class Draw : public InDirectory {
                                SELVAGE_RGBA8888,
                                SELVAGE_LAYOUT_ROWS,
                                nullptr};
-  const selvage_options options{SELVAGE_PROFILE_EXACT, filter, address, 0, 0};
+  selvage_options options{};
+  options.filter = filter;
+  options.address = address;
   EXPECT_EQ(selvage_draw(&image, clip, vertices.data(), vertices.size(), &source, &options),
             SELVAGE_OK);
   return target;
