@@ -70,7 +70,8 @@ ModelRows model_rows(const Workload& load, std::vector<int32_t> rows_px,
   return model;
 }
 
-ErrorCount count_errors(const ModelRows& model, const Target& drawn, bool textures) {
+ErrorCount count_errors(const ModelRows& model, const Target& drawn, bool textures,
+                        uint32_t carried_bits) {
   ErrorCount count;
   for (size_t r = 0; r < model.rows_px.size(); ++r) {
     const uint32_t* row = drawn.row(model.rows_px[r]);
@@ -81,7 +82,8 @@ ErrorCount count_errors(const ModelRows& model, const Target& drawn, bool textur
       count.covered_px += expected;
       count.missing_px += expected && !seen;
       count.extra_px += seen && !expected;
-      count.wrong_texels += textures && expected && seen && row[x] != model.pixels[r][x];
+      const uint32_t difference = (row[x] ^ model.pixels[r][x]) & carried_bits;
+      count.wrong_texels += textures && expected && seen && difference != 0;
     }
   }
   return count;

@@ -33,7 +33,8 @@ struct ErrorCount {
 [[nodiscard]] ModelRows model_rows(const Workload& load, std::vector<int32_t> rows_px,
                                    const std::function<void()>& tick);
 
-// With textures false, texels are not compared.
-[[nodiscard]] ErrorCount count_errors(const ModelRows& model, const Target& drawn, bool textures);
+// With textures false, texels are not compared; else only the bits that the subject carries are.
+[[nodiscard]] ErrorCount count_errors(const ModelRows& model, const Target& drawn, bool textures,
+                                      uint32_t carried_bits);
 
 }  // namespace selvage::reports

@@ -58,7 +58,7 @@ void judge(Prepared& prepared, const ModelRows& model, const std::vector<Subject
       std::fill(target.pixels.begin(), target.pixels.end(), kUntouched);
       entry.draw = subject.prepare(prepared.load, prepared.texture, target);
       entry.draw();
-      entry.errors = count_errors(model, target, subject.textures);
+      entry.errors = count_errors(model, target, subject.textures, subject.carried_bits);
       demand_right(prepared.load, subject, entry.errors);
     }
     prepared.entries.push_back(std::move(entry));

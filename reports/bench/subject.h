@@ -1,6 +1,7 @@
 // A mapper under measurement: something that draws a workload into a target.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -19,6 +20,9 @@ struct Subject {
   bool reference = false;       // must agree with the exact model or nothing is timed
   bool judged = true;           // false: a limit that draws no picture, so nothing is judged
   bool bilinear = false;        // can draw workloads whose filter is kBilinear; others are refused
+  // The bits of a texel that reach the target unchanged. Only they are compared; what is written to
+  // the others is the subject's affair. A format without a fourth channel carries 24.
+  uint32_t carried_bits = 0xFFFFFFFF;
   double tolerance_texel = 0;   // a reference's texels may lie this far from the exact (u, v)
   std::string group = "peers";  // "ours", "historic", "usual", "peers", "limits": colour in plots
 

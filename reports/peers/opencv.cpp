@@ -1,7 +1,7 @@
 // OpenCV warps a rectangle. Asked for a polygon it is given the polygon's bounding box as the
 // destination and BORDER_TRANSPARENT, which leaves a pixel alone whose nearest texel lies outside
 // the texture: for a polygon with the whole texture on it that is the polygon, up to its edge.
-#include "reports/peers/opencv.h"
+#include "reports/peers/peer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,7 @@ std::function<void()> prepare(const Workload& load, const Texture& texture, Targ
 
 }  // namespace
 
-Subject subject_opencv() {
+Peer peer_opencv() {
   cv::setNumThreads(1);
   Subject subject;
   subject.id = "OpenCV";
@@ -79,9 +79,7 @@ Subject subject_opencv() {
                : std::string("it warps one rectangle; a mesh would be a call and a box a triangle");
   };
   subject.prepare = prepare;
-  return subject;
+  return {subject, cv::getBuildInformation()};
 }
-
-std::string opencv_build_information() { return cv::getBuildInformation(); }
 
 }  // namespace selvage::reports
