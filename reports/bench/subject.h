@@ -15,11 +15,11 @@ namespace selvage::reports {
 struct Subject {
   std::string id;  // short, for the table's columns and the plots
   std::string title;
-  std::string configuration;    // what exactly is timed
-  bool textures = true;         // false: draws no texels, so only its pixels are judged
-  bool reference = false;       // must agree with the exact model or nothing is timed
-  bool judged = true;           // false: a limit that draws no picture, so nothing is judged
-  bool bilinear = false;        // can draw workloads whose filter is kBilinear; others are refused
+  std::string configuration;  // what exactly is timed
+  bool textures = true;       // false: draws no texels, so only its pixels are judged
+  bool reference = false;     // must agree with the exact model or nothing is timed
+  bool judged = true;         // false: a limit that draws no picture, so nothing is judged
+  bool bilinear = false;      // can draw workloads whose filter is kBilinear; others are refused
   // The bits of a texel that reach the target unchanged. Only they are compared; what is written to
   // the others is the subject's affair. A format without a fourth channel carries 24.
   uint32_t carried_bits = 0xFFFFFFFF;

@@ -4,6 +4,7 @@
 #include <allegro.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <memory>
 #include <stdexcept>
 
@@ -41,31 +42,47 @@ Bitmap bitmap_of(const Texture& texture) {
   return bitmap;
 }
 
-V3D_f corner(const selvage_vertex& vertex, int32_t first_q) {
+// Allegro samples at whole coordinates: half a pixel less puts its samples on the pixels' centres.
+V3D_f corner_of(const selvage_vertex& vertex, int32_t first_q) {
   const auto number = [](double value) { return static_cast<float>(value); };
-  return {number(x_px(vertex)), number(y_px(vertex)), static_cast<float>(first_q) / static_cast<float>(vertex.q),
-          number(u_texel(vertex)), number(v_texel(vertex)), 0};
+  return {number(x_px(vertex) - 0.5),
+          number(y_px(vertex) - 0.5),
+          number(static_cast<double>(first_q) / vertex.q),
+          number(u_texel(vertex)),
+          number(v_texel(vertex)),
+          0};
 }
 
-void draw(BITMAP* target, BITMAP* texture, int kind, const std::vector<selvage_vertex>& polygon) {
-  constexpr size_t most = 16;
-  V3D_f corners[most];
-  V3D_f* pointers[most];
-  const size_t count = std::min(polygon.size(), most);
-  for (size_t i = 0; i < count; ++i) {
-    corners[i] = corner(polygon[i], polygon[0].q);
-    pointers[i] = &corners[i];
+class Painter {
+ public:
+  Painter(const Workload& load, const Texture& texture, Target& target)
+      : kind_(load.perspective ? POLYTYPE_PTEX : POLYTYPE_ATEX),
+        texture_(bitmap_of(texture)),
+        target_(bitmap_over(target)) {}
+
+  void draw(const std::vector<selvage_vertex>& polygon) {
+    corners_.clear();
+    for (const selvage_vertex& vertex : polygon)
+      corners_.push_back(corner_of(vertex, polygon.front().q));
+    pointers_.clear();
+    for (V3D_f& corner : corners_) pointers_.push_back(&corner);
+    if (corners_.size() == 3)
+      triangle3d_f(target_.get(), kind_, texture_.get(), pointers_[0], pointers_[1], pointers_[2]);
+    else
+      polygon3d_f(target_.get(), kind_, texture_.get(), static_cast<int>(pointers_.size()),
+                  pointers_.data());
   }
-  if (count == 3)
-    triangle3d_f(target, kind, texture, &corners[0], &corners[1], &corners[2]);
-  else
-    polygon3d_f(target, kind, texture, static_cast<int>(count), pointers);
-}
+
+ private:
+  int kind_;
+  Bitmap texture_, target_;
+  std::vector<V3D_f> corners_;
+  std::vector<V3D_f*> pointers_;
+};
 
 std::function<void()> prepare(const Workload& load, const Texture& texture, Target& target) {
-  const int kind = load.perspective ? POLYTYPE_PTEX : POLYTYPE_ATEX;
-  return [&load, kind, source = bitmap_of(texture), drawn = bitmap_over(target)] {
-    for (const auto& polygon : load.polygons) draw(drawn.get(), source.get(), kind, polygon);
+  return [&load, painter = std::make_shared<Painter>(load, texture, target)] {
+    for (const auto& polygon : load.polygons) painter->draw(polygon);
   };
 }
 
@@ -76,8 +93,12 @@ Peer peer_allegro() {
     throw std::runtime_error(std::string("Allegro: ") + allegro_error);
   Subject subject;
   subject.id = "Allegro";
-  subject.title = std::string("Allegro ") + allegro_id;
-  subject.configuration = "as described above for now";
+  subject.title = "Allegro " ALLEGRO_VERSION_STR " software polygons";
+  subject.configuration =
+      "POLYTYPE_ATEX, in perspective POLYTYPE_PTEX (which divides at every fourth pixel), on "
+      "memory "
+      "bitmaps of 32 bits, triangle3d_f or polygon3d_f once a polygon, one thread; vertices less "
+      "half a pixel, for it samples at whole coordinates; bitmaps are made beforehand";
   subject.refusal = [](const Workload&) { return std::string(); };
   subject.prepare = prepare;
   return {subject, allegro_id};

@@ -29,7 +29,7 @@ class Context {
  public:
   Context() {
     setenv("GALLIUM_DRIVER", "llvmpipe", 1);
-    setenv("LP_NUM_THREADS", "0", 1);  // rasterise in the calling thread
+    setenv("LP_NUM_THREADS", "0", 1);                // rasterise in the calling thread
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // no idle thread, no files
     context_ = OSMesaCreateContextExt(OSMESA_RGBA, 0, 0, 0, nullptr);
     if (context_ == nullptr) throw std::runtime_error("OSMesa: no context");
@@ -42,7 +42,6 @@ class Context {
     if (OSMesaMakeCurrent(context_, target.pixels.data(), GL_UNSIGNED_BYTE, target.width_px,
                           target.height_px) == GL_FALSE)
       throw std::runtime_error("OSMesa: the target was refused");
-    OSMesaPixelStore(OSMESA_Y_UP, 0);
     glViewport(0, 0, target.width_px, target.height_px);
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
@@ -114,8 +113,13 @@ Peer peer_llvmpipe() {
   OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
   Subject subject;
   subject.id = "llvmpipe";
-  subject.title = build;
-  subject.configuration = "as described above for now";
+  subject.title = "Mesa llvmpipe through OSMesa";
+  subject.configuration =
+      "OSMESA_RGBA into our memory, GL_RGBA8 texture, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_REPLACE, no "
+      "depth, blending or dithering, LP_NUM_THREADS=0 (rasterises in the calling thread); client "
+      "arrays filled from the vertices and one glDrawArrays(GL_TRIANGLES) for all polygons, then "
+      "glFinish, which copies the whole picture to our memory, all timed; context and texture are "
+      "made beforehand";
   subject.bilinear = true;
   subject.refusal = [](const Workload&) { return std::string(); };
   subject.prepare = [context](const Workload& load, const Texture& texture, Target& target) {

@@ -29,16 +29,16 @@ void demand(int status) {
 class Screen {
  public:
   Screen(const Texture& texture, Target& target)
-      : surface_(needed(SDL_CreateRGBSurfaceWithFormatFrom(
-                     target.pixels.data(), target.width_px, target.height_px, 32,
-                     target.width_px * 4, kFormat)),
+      : surface_(needed(SDL_CreateRGBSurfaceWithFormatFrom(target.pixels.data(), target.width_px,
+                                                           target.height_px, 32,
+                                                           target.width_px * 4, kFormat)),
                  SDL_FreeSurface),
         renderer_(needed(SDL_CreateSoftwareRenderer(surface_.get())), SDL_DestroyRenderer),
         texture_(needed(SDL_CreateTexture(renderer_.get(), kFormat, SDL_TEXTUREACCESS_STATIC,
                                           texture.side_texel, texture.side_texel)),
                  SDL_DestroyTexture) {
-    demand(SDL_UpdateTexture(texture_.get(), nullptr, texture.texels.data(),
-                             texture.pitch_texel * 4));
+    demand(
+        SDL_UpdateTexture(texture_.get(), nullptr, texture.texels.data(), texture.pitch_texel * 4));
     demand(SDL_SetTextureBlendMode(texture_.get(), SDL_BLENDMODE_NONE));
     demand(SDL_SetTextureScaleMode(texture_.get(), SDL_ScaleModeNearest));
   }
@@ -64,16 +64,30 @@ SDL_Vertex corner_of(const selvage_vertex& vertex, int32_t side_texel) {
           {number(u_texel(vertex) / side_texel), number(v_texel(vertex) / side_texel)}};
 }
 
-bool overflows(const Workload& load) {
+// Its software rasteriser works on half pixels and multiplies twice the triangle's area by texture
+// coordinates in 32 bits. Beyond them SDL 2.26 reads outside the texture; SDL 3 refuses to draw.
+bool fits_in_32_bits(const Workload& load) {
+  constexpr double half_pixels = 2, limit = 0x80000000;
   for (const auto& polygon : load.polygons) {
+    const selvage_vertex& a = polygon[0];
     for (size_t i = 1; i + 1 < polygon.size(); ++i) {
-      const auto& a = polygon[0];
-      const double area = (x_px(polygon[i]) - x_px(a)) * (y_px(polygon[i + 1]) - y_px(a)) -
-                          (x_px(polygon[i + 1]) - x_px(a)) * (y_px(polygon[i]) - y_px(a));
-      if (std::abs(area) * 4 * load.texture_side_texel > 2.0e9) return true;
+      const selvage_vertex &b = polygon[i], &c = polygon[i + 1];
+      const double doubled_area_px =
+          (x_px(b) - x_px(a)) * (y_px(c) - y_px(a)) - (x_px(c) - x_px(a)) * (y_px(b) - y_px(a));
+      const double largest =
+          std::abs(doubled_area_px) * half_pixels * half_pixels * load.texture_side_texel;
+      if (largest >= limit) return false;
     }
   }
-  return false;
+  return true;
+}
+
+std::string refusal(const Workload& load) {
+  if (load.perspective) return "it knows no perspective";
+  if (!fits_in_32_bits(load))
+    return "a triangle's area times the texture's side overflows its 32 bits; it would read "
+           "outside the texture";
+  return "";
 }
 
 void draw(const Workload& load, Screen& screen, std::vector<SDL_Vertex>& corners) {
@@ -92,23 +106,25 @@ void draw(const Workload& load, Screen& screen, std::vector<SDL_Vertex>& corners
 Peer peer_sdl() {
   SDL_version version;
   SDL_GetVersion(&version);
-  const std::string number = std::to_string(version.major) + "." + std::to_string(version.minor) +
-                             "." + std::to_string(version.patch);
+  std::string number = std::to_string(version.major);
+  number.append(".").append(std::to_string(version.minor));
+  number.append(".").append(std::to_string(version.patch));
   Subject subject;
   subject.id = "SDL";
-  subject.title = "SDL " + number + " software renderer";
-  subject.configuration = "as described above for now";
-  subject.refusal = [](const Workload& load) {
-    if (load.perspective) return std::string("it knows no perspective");
-    return std::string(overflows(load) ? "overflows" : "");
-  };
+  subject.title = "SDL2's software renderer";
+  subject.configuration =
+      "SDL_CreateSoftwareRenderer on a surface over our memory, ARGB8888 to ARGB8888, "
+      "SDL_BLENDMODE_NONE, SDL_ScaleModeNearest (it knows no other for triangles), one "
+      "SDL_RenderGeometry for all polygons, then SDL_RenderFlush, one thread; filling its vertices "
+      "is timed; it truncates vertices to whole pixels and whole texels";
+  subject.refusal = refusal;
   subject.prepare = [](const Workload& load, const Texture& texture, Target& target) {
     const auto screen = std::make_shared<Screen>(texture, target);
     return [&load, screen, corners = std::vector<SDL_Vertex>()]() mutable {
       draw(load, *screen, corners);
     };
   };
-  return {subject, number + ", " + SDL_GetRevision()};
+  return {subject, number.append(", ").append(SDL_GetRevision())};
 }
 
 }  // namespace selvage::reports
