@@ -20,8 +20,9 @@ struct Subject {
   bool reference = false;     // must agree with the exact model or nothing is timed
   bool judged = true;         // false: a limit that draws no picture, so nothing is judged
   bool bilinear = false;      // can draw workloads whose filter is kBilinear; others are refused
-  // The bits of a texel that reach the target unchanged. Only they are compared; what is written to
-  // the others is the subject's affair. A format without a fourth channel carries 24.
+  bool threads = false;       // draws with several: timed by the clock, not by processor time
+  // The bits of a texel that reach the target unchanged, s and the lower bits of t; the others are
+  // not compared. A pixel format without a fourth channel carries 24.
   uint32_t carried_bits = 0xFFFFFFFF;
   double tolerance_texel = 0;   // a reference's texels may lie this far from the exact (u, v)
   std::string group = "peers";  // "ours", "historic", "usual", "peers", "limits": colour in plots
@@ -36,9 +37,15 @@ struct Subject {
 };
 
 [[nodiscard]] Subject subject_exact();
+[[nodiscard]] std::vector<Subject> subjects_tolerant();
+[[nodiscard]] std::vector<Subject> subjects_historic();
 [[nodiscard]] std::vector<Subject> subjects_arithmetic();
 [[nodiscard]] Subject subject_subdivided();
+[[nodiscard]] Subject subject_memcpy();
 [[nodiscard]] Subject subject_fill();
+
+// The library that this is linked with draws through the filter.
+[[nodiscard]] bool mapper_takes(selvage_filter filter);
 
 // The mappers of other projects: one file each under reports/peers.
 struct Peers {

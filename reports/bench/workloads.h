@@ -23,9 +23,17 @@ struct Workload {
   bool perspective = false;
   std::vector<std::vector<selvage_vertex>> polygons;
   selvage_filter filter = SELVAGE_FILTER_NEAREST;
+  std::string ordinary_id;  // of an adversarial item: the same shape with nothing hard about it
 };
 
-// The seed moves the jittered mesh only.
+// W1 to W6. The seed moves the jittered meshes only.
 [[nodiscard]] std::vector<Workload> workloads(uint64_t seed);
+
+// Maps of which every sample, or each third, lies on a boundary between two texels or next to one,
+// each behind the same shape and slopes with the samples off the boundaries.
+[[nodiscard]] std::vector<Workload> adversarial_workloads();
+
+// One square turned by 23 degrees over half of the target: W1.
+[[nodiscard]] Workload half_covering_square(int32_t texture_side_texel);
 
 }  // namespace selvage::reports

@@ -80,6 +80,12 @@ std::string limits() {
               "and extra pixels are those of a use it was not made for; its wrong texels are "
               "pixels it does cover.") +
           element("li",
+                  "The historic profiles take whole pixels only: what they draw is the work item "
+                  "with its vertices rounded, beforehand, and their errors are mostly that.") +
+          element("li",
+                  "A pixel that a mapper draws twice for one polygon is not seen: the pictures are "
+                  "all that is asked of it.") +
+          element("li",
                   "Error counts come from the sampled rows, not from every pixel, and are those of "
                   "one picture each.") +
           element("li", "The laws hold for the cases that were tried, not for all there are."));
@@ -109,7 +115,7 @@ std::string summary_section(const Results& results) {
                      promises_of(results)) +
                  element("li",
                          "<a href=#speed>Speed against error</a>, beside the usual arithmetics, "
-                         "OpenCV and a solid fill") +
+                         "the mappers of other projects, a solid fill and a memcpy") +
                  element("li", "<a href=#method>How this was made</a>, and what it does not show"));
 }
 

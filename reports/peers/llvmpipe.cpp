@@ -38,10 +38,24 @@ class Context {
   Context(const Context&) = delete;
   Context& operator=(const Context&) = delete;
 
+  // The versions of OpenGL and Mesa, the driver and its LLVM.
+  std::string description() {
+    Target any(16, 16);
+    draw_into(any);
+    std::string text(reinterpret_cast<const char*>(glGetString(GL_VERSION)));
+    text.append(", ").append(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+    pixels_ = nullptr;  // any is gone
+    return text;
+  }
+
+  // Does nothing if this is where it draws already.
   void draw_into(Target& target) {
+    if (target.pixels.data() == pixels_ && target.width_px == width_px_) return;
     if (OSMesaMakeCurrent(context_, target.pixels.data(), GL_UNSIGNED_BYTE, target.width_px,
                           target.height_px) == GL_FALSE)
       throw std::runtime_error("OSMesa: the target was refused");
+    pixels_ = target.pixels.data();
+    width_px_ = target.width_px;
     glViewport(0, 0, target.width_px, target.height_px);
     glMatrixMode(GL_PROJECTION);
     glLoadIdentity();
@@ -51,6 +65,10 @@ class Context {
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
     glEnableClientState(GL_VERTEX_ARRAY);
     glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+  }
+
+  // OSMesa draws on a picture of its own, which it copies over the target.
+  static void clear() {
     glClearColor(1, 1, 1, 1);  // kUntouched
     glClear(GL_COLOR_BUFFER_BIT);
     glFinish();
@@ -58,6 +76,8 @@ class Context {
 
  private:
   OSMesaContext context_ = nullptr;
+  const void* pixels_ = nullptr;
+  int32_t width_px_ = 0;
 };
 
 // A texture object; needs the context while it lives.
@@ -103,14 +123,6 @@ void draw(const Workload& load, std::vector<Corner>& corners) {
 
 Peer peer_llvmpipe() {
   auto context = std::make_shared<Context>();
-  Target first(16, 16);
-  context->draw_into(first);
-  const auto text = [](GLenum name) {
-    return std::string(reinterpret_cast<const char*>(glGetString(name)));
-  };
-  std::string build = text(GL_VERSION);
-  build.append(", ").append(text(GL_RENDERER));
-  OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);
   Subject subject;
   subject.id = "llvmpipe";
   subject.title = "Mesa llvmpipe through OSMesa";
@@ -124,14 +136,16 @@ Peer peer_llvmpipe() {
   subject.refusal = [](const Workload&) { return std::string(); };
   subject.prepare = [context](const Workload& load, const Texture& texture, Target& target) {
     context->draw_into(target);
+    Context::clear();
     const auto uploaded = std::make_shared<Uploaded>(
         context, texture, load.filter == kBilinear ? GL_LINEAR : GL_NEAREST);
-    return [&load, uploaded, corners = std::vector<Corner>()]() mutable {
+    return [&load, &target, context, uploaded, corners = std::vector<Corner>()]() mutable {
+      context->draw_into(target);
       glBindTexture(GL_TEXTURE_2D, uploaded->name());
       draw(load, corners);
     };
   };
-  return {subject, build};
+  return {subject, context->description()};
 }
 
 }  // namespace selvage::reports

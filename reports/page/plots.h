@@ -1,0 +1,28 @@
+// The data of the plots of speed, for plane.gp and curve.gp.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace selvage::reports {
+
+struct PlotFile {
+  std::string name;  // "W1.plane.dat", "scale.curve.dat": the second word is the script's
+  std::string text;
+};
+
+// Of all work items and curves in the JSON of `selvage bench`.
+[[nodiscard]] std::vector<PlotFile> plot_files(const nlohmann::ordered_json& bench);
+
+// Wrong texels, and missing, extra and twice drawn pixels, per million covered pixels.
+[[nodiscard]] double errors_per_million(const nlohmann::ordered_json& result);
+
+// What a subject measured on a work item or a curve's point; null where it was not.
+[[nodiscard]] const nlohmann::ordered_json* result_of(const nlohmann::ordered_json& item,
+                                                      const std::string& subject);
+
+// It was measured, and its picture judged.
+[[nodiscard]] bool has_errors(const nlohmann::ordered_json& result);
+
+}  // namespace selvage::reports
