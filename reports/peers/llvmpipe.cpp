@@ -65,6 +65,7 @@ class Context {
     glTexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
     glEnableClientState(GL_VERTEX_ARRAY);
     glEnableClientState(GL_TEXTURE_COORD_ARRAY);
+    clear();
   }
 
   // OSMesa draws on a picture of its own, which it copies over the target.
@@ -139,6 +140,7 @@ Peer peer_llvmpipe() {
     Context::clear();
     const auto uploaded = std::make_shared<Uploaded>(
         context, texture, load.filter == kBilinear ? GL_LINEAR : GL_NEAREST);
+    // Between two drawings others may draw elsewhere.
     return [&load, &target, context, uploaded, corners = std::vector<Corner>()]() mutable {
       context->draw_into(target);
       glBindTexture(GL_TEXTURE_2D, uploaded->name());

@@ -66,7 +66,7 @@ std::function<void()> prepare(const Workload& load, const Texture& texture, Targ
   const QImage source(reinterpret_cast<const uchar*>(texture.texels.data()), texture.side_texel,
                       texture.side_texel, static_cast<qsizetype>(texture.pitch_texel) * 4,
                       QImage::Format_RGB32);
-  return [&load, &target, source = source.copy()] { draw(load, source, target); };
+  return [&load, &target, source] { draw(load, source, target); };
 }
 
 }  // namespace

@@ -64,19 +64,27 @@ SDL_Vertex corner_of(const selvage_vertex& vertex, int32_t side_texel) {
           {number(u_texel(vertex) / side_texel), number(v_texel(vertex) / side_texel)}};
 }
 
-// Its software rasteriser works on half pixels and multiplies twice the triangle's area by texture
-// coordinates in 32 bits. Beyond them SDL 2.26 reads outside the texture; SDL 3 refuses to draw.
-bool fits_in_32_bits(const Workload& load) {
+// Its software rasteriser truncates vertices to whole pixels, works on half pixels, and multiplies
+// twice the triangle's area by texture coordinates in 32 bits. Beyond them SDL 2.26 reads outside
+// the texture; SDL 3 refuses to draw.
+bool fits_in_32_bits(const selvage_vertex& a, const selvage_vertex& b, const selvage_vertex& c,
+                     int32_t side_texel) {
   constexpr double half_pixels = 2, limit = 0x80000000;
+  const auto x = [](const selvage_vertex& vertex) {
+    return std::trunc(x_px(vertex)) * half_pixels;
+  };
+  const auto y = [](const selvage_vertex& vertex) {
+    return std::trunc(y_px(vertex)) * half_pixels;
+  };
+  const double doubled_area = (x(b) - x(a)) * (y(c) - y(a)) - (x(c) - x(a)) * (y(b) - y(a));
+  return std::abs(doubled_area) * side_texel < limit;
+}
+
+bool fits_in_32_bits(const Workload& load) {
   for (const auto& polygon : load.polygons) {
-    const selvage_vertex& a = polygon[0];
     for (size_t i = 1; i + 1 < polygon.size(); ++i) {
-      const selvage_vertex &b = polygon[i], &c = polygon[i + 1];
-      const double doubled_area_px =
-          (x_px(b) - x_px(a)) * (y_px(c) - y_px(a)) - (x_px(c) - x_px(a)) * (y_px(b) - y_px(a));
-      const double largest =
-          std::abs(doubled_area_px) * half_pixels * half_pixels * load.texture_side_texel;
-      if (largest >= limit) return false;
+      if (!fits_in_32_bits(polygon[0], polygon[i], polygon[i + 1], load.texture_side_texel))
+        return false;
     }
   }
   return true;
