@@ -44,7 +44,8 @@ class Context {
     draw_into(any);
     std::string text(reinterpret_cast<const char*>(glGetString(GL_VERSION)));
     text.append(", ").append(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
-    pixels_ = nullptr;  // any is gone
+    OSMesaMakeCurrent(nullptr, nullptr, GL_UNSIGNED_BYTE, 0, 0);  // any goes
+    pixels_ = nullptr;
     return text;
   }
 
