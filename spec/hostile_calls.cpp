@@ -204,7 +204,7 @@ HostileOutcome make(const Subject& subject, const Case& c, const HostileCall& ca
               .clip = {0, 0, c.target_width_px, c.target_height_px},
               .vertices = {{-256, -256, 0, 0, 1}, {4096, 0, 65536, 0, 2}, {0, 4096, 0, 65536, 3}},
               .texture = texture.texture(),
-              .options = {c.profile, SELVAGE_FILTER_NEAREST, SELVAGE_ADDRESS_CLAMP, 0},
+              .options = {c.profile, SELVAGE_FILTER_NEAREST, SELVAGE_ADDRESS_CLAMP, 0, 0},
               .target_pointer = &a.target,
               .vertices_pointer = nullptr,
               .texture_pointer = &a.texture,

@@ -53,7 +53,7 @@ template <class T>
   const selvage_image image = canvas.image();
   const selvage_texture view = texture.texture();
   const selvage_options options{c.profile, SELVAGE_FILTER_NEAREST, c.address,
-                                /*tolerance=*/0};
+                                /*tolerance=*/0, SELVAGE_KERNEL_FASTEST};
   const selvage_rect clip = c.clip;
   const auto arguments = [&] {
     return std::vector{bytes_of(image), bytes_of(view), bytes_of(options), bytes_of(clip)};

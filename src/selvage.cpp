@@ -6,6 +6,7 @@
 #include "historic/whole_px.h"
 #include "mapper/draw.h"
 #include "mapper/image.h"
+#include "mapper/kernel.h"
 #include "mapper/polygon.h"
 
 namespace {
@@ -18,7 +19,8 @@ namespace {
   if (options.address != SELVAGE_ADDRESS_CLAMP && options.address != SELVAGE_ADDRESS_WRAP) {
     return SELVAGE_ERROR_ADDRESS;
   }
-  return options.tolerance < 0 ? SELVAGE_ERROR_TOLERANCE : SELVAGE_OK;
+  if (options.tolerance < 0) return SELVAGE_ERROR_TOLERANCE;
+  return selvage::mapper::is_usable(options.kernel) ? SELVAGE_OK : SELVAGE_ERROR_KERNEL;
 }
 
 // The arguments have passed every check.
@@ -36,7 +38,7 @@ void draw_by_profile(const selvage_image& target, const selvage_rect& visible,
     case SELVAGE_PROFILE_DKIT:
       return historic::draw_classroom(target, visible, polygon, texture, options.address);
     default:
-      return mapper::draw(target, visible, polygon, texture, options.address);
+      return mapper::draw({target, texture, options.address}, visible, polygon, options.kernel);
   }
 }
 
@@ -67,6 +69,10 @@ selvage_status selvage_draw(const selvage_image* target, const selvage_rect* cli
   const selvage_texture texels = *texture;
   draw_by_profile(image, visible_rect(image, clip), polygon, texels, chosen);
   return SELVAGE_OK;
+}
+
+int32_t selvage_has_kernel(selvage_kernel kernel) {
+  return selvage::mapper::is_usable(kernel) ? 1 : 0;
 }
 
 const char* selvage_version(void) { return SELVAGE_VERSION; }

@@ -113,12 +113,24 @@ enum {
   SELVAGE_ADDRESS_WRAP = 1 /* the texture repeats: s mod width, in [0, width) for negative s too */
 };
 
+/* Which of the mapper's inner loops draw. They differ in speed, not by a bit in what they draw. */
+typedef int32_t selvage_kernel;
+enum {
+  SELVAGE_KERNEL_FASTEST = 0, /* of those that the machine can run */
+  SELVAGE_KERNEL_SCALAR = 1,
+  SELVAGE_KERNEL_SSE4 = 2,
+  SELVAGE_KERNEL_AVX2 = 3,
+  SELVAGE_KERNEL_AVX512 = 4,
+  SELVAGE_KERNEL_NEON = 5
+};
+
 typedef struct selvage_options {
   selvage_profile profile;
   selvage_filter filter;
   selvage_address address;
   int32_t tolerance; /* largest texel error accepted, 1/65536 texel, >= 0. The mapper may be more
                         exact than asked: today it always draws exactly. */
+  selvage_kernel kernel; /* for tests and measurements */
 } selvage_options;
 
 /* ---- Status -------------------------------------------------------------------------------- */
@@ -151,6 +163,7 @@ enum {
   SELVAGE_ERROR_FILTER,            /* not a selvage_filter */
   SELVAGE_ERROR_ADDRESS,           /* not a selvage_address */
   SELVAGE_ERROR_TOLERANCE,         /* negative */
+  SELVAGE_ERROR_KERNEL,            /* not a selvage_kernel, or not one for this machine */
   SELVAGE_ERROR_SNAP_NULL,         /* selvage_snap: no vertex to write to */
   SELVAGE_ERROR_SNAP_NOT_FINITE,   /* selvage_snap: a NaN or an infinity */
   SELVAGE_ERROR_SNAP_POSITION,     /* selvage_snap: x or y beyond the accepted range */
@@ -216,6 +229,9 @@ SELVAGE_API selvage_status selvage_fit(const selvage_vertex* corners, size_t cou
 /* One sentence: what was wrong and what would be right. Never NULL; a value that is no
  * selvage_status gives "unknown status". */
 SELVAGE_API const char* selvage_status_text(selvage_status status);
+
+/* Whether this build has the kernel and this machine can run it: 1 or 0. */
+SELVAGE_API int32_t selvage_has_kernel(selvage_kernel kernel);
 
 /* "major.minor.patch" */
 SELVAGE_API const char* selvage_version(void);

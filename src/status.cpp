@@ -54,6 +54,9 @@ const char* selvage_status_text(selvage_status status) {
       return "the address mode is unknown; it must be CLAMP or WRAP";
     case SELVAGE_ERROR_TOLERANCE:
       return "the tolerance is negative; it must be at least 0";
+    case SELVAGE_ERROR_KERNEL:
+      return "the kernel is unknown, or cannot run on this machine; it must be FASTEST, SCALAR or "
+             "one that selvage_has_kernel tells of";
     case SELVAGE_ERROR_SNAP_NULL:
       return "there is no vertex to write to; it must not be NULL";
     case SELVAGE_ERROR_SNAP_NOT_FINITE:

@@ -72,7 +72,7 @@ TEST(Allocation, DrawingAllocatesNothing) {
                         c.flip_texture, 1);
     const selvage_image image = canvas.image();
     const selvage_texture texture = texels.texture();
-    const selvage_options options{c.profile, SELVAGE_FILTER_NEAREST, c.address, 0};
+    const selvage_options options{c.profile, SELVAGE_FILTER_NEAREST, c.address, 0, 0};
 
     const size_t before = allocations;
     const selvage_status status =

@@ -51,7 +51,7 @@ TEST(Face, PassesClipAndOptionsOn) {
   ASSERT_EQ(draw(pictures.target(), corners(), pictures.texture(), {}, Rect{60, 60, 70, 70}),
             SELVAGE_OK);
   EXPECT_EQ(pictures.drawn(), 100);
-  const Options unknown{SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST, 9, 0};
+  const Options unknown{SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST, 9, 0, 0};
   EXPECT_EQ(draw(pictures.target(), corners(), pictures.texture(), unknown), SELVAGE_ERROR_ADDRESS);
 }
 
@@ -68,7 +68,7 @@ TEST(Face, NoOptionsAreAllZero) {
   ASSERT_EQ(draw(zero.target(), v, texture, Options{}), SELVAGE_OK);
   EXPECT_EQ(without.pixels, zero.pixels);
   const Options generous{SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST, SELVAGE_ADDRESS_CLAMP,
-                         SELVAGE_SUBTEXELS};
+                         SELVAGE_SUBTEXELS, SELVAGE_KERNEL_FASTEST};
   ASSERT_EQ(draw(tolerant.target(), v, texture, generous), SELVAGE_OK);
   EXPECT_EQ(without.pixels, tolerant.pixels);
 }
@@ -79,7 +79,7 @@ TEST(Face, TheFirstErrorIsTheOneReported) {
   Image target = pictures.target();
   Texture texture = pictures.texture();
   auto v = corners();
-  Options options{4, 1, 2, -1};
+  Options options{4, 1, 2, -1, 6};
   target.format = 9, target.width = 0, target.pitch = 3;
   texture.format = 9, texture.width = 0, texture.pitch = 3;
   v[2].q = 0;
@@ -92,6 +92,8 @@ TEST(Face, TheFirstErrorIsTheOneReported) {
   options.address = SELVAGE_ADDRESS_CLAMP;
   EXPECT_EQ(status(), SELVAGE_ERROR_TOLERANCE);
   options.tolerance = 0;
+  EXPECT_EQ(status(), SELVAGE_ERROR_KERNEL);
+  options.kernel = SELVAGE_KERNEL_FASTEST;
   EXPECT_EQ(status(), SELVAGE_ERROR_TARGET_FORMAT);
   target.format = SELVAGE_RGBA8888;
   EXPECT_EQ(status(), SELVAGE_ERROR_TARGET_SIZE);

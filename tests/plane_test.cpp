@@ -1,5 +1,7 @@
 #include "mapper/plane.h"
 
+#include "mapper/exact_row.h"
+
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -33,8 +35,9 @@ void expect_lawful(const Plane& plane, const AffineLanes& lanes, const Span& spa
   ASSERT_TRUE(holds(lane.u_fx32, exact->u) && holds(lane.v_fx32, exact->v)) << spec::print(c);
   for (const int32_t below : {0, 1}) {
     const int32_t s = spec::floor(exact->u), t = spec::floor(exact->v);
-    ASSERT_EQ(plane.u_texel(px, span.row, s - below), s) << spec::print(c);
-    ASSERT_EQ(plane.v_texel(px, span.row, t - below), t) << spec::print(c);
+    const ExactRow row = ExactMap(plane).row_from(span.left_px, span.row);
+    ASSERT_EQ(row.u_texel(offset_px, s - below), s) << spec::print(c);
+    ASSERT_EQ(row.v_texel(offset_px, t - below), t) << spec::print(c);
   }
 }
 
@@ -51,7 +54,8 @@ TEST(Plane, LanesAreLowByLessThanTheirMargin) {
     for_each_span(c, [&](const spec::Case&, const Polygon&, const SpanMap&, const Span& span) {
       covers = true;
       if (!plane) return;
-      const AffineLanes lanes = plane->lanes(span);
+      const AffineField& field = plane->lanes();
+      const AffineLanes lanes(field.at(span.left_px, span.row), field.step_x, field.margin_fx32);
       const int32_t last = span.width_px() - 1;
       for (const int32_t offset_px : {0, last / 2, last}) {
         expect_lawful(*plane, lanes, span, offset_px, c);
@@ -106,7 +110,8 @@ TEST(Plane, IsExactWhereCoordinatesAreDyadic) {
   const std::optional<Plane> plane = plane_of(quad);
   ASSERT_TRUE(plane);
   for (int32_t row = 0; row < 16; ++row) {
-    const AffineLanes lanes = plane->lanes({row, 3, 16});
+    const AffineField& field = plane->lanes();
+    const AffineLanes lanes(field.at(3, row), field.step_x, field.margin_fx32);
     for (int32_t i = 0; i < 13; ++i) {
       ASSERT_EQ(lanes.at(i).u_fx32, int64_t{2 * (3 + i) + 1} << kLaneFraction);
       ASSERT_EQ(lanes.at(i).v_fx32, int64_t{2 * row + 1} << kLaneFraction);

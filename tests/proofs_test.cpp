@@ -19,6 +19,7 @@
 #include "mapper/edge.h"
 #include "mapper/lanes.h"
 #include "mapper/plane.h"
+#include "mapper/vector_kernel.h"
 #include "spec/dda_bounds.h"
 #include "spec/oracle.h"
 
@@ -113,6 +114,9 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
        {{"AREA_BITS", number(kPlaneAreaBits)},
         {"PER_STEP", number(int64_t{kPlaneErrorPerStep_fx32}),
          barely_less(kPlaneErrorPerStep_fx32)}}},
+      {"vector_lanes",
+       {{"SHIFT", number(kLaneFraction - kTexelFraction)},
+        {"TRUNCATIONS", number(kVectorTruncations_fx16), barely_less(kVectorTruncations_fx16)}}},
       {"plane_estimate",
        {{"FRACTION", number(kTexelFraction)},
         {"SUBPIXEL_BITS", number(kSubpixelBits)},

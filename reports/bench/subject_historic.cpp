@@ -35,7 +35,8 @@ Subject subject_of(const spec::Profile& profile) {
   };
   subject.prepare = [id = profile.id](const Workload& load, const Texture& texture,
                                       Target& target) -> std::function<void()> {
-    const selvage_options options{id, SELVAGE_FILTER_NEAREST, SELVAGE_ADDRESS_CLAMP, 0};
+    selvage_options options{};
+    options.profile = id;
     const auto moved = std::make_shared<const Workload>(in_profile(load, id));
     return [moved, options, view = texture.view(), image = target.image()] {
       for (const auto& polygon : moved->polygons) {

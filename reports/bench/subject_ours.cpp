@@ -20,8 +20,9 @@ Subject subject_with(std::string id, std::string title, int32_t tolerance_fx16) 
   subject.refusal = [](const Workload&) { return std::string(); };
   subject.prepare = [tolerance_fx16](const Workload& load, const Texture& texture,
                                      Target& target) -> std::function<void()> {
-    const selvage_options options{SELVAGE_PROFILE_EXACT, load.filter, SELVAGE_ADDRESS_CLAMP,
-                                  tolerance_fx16};
+    selvage_options options{};
+    options.filter = load.filter;
+    options.tolerance = tolerance_fx16;
     return [&load, options, view = texture.view(), image = target.image()] {
       for (const auto& polygon : load.polygons) {
         const selvage_status status =
@@ -61,7 +62,8 @@ bool mapper_takes(selvage_filter filter) {
   Target target(1, 1);
   const selvage_image image = target.image();
   const selvage_texture view = texture.view();
-  const selvage_options options{SELVAGE_PROFILE_EXACT, filter, SELVAGE_ADDRESS_CLAMP, 0};
+  selvage_options options{};
+  options.filter = filter;
   return selvage_draw(&image, nullptr, corner.data(), corner.size(), &view, &options) == SELVAGE_OK;
 }
 

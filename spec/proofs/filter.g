@@ -4,7 +4,7 @@
 # the filter (affine_lanes.g, projective_lanes.g), no margin being above WIDEST.
 # Claim: where fraction + margin is below 2^LANE_FRACTION, floor u is the lane's texel; elsewhere it
 # is that or the next one, so that one comparison decides.
-# Used: src/mapper/row_kernel.cpp, is_near_tie and decide.
+# Used: src/mapper/texel_index.h, is_near_tie and decide.
 # By hand: u < lane + margin is written u <= lane + margin here, and "below" an integer as "at most
 # one less", which is as good: fraction and margin are integers.
 

@@ -86,16 +86,11 @@ void put_out(const BenchOptions& options, const BenchReport& report, const Conso
 
 }  // namespace
 
-int run_bench(const BenchOptions& options, const Console& console) {
+int run_plan(const reports::Plan& plan, const BenchOptions& options, const Console& console) {
   BenchReport report;
   report.settings = settings_of(options);
   report.filter = options.filter;
-  const reports::Plan plan = plan_of(options, report.settings.seed);
   report.plan = &plan;
-  if (options.list) {
-    console.out << bench_list(plan);
-    return kExitFine;
-  }
   if (!options.output.empty()) check_output(options.output);
   std::optional<Baseline> baseline;
   if (!options.compare.empty())
@@ -115,6 +110,13 @@ int run_bench(const BenchOptions& options, const Console& console) {
   }
   if (baseline) report.comparison = compare(report.results, cpu_of(report), std::move(*baseline));
   put_out(options, report, console);
+  return kExitFine;
+}
+
+int run_bench(const BenchOptions& options, const Console& console) {
+  const reports::Plan plan = plan_of(options, settings_of(options).seed);
+  if (!options.list) return run_plan(plan, options, console);
+  console.out << bench_list(plan);
   return kExitFine;
 }
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/bench_command.h"
 #include "cli/bench_comparison.h"
 #include "reports/bench/measurement.h"
 #include "reports/bench/plan.h"
@@ -20,6 +21,9 @@ struct BenchReport {
   std::vector<reports::ItemResult> results;  // one for each item of the plan
   std::optional<Comparison> comparison;
 };
+
+// The command on a plan that was made already.
+int run_plan(const reports::Plan& plan, const BenchOptions& options, const Console& console);
 
 // At most 100 columns: a block for each item, the curves, and what there was not.
 [[nodiscard]] std::string bench_table(const BenchReport& report);

@@ -4,52 +4,66 @@
 #include <optional>
 
 #include "mapper/copy_row.h"
-#include "mapper/edge.h"
 #include "mapper/image.h"
+#include "mapper/kernel.h"
 #include "mapper/plane.h"
-#include "mapper/row_kernel.h"
-#include "mapper/span.h"
+#include "mapper/span_walk.h"
 
 namespace selvage::mapper {
+namespace {
 
-void draw(const selvage_image& target, const selvage_rect& visible, const Polygon& polygon,
-          const selvage_texture& texture, selvage_address address) {
-  const int32_t first_row = std::max(polygon.top_row, visible.top);
-  const int32_t end_row = std::min(polygon.bottom_row, visible.bottom);
-  if (first_row >= end_row || visible.left >= visible.right) return;
-  Chain forward(polygon, Chain::Direction::kForward);
-  Chain backward(polygon, Chain::Direction::kBackward);
-  const std::optional<Plane> plane = Plane::of(polygon, visible);
-  const auto draw_affine = affine_row_kernel(target.format);
-  const auto draw_projective = projective_row_kernel(target.format);
+// u = x + ds and v = y + dt: rows of the texture, byte by byte.
+void draw_copies(const Polygon& polygon, const selvage_rect& visible, const Surface& surface) {
+  SpanWalk walk(polygon, visible);
+  while (walk.next()) {
+    const Span& span = walk.span();
+    char* const row = static_cast<char*>(surface.target.pixels) + span.row * surface.target.pitch;
+    copy_row(surface.texture, surface.address, span.left_px + polygon.ds, span.row + polygon.dt,
+             span.width_px(), row + span.left_px * bytes_per_pixel(surface.target.format));
+  }
+}
 
-  for (int32_t row = first_row; row < end_row; ++row) {
-    const Edge& a = forward.at_row(row);
-    const Edge& b = backward.at_row(row);
-    const bool a_is_left = a.first_px() <= b.first_px();
-    const Edge& left = a_is_left ? a : b;
-    const Edge& right = a_is_left ? b : a;
+// One affine map for all spans.
+void draw_plane(const Plane& plane, const Polygon& polygon, const selvage_rect& visible,
+                const Surface& surface, const Kernels& kernels) {
+  BatchWalk walk(polygon, visible);
+  SpanBatch batch;
+  while (walk.next(&batch)) {
+    kernels.draw_affine({batch, plane.lanes(), ExactMap(plane)}, surface);
+  }
+}
 
-    const Span span{.row = row,
-                    .left_px = std::max(left.first_px(), visible.left),
-                    .right_px = std::min(right.first_px(), visible.right)};
-    if (span.empty()) continue;
-    char* const pixels = static_cast<char*>(target.pixels) + row * target.pitch;
-    if (polygon.untransformed) {
-      copy_row(texture, address, span.left_px + polygon.ds, row + polygon.dt, span.width_px(),
-               pixels + span.left_px * bytes_per_pixel(target.format));
-    } else if (plane) {
-      draw_affine(plane->lanes(span), ExactTexel(*plane), span, texture, address, pixels);
+// Each span by the map between its own two edges.
+void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surface& surface,
+                const Kernels& kernels) {
+  SpanWalk walk(polygon, visible);
+  while (walk.next()) {
+    const SpanMap map = walk.map();
+    const Span& span = walk.span();
+    if (polygon.affine) {
+      const SpanBatch batch = one_span(span);
+      kernels.draw_affine({batch, AffineLanes(map, span).field(span), ExactMap(map)}, surface);
     } else {
-      const SpanMap map(left.at(row), right.at(row));
-      if (polygon.affine) {
-        draw_affine(AffineLanes(map, span), ExactTexel(map), span, texture, address, pixels);
-      } else {
-        draw_projective(ProjectiveLanes(map, span), ExactTexel(map), span, texture, address,
-                        pixels);
-      }
+      const ProjectiveSpan lanes{span, ProjectiveLanes(map, span)};
+      kernels.draw_projective({{&lanes, 1}, ExactMap(map)}, surface);
     }
   }
+}
+
+}  // namespace
+
+void draw(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
+          selvage_kernel kernel) {
+  if (visible.left >= visible.right ||
+      std::max(visible.top, polygon.top_row) >= std::min(visible.bottom, polygon.bottom_row)) {
+    return;
+  }
+  if (polygon.untransformed) return draw_copies(polygon, visible, surface);
+  const Kernels& kernels = kernels_for(kernel, surface);
+  if (const std::optional<Plane> plane = Plane::of(polygon, visible)) {
+    return draw_plane(*plane, polygon, visible, surface, kernels);
+  }
+  draw_ruled(polygon, visible, surface, kernels);
 }
 
 }  // namespace selvage::mapper

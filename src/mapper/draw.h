@@ -1,13 +1,15 @@
 // The pipeline: polygon -> edges -> spans -> texels -> pixels.
 #pragma once
 
+#include "mapper/kernel.h"
 #include "mapper/polygon.h"
 #include "selvage.h"
 
 namespace selvage::mapper {
 
-// All arguments have passed their checks; `visible` lies within the target or is empty.
-void draw(const selvage_image& target, const selvage_rect& visible, const Polygon& polygon,
-          const selvage_texture& texture, selvage_address address);
+// All arguments have passed their checks; `visible` lies within the target or is empty, and this
+// machine can run the kernel.
+void draw(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
+          selvage_kernel kernel);
 
 }  // namespace selvage::mapper

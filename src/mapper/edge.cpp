@@ -1,5 +1,6 @@
 #include "mapper/edge.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace selvage::mapper {
@@ -43,6 +44,20 @@ void Edge::seek(int32_t row) {
   step_remainder_ = kSubpixels * (dx - step_px_ * height);
 }
 
+// Steps as step() does, but on copies that stay in registers and without a branch: carries come as
+// good as at random.
+void Edge::columns(int32_t row, int32_t end_row, int32_t* first_px) {
+  seek(row);
+  int64_t column_px = first_px_, remainder = remainder_;
+  for (int32_t i = 0; i < end_row - row; ++i) {
+    first_px[i] = static_cast<int32_t>(column_px);
+    remainder += step_remainder_ - divisor_;
+    const int64_t borrow = remainder >> 63;  // -1 where there is no carry
+    remainder += borrow & divisor_;
+    column_px += step_px_ + 1 + borrow;
+  }
+}
+
 EdgePoint Edge::at(int32_t row) const {
   const int64_t height = int64_t{bottom_->y} - top_->y;
   const int64_t below_top = centre_fx8(row) - int64_t{top_->y};
@@ -80,6 +95,16 @@ const Edge& Chain::at_row(int32_t row) {
   }
   row_ = row;
   return edge_;
+}
+
+void Chain::columns(int32_t row, int32_t end_row, int32_t* first_px) {
+  while (row < end_row) {
+    while (row >= edge_.bottom_row()) next_edge();
+    const int32_t stop = std::min(end_row, edge_.bottom_row());
+    edge_.columns(row, stop, first_px);
+    first_px += stop - row;
+    row = stop;
+  }
 }
 
 }  // namespace selvage::mapper

@@ -49,6 +49,9 @@ class Edge {
     }
   }
 
+  // Goes to `row` and writes first_px() for the rows [row, end_row), all of which it crosses.
+  void columns(int32_t row, int32_t end_row, int32_t* first_px);
+
   // The least column whose centre is at or right of the edge: ceil(x - 1/2), at the current row.
   [[nodiscard]] int32_t first_px() const { return static_cast<int32_t>(first_px_); }
 
@@ -72,6 +75,9 @@ class Chain {
   // The edge that crosses `row`, at that row. Rows must rise from call to call and stay within the
   // polygon's; they may jump.
   [[nodiscard]] const Edge& at_row(int32_t row);
+
+  // Edge::first_px() for each of the rows [row, end_row), under the same rule.
+  void columns(int32_t row, int32_t end_row, int32_t* first_px);
 
  private:
   void next_edge();

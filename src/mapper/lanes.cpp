@@ -63,14 +63,15 @@ AffineLanes::AffineLanes(const SpanMap& map, const Span& span)
 // which in units of 2^-32 texel is 12 * 2^(15 + 32 - 53) D_max / D_min, 3/16 of the ratio and a
 // little. q is at most 2^24, so the ratio is at most 2^24 and the denominator never near 0.
 ProjectiveLanes::ProjectiveLanes(const SpanMap& map, const Span& span)
-    : u_start_(static_cast<double>(map.u_numerator(span.left_px)) * kLaneUnit),
-      u_step_(static_cast<double>(map.u_numerator_step()) * kLaneUnit),
-      v_start_(static_cast<double>(map.v_numerator(span.left_px)) * kLaneUnit),
-      v_step_(static_cast<double>(map.v_numerator_step()) * kLaneUnit),
-      denominator_start_(static_cast<double>(map.denominator(span.left_px))),
-      denominator_step_(static_cast<double>(map.denominator_step())) {
+    : u_{static_cast<double>(map.u_numerator(span.left_px)) * kLaneUnit,
+         static_cast<double>(map.u_numerator_step()) * kLaneUnit},
+      v_{static_cast<double>(map.v_numerator(span.left_px)) * kLaneUnit,
+         static_cast<double>(map.v_numerator_step()) * kLaneUnit},
+      denominator_{static_cast<double>(map.denominator(span.left_px)),
+                   static_cast<double>(map.denominator_step())} {
+  const double at_start = denominator_.start;
   const double at_end = static_cast<double>(map.denominator(span.right_px - 1));
-  const double ratio = std::max(denominator_start_, at_end) / std::min(denominator_start_, at_end);
+  const double ratio = std::max(at_start, at_end) / std::min(at_start, at_end);
   error_fx32_ = static_cast<int64_t>(ratio) + kProjectiveTruncations_fx32;
   margin_fx32_ = static_cast<uint32_t>(2 * error_fx32_);
 }

@@ -42,6 +42,26 @@ struct Lane {
   int64_t u_fx32, v_fx32;
 };
 
+// The lanes of all pixels under one affine map: floors of its start and of its steps right and
+// down.
+struct AffineField {
+  int32_t first_px, first_row;  // the pixel of `start`: none lies left of it or above
+  Lane start, step_x, step_y;
+  uint32_t margin_fx32;  // of the lane furthest from the start
+
+  // Modulo 2^64: a product may leave 64 bits where the sum does not.
+  [[nodiscard]] Lane at(int32_t px, int32_t row) const {
+    const auto dx = static_cast<uint64_t>(px - first_px);
+    const auto dy = static_cast<uint64_t>(row - first_row);
+    const auto sum = [&](int64_t from, int64_t right, int64_t down) {
+      return static_cast<int64_t>(static_cast<uint64_t>(from) + dx * static_cast<uint64_t>(right) +
+                                  dy * static_cast<uint64_t>(down));
+    };
+    return {sum(start.u_fx32, step_x.u_fx32, step_y.u_fx32),
+            sum(start.v_fx32, step_x.v_fx32, step_y.v_fx32)};
+  }
+};
+
 // Lanes of a span with constant denominator: start and step are floors, so that a lane is low by
 // less than a unit for each step since the last exact floor.
 class AffineLanes {
@@ -51,6 +71,10 @@ class AffineLanes {
   AffineLanes(Lane start, Lane step, uint32_t margin_fx32)
       : start_(start), step_(step), margin_fx32_(margin_fx32) {}
 
+  // The same lanes, of this span alone.
+  [[nodiscard]] AffineField field(const Span& span) const {
+    return {span.left_px, span.row, start_, step_, {}, margin_fx32_};
+  }
   [[nodiscard]] uint32_t margin_fx32() const { return margin_fx32_; }
   [[nodiscard]] Lane at(int32_t offset_px) const {
     return Lane{start_.u_fx32 + step_.u_fx32 * offset_px, start_.v_fx32 + step_.v_fx32 * offset_px};
@@ -65,19 +89,30 @@ class AffineLanes {
 // bound.
 class ProjectiveLanes {
  public:
+  // value(i) = start + i * step
+  struct Linear {
+    double start, step;
+  };
+
   ProjectiveLanes(const SpanMap& map, const Span& span);
 
   [[nodiscard]] uint32_t margin_fx32() const { return margin_fx32_; }
   [[nodiscard]] Lane at(int32_t offset_px) const {
     const double i = offset_px;
-    const double w = 1.0 / (denominator_start_ + i * denominator_step_);
-    return Lane{static_cast<int64_t>((u_start_ + i * u_step_) * w) - error_fx32_,
-                static_cast<int64_t>((v_start_ + i * v_step_) * w) - error_fx32_};
+    const double w = 1.0 / (denominator_.start + i * denominator_.step);
+    return Lane{static_cast<int64_t>((u_.start + i * u_.step) * w) - error_fx32_,
+                static_cast<int64_t>((v_.start + i * v_.step) * w) - error_fx32_};
   }
 
+  // u is u_numerator() / denominator(), off by less than error_fx32() however it is rounded.
+  [[nodiscard]] const Linear& u_numerator_fx32() const { return u_; }
+  [[nodiscard]] const Linear& v_numerator_fx32() const { return v_; }
+  [[nodiscard]] const Linear& denominator() const { return denominator_; }
+  [[nodiscard]] int64_t error_fx32() const { return error_fx32_; }
+
  private:
-  double u_start_, u_step_, v_start_, v_step_;  // numerators, scaled so that u comes out in fx32
-  double denominator_start_, denominator_step_;
+  Linear u_, v_;  // numerators, scaled so that u comes out in fx32
+  Linear denominator_;
   int64_t error_fx32_;
   uint32_t margin_fx32_;
 };

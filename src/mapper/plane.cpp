@@ -50,12 +50,12 @@ bool Plane::passes_through(const selvage_vertex& vertex) const {
 
 // In fx32, a step of a pixel is 2^16 * 2^8 A / D, and the start is 2^16 (dx A + dy B) / D above the
 // origin's. spec/proofs/plane_estimate.g bounds the error of the estimates.
-bool Plane::set_gradient(const PlaneCoordinate& c, Gradient* gradient) const {
+bool Plane::set_lanes(const PlaneCoordinate& c, int64_t Lane::*axis) {
   const double texel = 65536.0 / static_cast<double>(doubled_area_);
   const double step_x = static_cast<double>(c.along_x) * (texel * kSubpixels);
   const double step_y = static_cast<double>(c.along_y) * (texel * kSubpixels);
-  const int64_t dx = centre_fx8(first_px_) - int64_t{x_fx8_};
-  const int64_t dy = centre_fx8(first_row_) - int64_t{y_fx8_};
+  const int64_t dx = centre_fx8(lanes_.first_px) - int64_t{x_fx8_};
+  const int64_t dy = centre_fx8(lanes_.first_row) - int64_t{y_fx8_};
   const double rise_x = static_cast<double>(dx) * static_cast<double>(c.along_x) * texel;
   const double rise_y = static_cast<double>(dy) * static_cast<double>(c.along_y) * texel;
   if (!(std::abs(step_x) + std::abs(step_y) + std::abs(rise_x) + std::abs(rise_y) <
@@ -65,10 +65,10 @@ bool Plane::set_gradient(const PlaneCoordinate& c, Gradient* gradient) const {
   const auto low = [](int64_t a) { return static_cast<uint64_t>(a); };
   const uint64_t rise = low(dx) * low(c.along_x) + low(dy) * low(c.along_y);
   constexpr int kStepShift = kTexelFraction + kSubpixelBits;
-  gradient->step_x_fx32 = corrected_floor(step_x, low(c.along_x) << kStepShift, doubled_area_);
-  gradient->step_y_fx32 = corrected_floor(step_y, low(c.along_y) << kStepShift, doubled_area_);
-  gradient->start_fx32 = (int64_t{c.origin_fx16} << kTexelFraction) +
-                         corrected_floor(rise_x + rise_y, rise << kTexelFraction, doubled_area_);
+  lanes_.step_x.*axis = corrected_floor(step_x, low(c.along_x) << kStepShift, doubled_area_);
+  lanes_.step_y.*axis = corrected_floor(step_y, low(c.along_y) << kStepShift, doubled_area_);
+  lanes_.start.*axis = (int64_t{c.origin_fx16} << kTexelFraction) +
+                       corrected_floor(rise_x + rise_y, rise << kTexelFraction, doubled_area_);
   return true;
 }
 
@@ -97,27 +97,17 @@ std::optional<Plane> Plane::of(const Polygon& polygon, const selvage_rect& visib
   for (size_t i = 1; vertices.size() > 3 && i < vertices.size(); ++i) {
     if (!plane.passes_through(vertices[i])) return std::nullopt;
   }
-  plane.first_px_ = std::max(visible.left, polygon.left_px);
-  plane.first_row_ = std::max(visible.top, polygon.top_row);
-  if (!plane.set_gradient(plane.u_, &plane.u_gradient_) ||
-      !plane.set_gradient(plane.v_, &plane.v_gradient_)) {
+  AffineField& lanes = plane.lanes_;
+  lanes.first_px = std::max(visible.left, polygon.left_px);
+  lanes.first_row = std::max(visible.top, polygon.top_row);
+  const int32_t end_px = std::min(visible.right, polygon.right_px);
+  const int32_t end_row = std::min(visible.bottom, polygon.bottom_row);
+  const int32_t steps = std::max(end_px - lanes.first_px + end_row - lanes.first_row, 0) + 1;
+  lanes.margin_fx32 = kPlaneErrorPerStep_fx32 * static_cast<uint32_t>(steps);
+  if (!plane.set_lanes(plane.u_, &Lane::u_fx32) || !plane.set_lanes(plane.v_, &Lane::v_fx32)) {
     return std::nullopt;
   }
   return plane;
-}
-
-AffineLanes Plane::lanes(const Span& span) const {
-  const int64_t dx = span.left_px - first_px_, dy = span.row - first_row_;
-  // Modulo 2^64: a product may leave 64 bits where the sum does not.
-  const auto at = [&](const Gradient& g) {
-    return static_cast<int64_t>(static_cast<uint64_t>(g.start_fx32) +
-                                static_cast<uint64_t>(dx) * static_cast<uint64_t>(g.step_x_fx32) +
-                                static_cast<uint64_t>(dy) * static_cast<uint64_t>(g.step_y_fx32));
-  };
-  const auto steps = static_cast<uint32_t>(dx + dy + span.width_px());  // to the last pixel, and 1
-  return {{at(u_gradient_), at(v_gradient_)},
-          {u_gradient_.step_x_fx32, v_gradient_.step_x_fx32},
-          kPlaneErrorPerStep_fx32 * steps};
 }
 
 }  // namespace selvage::mapper

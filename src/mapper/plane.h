@@ -34,40 +34,29 @@ class Plane {
   // is not empty: spans lie within it.
   [[nodiscard]] static std::optional<Plane> of(const Polygon& polygon, const selvage_rect& visible);
 
-  // The lanes of a span of the polygon.
-  [[nodiscard]] AffineLanes lanes(const Span& span) const;
+  // Of all visible pixels of the polygon.
+  [[nodiscard]] const AffineField& lanes() const { return lanes_; }
 
-  // floor u and floor v at a pixel, of which it is known that they are `low_texel` or one more.
-  [[nodiscard]] int32_t u_texel(int32_t px, int32_t row, int32_t low_texel) const {
-    return texel(u_, px, row, low_texel);
-  }
-  [[nodiscard]] int32_t v_texel(int32_t px, int32_t row, int32_t low_texel) const {
-    return texel(v_, px, row, low_texel);
-  }
+  // u = u_numerator / denominator in texels, at the centre of a pixel; steps to the next pixel.
+  [[nodiscard]] int128 u_numerator(int32_t px, int32_t row) const { return numerator(u_, px, row); }
+  [[nodiscard]] int128 v_numerator(int32_t px, int32_t row) const { return numerator(v_, px, row); }
+  [[nodiscard]] int128 u_numerator_step() const { return int128{u_.along_x} * kSubpixels; }
+  [[nodiscard]] int128 v_numerator_step() const { return int128{v_.along_x} * kSubpixels; }
+  [[nodiscard]] int128 denominator() const { return int128{doubled_area_} << kTexelFraction; }
 
  private:
-  // A coordinate in fx32 over the visible pixels: floors, so that a lane is low by less than a unit
-  // for the start and for each step.
-  struct Gradient {
-    int64_t start_fx32, step_x_fx32, step_y_fx32;
-  };
-
   [[nodiscard]] bool passes_through(const selvage_vertex& vertex) const;
-  [[nodiscard]] bool set_gradient(const PlaneCoordinate& coordinate, Gradient* gradient) const;
-  [[nodiscard]] int32_t texel(const PlaneCoordinate& coordinate, int32_t px, int32_t row,
-                              int32_t low_texel) const {
-    const int128 rise = int128{centre_fx8(px) - x_fx8_} * coordinate.along_x +
-                        int128{centre_fx8(row) - y_fx8_} * coordinate.along_y;
-    const int64_t to_next_fx16 =
-        ((int64_t{low_texel} + 1) << kTexelFraction) - coordinate.origin_fx16;
-    return low_texel + (rise >= int128{to_next_fx16} * doubled_area_ ? 1 : 0);
+  // The start and the steps of one coordinate of the lanes.
+  [[nodiscard]] bool set_lanes(const PlaneCoordinate& coordinate, int64_t Lane::*axis);
+  [[nodiscard]] int128 numerator(const PlaneCoordinate& c, int32_t px, int32_t row) const {
+    return int128{c.origin_fx16} * doubled_area_ + int128{centre_fx8(px) - x_fx8_} * c.along_x +
+           int128{centre_fx8(row) - y_fx8_} * c.along_y;
   }
 
-  int32_t x_fx8_ = 0, y_fx8_ = 0;         // of the origin vertex
-  int32_t first_px_ = 0, first_row_ = 0;  // the visible pixel where the gradients start
-  int64_t doubled_area_ = 0;              // D, in (1/256 px)^2: 0 < D < 2^49
+  int32_t x_fx8_ = 0, y_fx8_ = 0;  // of the origin vertex
+  int64_t doubled_area_ = 0;       // D, in (1/256 px)^2: 0 < D < 2^49
   PlaneCoordinate u_{}, v_{};
-  Gradient u_gradient_{}, v_gradient_{};
+  AffineField lanes_{};
 };
 
 }  // namespace selvage::mapper

@@ -65,16 +65,18 @@ selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygo
   if (!is_monotone(vertices)) return SELVAGE_ERROR_NOT_MONOTONE;
 
   *polygon = Polygon{.vertices = vertices};
-  int32_t bottom_fx8 = vertices[0].y, left_fx8 = vertices[0].x;
+  int32_t bottom_fx8 = vertices[0].y, left_fx8 = vertices[0].x, right_fx8 = left_fx8;
   for (size_t i = 1; i < vertices.size(); ++i) {
     if (vertices[i].y < vertices[polygon->top].y) polygon->top = i;
     if (vertices[i].y > bottom_fx8) bottom_fx8 = vertices[i].y;
     if (vertices[i].x < left_fx8) left_fx8 = vertices[i].x;
+    if (vertices[i].x > right_fx8) right_fx8 = vertices[i].x;
     if (vertices[i].q != vertices[0].q) polygon->affine = false;
   }
   polygon->top_row = first_centre_px(vertices[polygon->top].y);
   polygon->bottom_row = first_centre_px(bottom_fx8);
   polygon->left_px = first_centre_px(left_fx8);
+  polygon->right_px = first_centre_px(right_fx8);
   find_shift(polygon);
   return SELVAGE_OK;
 }

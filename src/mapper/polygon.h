@@ -13,10 +13,11 @@ struct Polygon {
   std::span<const selvage_vertex> vertices;
   size_t top = 0;                       // a vertex of least y
   int32_t top_row = 0, bottom_row = 0;  // rows whose centres lie in [least y, greatest y)
-  int32_t left_px = 0;                  // the first column with its centre at or right of some x
-  bool affine = true;                   // all q are equal
-  bool untransformed = false;           // u = x + ds and v = y + dt, ds and dt whole, everywhere
-  int32_t ds = 0, dt = 0;               // texels; of an untransformed polygon
+  // Columns whose centres lie in [least x, greatest x).
+  int32_t left_px = 0, right_px = 0;
+  bool affine = true;          // all q are equal
+  bool untransformed = false;  // u = x + ds and v = y + dt, ds and dt whole, everywhere
+  int32_t ds = 0, dt = 0;      // texels; of an untransformed polygon
 };
 
 // Checks count, ranges and y-monotonicity. On SELVAGE_OK *polygon refers to `vertices`.

@@ -10,7 +10,7 @@ namespace selvage::mapper {
 
 // Columns [left_px, right_px) of a row.
 struct Span {
-  int32_t row = 0, left_px = 0, right_px = 0;
+  int32_t row, left_px, right_px;
 
   [[nodiscard]] bool empty() const { return left_px >= right_px; }
   [[nodiscard]] int32_t width_px() const { return right_px - left_px; }
@@ -46,15 +46,6 @@ class SpanMap {
   [[nodiscard]] int128 denominator_step() const {
     return ((int128{right_.q} * left_.height - int128{left_.q} * right_.height) * kSubpixels)
            << kTexelFraction;
-  }
-
-  // floor u and floor v at a pixel, of which it is known that they are `low_texel` or one more:
-  // decided by one comparison of integers, without a division.
-  [[nodiscard]] int32_t u_texel(int32_t px, int32_t low_texel) const {
-    return low_texel + (u_numerator(px) >= denominator(px) * (low_texel + 1) ? 1 : 0);
-  }
-  [[nodiscard]] int32_t v_texel(int32_t px, int32_t low_texel) const {
-    return low_texel + (v_numerator(px) >= denominator(px) * (low_texel + 1) ? 1 : 0);
   }
 
  private:

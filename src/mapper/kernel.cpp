@@ -1,0 +1,25 @@
+#include "mapper/kernel.h"
+
+#include "mapper/vector_kernel.h"
+
+namespace selvage::mapper {
+
+// Widest first: measured, each is at least as fast as the ones after it.
+inline constexpr selvage_kernel kByPreference[] = {SELVAGE_KERNEL_AVX512, SELVAGE_KERNEL_AVX2,
+                                                   SELVAGE_KERNEL_SSE4, SELVAGE_KERNEL_NEON};
+
+bool is_usable(selvage_kernel kernel) {
+  return kernel == SELVAGE_KERNEL_FASTEST || kernel == SELVAGE_KERNEL_SCALAR ||
+         vector_kernels(kernel) != nullptr;
+}
+
+const Kernels& kernels_for(selvage_kernel kernel, const Surface& surface) {
+  if (kernel == SELVAGE_KERNEL_SCALAR || !fits_vectors(surface)) return scalar_kernels();
+  if (kernel != SELVAGE_KERNEL_FASTEST) return *vector_kernels(kernel);
+  for (const selvage_kernel each : kByPreference) {
+    if (const Kernels* found = vector_kernels(each)) return *found;
+  }
+  return scalar_kernels();
+}
+
+}  // namespace selvage::mapper

@@ -1,0 +1,56 @@
+// The kernels: the inner loops, from lanes to texels to pixels.
+//
+// Plain types only: a kernel may be replaced by any other that writes the same bytes, and all of
+// them do (law SAME).
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "mapper/exact_row.h"
+#include "mapper/lanes.h"
+#include "mapper/span_batch.h"
+#include "selvage.h"
+
+namespace selvage::mapper {
+
+// What is drawn on and from. All has passed its checks; the texture shares no byte with the target.
+struct Surface {
+  selvage_image target;
+  selvage_texture texture;
+  selvage_address address;
+};
+
+// Spans of consecutive rows under one affine map.
+struct AffineSpans {
+  const SpanBatch& batch;
+  AffineField field;
+  ExactMap exact;  // decides near-ties
+};
+
+struct ProjectiveSpan {
+  Span span;
+  ProjectiveLanes lanes;
+};
+
+struct ProjectiveSpans {
+  std::span<const ProjectiveSpan> spans;
+  ExactMap exact;
+};
+
+// Each writes the nearest texels of all pixels of the spans, and returns how many pixels had to be
+// decided exactly.
+struct Kernels {
+  int32_t (*draw_affine)(const AffineSpans& spans, const Surface& surface);
+  int32_t (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
+};
+
+// Any surface.
+[[nodiscard]] const Kernels& scalar_kernels();
+
+// Those of a selvage_kernel that this machine can run; surfaces that a vector kernel cannot address
+// get the scalar ones.
+[[nodiscard]] const Kernels& kernels_for(selvage_kernel kernel, const Surface& surface);
+[[nodiscard]] bool is_usable(selvage_kernel kernel);
+
+}  // namespace selvage::mapper

@@ -1,0 +1,8 @@
+// A build without SIMD (SELVAGE_SIMD=OFF, or no Highway).
+#include "mapper/vector_kernel.h"
+
+namespace selvage::mapper {
+
+const Kernels* vector_kernels(selvage_kernel /*kernel*/) { return nullptr; }
+
+}  // namespace selvage::mapper

@@ -1,0 +1,138 @@
+// What the vector kernels share: address modes, and from places in the texture to pixels.
+// Included once for each SIMD target; Highway's toggle is the guard.
+#if defined(SELVAGE_VECTOR_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_KERNEL_INL_H
+#undef SELVAGE_VECTOR_KERNEL_INL_H
+#else
+#define SELVAGE_VECTOR_KERNEL_INL_H
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstring>
+
+#include "mapper/address.h"
+#include "mapper/kernel.h"
+#include "mapper/vector_kernel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D32 = hn::CappedTag<int32_t, kMostLanes>;
+using V32 = hn::Vec<D32>;
+inline constexpr int32_t kLanes = static_cast<int32_t>(hn::MaxLanes(D32()));
+
+// ---- Address modes: texel indices to indices into the texture ----------------------------------
+
+struct ClampVector {
+  using Scalar = Clamp;
+  template <class V>
+  static HWY_INLINE V index(V texel, int32_t size_texel) {
+    const hn::DFromV<V> d;
+    return hn::Min(hn::Max(texel, hn::Zero(d)), hn::Set(d, size_texel - 1));
+  }
+};
+
+struct WrapMaskedVector {
+  using Scalar = WrapMasked;
+  template <class V>
+  static HWY_INLINE V index(V texel, int32_t size_texel) {
+    return hn::And(texel, hn::Set(hn::DFromV<V>(), size_texel - 1));
+  }
+};
+
+// |texel| <= 2^16: its quotient by a rounded reciprocal is off by one at most.
+struct WrapVector {
+  using Scalar = Wrap;
+  template <class V>
+  static HWY_INLINE V index(V texel, int32_t size_texel) {
+    const hn::DFromV<V> d;
+    const hn::RebindToFloat<decltype(d)> df;
+    const auto reciprocal = hn::Set(df, 1.0F / static_cast<float>(size_texel));
+    const V quotient = hn::ConvertTo(d, hn::Floor(hn::Mul(hn::ConvertTo(df, texel), reciprocal)));
+    const V size = hn::Set(d, size_texel);
+    V rest = hn::Sub(texel, hn::Mul(quotient, size));
+    rest = hn::IfThenElse(hn::Lt(rest, hn::Zero(d)), hn::Add(rest, size), rest);
+    return hn::IfThenElse(hn::Lt(rest, size), rest, hn::Sub(rest, size));
+  }
+};
+
+// Calls draw with the address mode that fits.
+template <class Draw>
+HWY_INLINE int32_t with_address(const Surface& surface, const Draw& draw) {
+  const selvage_texture& texture = surface.texture;
+  if (surface.address == SELVAGE_ADDRESS_CLAMP) return draw(ClampVector());
+  if (WrapMasked::fits(texture.width) && WrapMasked::fits(texture.height)) {
+    return draw(WrapMaskedVector());
+  }
+  return draw(WrapVector());
+}
+
+// Calls draw with a value of the pixel's type.
+template <class Draw>
+HWY_INLINE int32_t with_pixel(selvage_format format, const Draw& draw) {
+  if (format == SELVAGE_RGBA8888) return draw(uint32_t{});
+  return format == SELVAGE_RGB565 ? draw(uint16_t{}) : draw(uint8_t{});
+}
+
+// ---- Texels to pixels --------------------------------------------------------------------------
+
+[[nodiscard]] HWY_INLINE int32_t pitch_texel(const selvage_texture& texture) {
+  return static_cast<int32_t>(texture.pitch / bytes_per_pixel(texture.format));
+}
+
+template <class Pixel>
+[[nodiscard]] HWY_INLINE char* first_pixel(const Surface& surface, const Span& span) {
+  return static_cast<char*>(surface.target.pixels) + span.row * surface.target.pitch +
+         span.left_px * ptrdiff_t{sizeof(Pixel)};
+}
+
+// By scalar loads: gathers were slower where both were measured (AMD Zen).
+template <class Pixel>
+HWY_INLINE void fetch(const void* texels, const int32_t* HWY_RESTRICT place, int32_t count,
+                      char* HWY_RESTRICT pixel) {
+#pragma GCC unroll 4
+  for (int32_t i = 0; i < count; ++i) {
+    std::memcpy(pixel + i * ptrdiff_t{sizeof(Pixel)},
+                static_cast<const char*>(texels) + place[i] * ptrdiff_t{sizeof(Pixel)},
+                sizeof(Pixel));
+  }
+}
+
+// Stores the first pixels of a row up to kNarrow_px wide.
+template <class Pixel>
+HWY_INLINE void store_row(const Pixel* HWY_RESTRICT row, int32_t count, char* HWY_RESTRICT pixel) {
+  const hn::CappedTag<Pixel, kNarrow_px> d;
+  constexpr bool kHasMask =
+      HWY_TARGET <= HWY_AVX3 || (HWY_TARGET == HWY_AVX2 && sizeof(Pixel) == 4);
+  if constexpr (kHasMask) {
+    constexpr int32_t kRow = static_cast<int32_t>(hn::MaxLanes(d));
+    for (int32_t done = 0; done < count; done += kRow) {
+      hn::BlendedStore(hn::LoadU(d, row + done),
+                       hn::FirstN(d, static_cast<size_t>(HWY_MIN(count - done, kRow))), d,
+                       reinterpret_cast<Pixel*>(pixel) + done);
+    }
+  } else {
+    for (int32_t i = 0; i < count; ++i) {
+      std::memcpy(pixel + i * ptrdiff_t{sizeof(Pixel)}, row + i, sizeof(Pixel));
+    }
+  }
+}
+
+// The least significant bits of a mask, a lane each.
+template <class D>
+[[nodiscard]] HWY_INLINE uint32_t lane_bits(D d, hn::Mask<D> mask) {
+  uint8_t bytes[8] = {};
+  hn::StoreMaskBits(d, mask, bytes);
+  uint32_t bits;
+  std::memcpy(&bits, bytes, sizeof bits);
+  return bits;
+}
+
+}  // namespace
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

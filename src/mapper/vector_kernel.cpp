@@ -1,0 +1,53 @@
+// The vector kernels of every SIMD target: Highway includes this file again for each.
+#include "mapper/vector_kernel.h"
+
+// What lies between SSE4, AVX2 and AVX-512 has nothing that these kernels use.
+#define HWY_DISABLED_TARGETS \
+  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "mapper/vector_kernel.cpp"
+#include <hwy/foreach_target.h>
+// after foreach_target.h, which chooses the target
+#include <hwy/highway.h>
+
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#include "mapper/vector_affine_kernel-inl.h"
+#include "mapper/vector_projective_kernel-inl.h"
+
+namespace selvage::mapper::HWY_NAMESPACE {
+constexpr Kernels kKernels = {draw_affine, draw_projective};
+}  // namespace selvage::mapper::HWY_NAMESPACE
+#endif
+
+#if HWY_ONCE
+namespace selvage::mapper {
+
+const Kernels* vector_kernels([[maybe_unused]] selvage_kernel kernel) {
+#if HWY_TARGETS & HWY_SSE4
+  if (kernel == SELVAGE_KERNEL_SSE4 && __builtin_cpu_supports("sse4.2") &&
+      __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("aes")) {
+    return &N_SSE4::kKernels;
+  }
+#endif
+#if HWY_TARGETS & HWY_AVX2
+  if (kernel == SELVAGE_KERNEL_AVX2 && __builtin_cpu_supports("avx2") &&
+      __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2") &&
+      __builtin_cpu_supports("f16c")) {
+    return &N_AVX2::kKernels;
+  }
+#endif
+#if HWY_TARGETS & HWY_AVX3
+  if (kernel == SELVAGE_KERNEL_AVX512 && __builtin_cpu_supports("avx512f") &&
+      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("bmi2")) {
+    return &N_AVX3::kKernels;
+  }
+#endif
+#if HWY_TARGETS & HWY_NEON
+  if (kernel == SELVAGE_KERNEL_NEON) return &N_NEON::kKernels;
+#endif
+  return nullptr;
+}
+
+}  // namespace selvage::mapper
+#endif

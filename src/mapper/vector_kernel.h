@@ -1,0 +1,30 @@
+// The vector kernels' limits, and where their tables are.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "mapper/image.h"
+#include "mapper/kernel.h"
+
+namespace selvage::mapper {
+
+inline constexpr int32_t kMostLanes = 16;  // of 32 bits
+// Spans up to so wide are drawn a batch at a time.
+inline constexpr int32_t kNarrow_px = 16;
+// What lanes of 16.16 lose beside the margin of 32.32 ones: less than a unit by the floor of the
+// anchor, and by that of the step from there.
+inline constexpr int32_t kVectorTruncations_fx16 = 2;
+
+// Places in the texture, in texels from its first, fit 32 bits.
+[[nodiscard]] inline bool fits_vectors(const Surface& surface) {
+  constexpr int64_t kMost = INT32_MAX;
+  const int64_t pitch_texel = surface.texture.pitch / bytes_per_pixel(surface.texture.format);
+  const int64_t stride_texel = pitch_texel < 0 ? -pitch_texel : pitch_texel;
+  return stride_texel <= kMost / surface.texture.height;
+}
+
+// NULL where the build or the machine has no such kernel.
+[[nodiscard]] const Kernels* vector_kernels(selvage_kernel kernel);
+
+}  // namespace selvage::mapper

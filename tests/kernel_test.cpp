@@ -1,0 +1,137 @@
+#include "mapper/kernel.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <vector>
+
+#include "spec/canvas.h"
+#include "spec/generate.h"
+#include "tests/span_support.h"
+
+namespace selvage::mapper {
+namespace {
+
+// Those that this machine can run; the others are reported as untested.
+[[nodiscard]] std::vector<selvage_kernel> usable_kernels() {
+  std::vector<selvage_kernel> usable;
+  for (selvage_kernel each = SELVAGE_KERNEL_SCALAR; each <= SELVAGE_KERNEL_NEON; ++each) {
+    if (is_usable(each)) usable.push_back(each);
+  }
+  return usable;
+}
+
+// A span from x = 1 to x = 5 over u = `first` .. `first` + 4 texels, v = 0.
+[[nodiscard]] SpanMap one_to_one(int32_t first_texel) {
+  const auto at = [](int32_t x_px, int32_t u_texel) {
+    return EdgePoint{.height = 256,
+                     .x = int64_t{x_px} * 256 * 256,
+                     .uq = int128{u_texel} * 65536 * 256,
+                     .vq = 0,
+                     .q = 256};
+  };
+  return {at(1, first_texel), at(5, first_texel + 4)};
+}
+
+template <class Pixel>
+[[nodiscard]] std::vector<Pixel> drawn(selvage_kernel kernel, selvage_format format,
+                                       selvage_address address, int32_t first_texel, bool affine) {
+  const std::vector<Pixel> texels = {10, 11, 12};
+  std::vector<Pixel> row(7, 99);
+  const Surface surface{{row.data(), 7, 1, 7 * sizeof(Pixel), format},
+                        {texels.data(), 3, 1, 3 * sizeof(Pixel), format, 0, nullptr},
+                        address};
+  const SpanMap map = one_to_one(first_texel);
+  const Span span{0, 1, 5};
+  const Kernels& kernels = kernels_for(kernel, surface);
+  if (affine) {
+    const AffineField lanes = AffineLanes(map, span).field(span);
+    kernels.draw_affine({one_span(span), lanes, ExactMap(map)}, surface);
+  } else {
+    const ProjectiveSpan lanes{span, ProjectiveLanes(map, span)};
+    kernels.draw_projective({{&lanes, 1}, ExactMap(map)}, surface);
+  }
+  return row;
+}
+
+template <class Pixel>
+void expect_rows(selvage_kernel kernel, selvage_format format) {
+  using Row = std::vector<Pixel>;
+  for (const bool affine : {false, true}) {
+    const auto row = [&](selvage_address address, int32_t first_texel) {
+      return drawn<Pixel>(kernel, format, address, first_texel, affine);
+    };
+    EXPECT_EQ(row(SELVAGE_ADDRESS_CLAMP, -1), (Row{99, 10, 10, 11, 12, 99, 99}));
+    EXPECT_EQ(row(SELVAGE_ADDRESS_CLAMP, 0), (Row{99, 10, 11, 12, 12, 99, 99}));
+    EXPECT_EQ(row(SELVAGE_ADDRESS_WRAP, -1), (Row{99, 12, 10, 11, 12, 99, 99}));
+    EXPECT_EQ(row(SELVAGE_ADDRESS_WRAP, -302), (Row{99, 11, 12, 10, 11, 99, 99}));
+  }
+}
+
+TEST(Kernel, WritesItsSpanAndNothingElse) {
+  for (const selvage_kernel kernel : usable_kernels()) {
+    SCOPED_TRACE(kernel);
+    expect_rows<uint8_t>(kernel, SELVAGE_INDEX8);
+    expect_rows<uint16_t>(kernel, SELVAGE_RGB565);
+    expect_rows<uint32_t>(kernel, SELVAGE_RGBA8888);
+  }
+}
+
+[[nodiscard]] spec::Canvas drawn(const spec::Case& c, selvage_kernel kernel) {
+  spec::Canvas texture(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
+                       c.flip_texture, 0xEE);
+  for (int32_t t = 0; t < c.texture_height_texel; ++t) {
+    for (int32_t s = 0; s < c.texture_width_texel; ++s) {
+      texture.set_pixel(s, t, static_cast<uint32_t>(s * 40503 + t * 7919));
+    }
+  }
+  spec::Canvas target(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target,
+                      0x11);
+  const selvage_image image = target.image();
+  const selvage_texture view = texture.texture();
+  const selvage_options options{c.profile, SELVAGE_FILTER_NEAREST, c.address, 0, kernel};
+  const selvage_status status = selvage_draw(&image, c.has_clip ? &c.clip : nullptr,
+                                             c.vertices.data(), c.vertices.size(), &view, &options);
+  EXPECT_NE(status, SELVAGE_ERROR_KERNEL);
+  return target;
+}
+
+TEST(Kernel, DrawsWhatTheScalarOneDraws) {
+  for (uint64_t seed = 1; seed <= 20000; ++seed) {
+    const spec::Case c = spec::generate(seed);
+    const spec::Canvas scalar = drawn(c, SELVAGE_KERNEL_SCALAR);
+    for (const selvage_kernel kernel : usable_kernels()) {
+      ASSERT_TRUE(drawn(c, kernel) == scalar) << "kernel " << kernel << ", seed " << seed << "\n"
+                                              << spec::print(c);
+    }
+  }
+}
+
+// What the 32-bit places of the vector kernels cannot reach is drawn all the same.
+TEST(Kernel, AddressesATextureOfAnyPitch) {
+  const std::vector<uint8_t> texels = {10, 11, 12};
+  std::vector<uint8_t> row(7, 99);
+  const Surface far{{row.data(), 7, 1, 7, SELVAGE_INDEX8},
+                    {texels.data(), 3, 1, ptrdiff_t{1} << 40, SELVAGE_INDEX8, 0, nullptr},
+                    SELVAGE_ADDRESS_CLAMP};
+  const Surface near{
+      far.target, {texels.data(), 3, 1, 3, SELVAGE_INDEX8, 0, nullptr}, SELVAGE_ADDRESS_CLAMP};
+  EXPECT_EQ(&kernels_for(SELVAGE_KERNEL_FASTEST, far), &scalar_kernels());
+  for (const selvage_kernel kernel : usable_kernels()) {
+    EXPECT_EQ(&kernels_for(kernel, far), &scalar_kernels());
+    EXPECT_EQ(&kernels_for(kernel, near) == &scalar_kernels(), kernel == SELVAGE_KERNEL_SCALAR);
+  }
+}
+
+TEST(Kernel, OnlyTheFastestAndTheScalarOneAreEverywhere) {
+  EXPECT_TRUE(is_usable(SELVAGE_KERNEL_FASTEST));
+  EXPECT_TRUE(is_usable(SELVAGE_KERNEL_SCALAR));
+  EXPECT_FALSE(is_usable(SELVAGE_KERNEL_NEON + 1));
+  EXPECT_FALSE(is_usable(-1));
+  for (selvage_kernel each = SELVAGE_KERNEL_SSE4; each <= SELVAGE_KERNEL_NEON; ++each) {
+    if (!is_usable(each)) std::printf("untested on this machine: kernel %d\n", each);
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper
