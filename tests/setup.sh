@@ -25,6 +25,8 @@ declare -A selvage_groups=(
   [coverage]="clang-19 libclang-rt-19-dev llvm-19 lcov"
   [format]="clang-format"
   [reports]="xplanet-images gnuplot-nox libbenchmark-dev"
+  [peers]="qt6-base-dev liballegro4-dev libosmesa6-dev libsdl2-dev libpixman-1-dev libcairo2-dev
+           libagg-dev"
 )
 
 # selvage_fail STATUS MESSAGE: says the message on stderr and leaves.

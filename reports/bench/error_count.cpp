@@ -12,6 +12,14 @@ double distance_from(double u, int32_t s) {
   return std::max({static_cast<double>(s) - u, u - static_cast<double>(s + 1), 0.0});
 }
 
+// What the pixel tells in the carried bits, completed to the place nearest to the expected one.
+uint32_t completed(uint32_t drawn, uint32_t expected, uint32_t carried_bits) {
+  const auto rows = static_cast<int32_t>(carried_bits >> 16);  // lower bits: t modulo rows + 1
+  int32_t distance = (row_of(drawn) - row_of(expected)) & rows;
+  if (distance > rows / 2) distance -= rows + 1;
+  return place_of(column_of(drawn), row_of(expected) + distance);
+}
+
 void count_texel(ErrorCount& count, const ModelPixel& expected, uint32_t drawn, bool nearest) {
   ++count.compared_px;
   if (drawn == expected.colour) return;
@@ -29,7 +37,7 @@ void count_texel(ErrorCount& count, const ModelPixel& expected, uint32_t drawn, 
 }  // namespace
 
 ErrorCount count_errors(const ModelRows& model, const Target& drawn, bool textures,
-                        selvage_filter filter) {
+                        selvage_filter filter, uint32_t carried_bits) {
   ErrorCount count;
   for (size_t r = 0; r < model.rows_px.size(); ++r) {
     const uint32_t* row = drawn.row(model.rows_px[r]);
@@ -41,7 +49,8 @@ ErrorCount count_errors(const ModelRows& model, const Target& drawn, bool textur
       count.missing_px += covered && !seen;
       count.extra_px += seen && !covered;
       if (textures && covered && seen)
-        count_texel(count, expected, row[x], filter == SELVAGE_FILTER_NEAREST);
+        count_texel(count, expected, completed(row[x], expected.colour, carried_bits),
+                    filter == SELVAGE_FILTER_NEAREST);
     }
   }
   return count;

@@ -32,8 +32,10 @@ struct ErrorCount {
   }
 };
 
-// With textures false, texels are not compared. Leaves double_px alone.
+// With textures false, texels are not compared; else in the bits that the subject carries. Where
+// these leave out upper bits of t, a texel is the nearest to the exact one of those that the pixel
+// may mean. Leaves double_px alone.
 [[nodiscard]] ErrorCount count_errors(const ModelRows& model, const Target& drawn, bool textures,
-                                      selvage_filter filter);
+                                      selvage_filter filter, uint32_t carried_bits = 0xFFFFFFFF);
 
 }  // namespace selvage::reports

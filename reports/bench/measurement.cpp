@@ -68,7 +68,8 @@ struct Judge {
   [[nodiscard]] ErrorCount judged(const Subject& subject) const {
     std::fill(target.pixels.begin(), target.pixels.end(), kUntouched);
     subject.prepare(load, texture, target)();
-    ErrorCount errors = count_errors(model, target, subject.textures, load.filter);
+    ErrorCount errors =
+        count_errors(model, target, subject.textures, load.filter, subject.carried_bits);
     if (load.polygons.size() > 1)
       errors.double_px = count_double(subject, classes, texture, model.rows_px, target);
     return errors;

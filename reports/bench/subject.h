@@ -1,6 +1,7 @@
 // A mapper under measurement: something that draws a workload into a target.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -14,12 +15,15 @@ namespace selvage::reports {
 struct Subject {
   std::string id;  // short, for the table's columns and the plots
   std::string title;
-  std::string configuration;    // what exactly is timed
-  bool textures = true;         // false: draws no texels, so only its pixels are judged
-  bool reference = false;       // must agree with the exact model or nothing is timed
-  bool judged = true;           // false: a limit that draws no picture, so nothing is judged
-  bool bilinear = false;        // can draw workloads whose filter is kBilinear; others are refused
-  bool threads = false;         // draws with several: timed by the clock, not by processor time
+  std::string configuration;  // what exactly is timed
+  bool textures = true;       // false: draws no texels, so only its pixels are judged
+  bool reference = false;     // must agree with the exact model or nothing is timed
+  bool judged = true;         // false: a limit that draws no picture, so nothing is judged
+  bool bilinear = false;      // can draw workloads whose filter is kBilinear; others are refused
+  bool threads = false;       // draws with several: timed by the clock, not by processor time
+  // The bits of a texel that reach the target unchanged, s and the lower bits of t; the others are
+  // not compared. A pixel format without a fourth channel carries 24.
+  uint32_t carried_bits = 0xFFFFFFFF;
   double tolerance_texel = 0;   // a reference's texels may lie this far from the exact (u, v)
   std::string group = "peers";  // "ours", "historic", "usual", "peers", "limits": colour in plots
 

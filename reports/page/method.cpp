@@ -71,8 +71,14 @@ std::string limits() {
           element(
               "li",
               "Everything runs on one core. The mapper and the arithmetics beside it are compiled "
-              "for the baseline of the architecture; OpenCV chooses its SIMD code at run "
+              "for the baseline of the architecture, and so is AGG, which is all headers; the "
+              "other "
+              "peers are the distribution's libraries, most of which choose their SIMD code at run "
               "time.") +
+          element(
+              "li",
+              "pixman and AGG are asked for pixels of 24 bits in 32, the only ones that they copy "
+              "without a look at alpha: of their texels t is compared modulo 256.") +
           element(
               "li",
               "OpenCV warps rectangles: it walks the whole bounding box, and which pixels it "
