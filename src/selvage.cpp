@@ -35,6 +35,13 @@ namespace {
              : SELVAGE_OK;
 }
 
+// The historic profiles read rows themselves.
+[[nodiscard]] selvage_status check_layout(selvage_profile profile, selvage_layout layout) {
+  return profile != SELVAGE_PROFILE_EXACT && layout != SELVAGE_LAYOUT_ROWS
+             ? SELVAGE_ERROR_LAYOUT_PROFILE
+             : SELVAGE_OK;
+}
+
 // The arguments have passed every check.
 void draw_by_profile(const selvage_image& target, const selvage_rect& visible,
                      const selvage::mapper::Polygon& polygon, const selvage_texture& texture,
@@ -68,6 +75,7 @@ selvage_status selvage_draw(const selvage_image* target, const selvage_rect* cli
   if (status == SELVAGE_OK) status = check_texture(texture);
   if (status == SELVAGE_OK) status = check_pair(*target, *texture);
   if (status == SELVAGE_OK) status = check_filter(chosen.filter, target->format);
+  if (status == SELVAGE_OK) status = check_layout(chosen.profile, texture->layout);
   if (status == SELVAGE_OK) status = check_vertices(*target, vertices, count);
   if (status != SELVAGE_OK) return status;
 

@@ -68,7 +68,13 @@ typedef struct selvage_image {
 
 typedef int32_t selvage_layout;
 enum {
-  SELVAGE_LAYOUT_ROWS = 0 /* plain rows, as in selvage_image; no other layout exists yet */
+  SELVAGE_LAYOUT_ROWS = 0, /* plain rows, as in selvage_image */
+  SELVAGE_LAYOUT_TILES = 1 /* tiles of 4 x 4 texels: the 16 of a tile follow each other row by row,
+                              the tiles of a row of tiles too; pitch is from a row of tiles to the
+                              next one down. Texels and pitch are multiples of a tile, the pitch is
+                              positive and at least a row of tiles: as many as hold width texels,
+                              and as many rows of them as hold height. Texels that a tile has
+                              beyond width or height are never read. */
 };
 
 typedef struct selvage_texture {
@@ -77,7 +83,7 @@ typedef struct selvage_texture {
   ptrdiff_t pitch;       /* bytes */
   selvage_format format;
   selvage_layout layout;
-  const void* prepared; /* reserved for prepared layouts: NULL */
+  const void* prepared; /* NULL, or the sums that selvage_prepare put behind the texels */
 } selvage_texture;
 
 /* Half-open: columns [left, right), rows [top, bottom), px. Empty where left >= right or
@@ -113,7 +119,8 @@ enum {
   SELVAGE_FILTER_BILINEAR = 2, /* these four, weighed by the distance in steps of 1/256 texel */
   SELVAGE_FILTER_AREA = 3      /* the mean of a box as large as a pixel is in the texture, and at
                                   least a texel: bilinear where nothing is minified. Time is then
-                                  proportional to the texels of the texture under the boxes */
+                                  proportional to the texels of the texture under the boxes,
+                                  unless the texture has sums (selvage_prepare) */
 };
 
 typedef int32_t selvage_address;
@@ -156,9 +163,10 @@ enum {
   SELVAGE_ERROR_TEXTURE_NULL,      /* texture or texture->texels is NULL */
   SELVAGE_ERROR_TEXTURE_FORMAT,    /* not a selvage_format */
   SELVAGE_ERROR_TEXTURE_SIZE,      /* width or height below 1 */
-  SELVAGE_ERROR_TEXTURE_PITCH,     /* as for the target */
-  SELVAGE_ERROR_TEXTURE_ALIGNMENT, /* texels is not aligned to a texel's size */
-  SELVAGE_ERROR_TEXTURE_LAYOUT,    /* layout is not SELVAGE_LAYOUT_ROWS or prepared is not NULL */
+  SELVAGE_ERROR_TEXTURE_LAYOUT,    /* not a selvage_layout */
+  SELVAGE_ERROR_TEXTURE_PITCH,     /* as for the target; for tiles as their layout says */
+  SELVAGE_ERROR_TEXTURE_ALIGNMENT, /* texels is not aligned to a texel's size, or a tile's */
+  SELVAGE_ERROR_TEXTURE_PREPARED,  /* prepared is neither NULL nor as selvage_prepare leaves it */
   SELVAGE_ERROR_FORMAT_MISMATCH,   /* target and texture formats differ */
   SELVAGE_ERROR_OVERLAP,           /* the texture or the vertices share memory with the target */
   SELVAGE_ERROR_VERTICES_NULL,     /* vertices is NULL */
@@ -172,6 +180,7 @@ enum {
   SELVAGE_ERROR_FILTER,            /* not a selvage_filter */
   SELVAGE_ERROR_FILTER_PROFILE,    /* historic profiles: a filter other than nearest */
   SELVAGE_ERROR_FILTER_FORMAT,     /* a filter other than nearest, and not RGBA8888 */
+  SELVAGE_ERROR_LAYOUT_PROFILE,    /* historic profiles: a layout other than rows */
   SELVAGE_ERROR_ADDRESS,           /* not a selvage_address */
   SELVAGE_ERROR_TOLERANCE,         /* negative */
   SELVAGE_ERROR_KERNEL,            /* not a selvage_kernel, or not one for this machine */
@@ -184,6 +193,14 @@ enum {
   SELVAGE_ERROR_FIT_COUNT,         /* selvage_fit: neither 3 nor 4 corners */
   SELVAGE_ERROR_FIT_DOUBLED,       /* selvage_fit: the doubled corner is not one of the three */
   SELVAGE_ERROR_FIT_SIZE,          /* selvage_fit: width or height outside [1, 32767] texels */
+  SELVAGE_ERROR_PREPARE_NULL,      /* selvage_prepare: memory or prepared is NULL */
+  SELVAGE_ERROR_PREPARE_LAYOUT,    /* selvage_prepare: not a selvage_layout */
+  SELVAGE_ERROR_PREPARE_SUMS,      /* selvage_prepare: sums wanted, and not RGBA8888 */
+  SELVAGE_ERROR_PREPARE_ALIGNMENT, /* selvage_prepare: memory is no multiple of
+                                      SELVAGE_PREPARED_ALIGNMENT */
+  SELVAGE_ERROR_PREPARE_SIZE,      /* selvage_prepare: bytes is below selvage_prepare_bytes */
+  SELVAGE_ERROR_PREPARE_OVERLAP,   /* selvage_prepare: memory shares bytes with the source, its
+                                      descriptor or *prepared */
   SELVAGE_STATUS_COUNT
 };
 
@@ -210,6 +227,35 @@ SELVAGE_API selvage_status selvage_draw(const selvage_image* target, const selva
                                         const selvage_vertex* vertices, size_t count,
                                         const selvage_texture* texture,
                                         const selvage_options* options);
+
+/* Copies a texture into the caller's memory, so laid out that drawing from it is fast. The picture is
+ * the same, byte for byte, whatever the layout.
+ *
+ * Rows whose pitch is a large power of two, or a multiple of one, are slow to walk down: the texels of
+ * a column fall into few places of a cache, and push each other out.
+ *   rows   SELVAGE_LAYOUT_ROWS copies to rows with a better pitch;
+ *   tiles  SELVAGE_LAYOUT_TILES has neighbours above and below in the same cache line: of all
+ *          layouts the one that minds the direction least. Rows are faster where u runs along x.
+ *   sums   let SELVAGE_FILTER_AREA look up a box of texels instead of visiting them. 16 bytes a texel.
+ *
+ * source     any texture that selvage_draw takes; its texels, not its sums, are copied
+ * with_sums  not 0: with sums, which are for RGBA8888
+ * memory     at a multiple of SELVAGE_PREPARED_ALIGNMENT; stays the caller's, and must stay as it is
+ *            while *prepared is drawn from
+ * bytes      at least selvage_prepare_bytes. What lies beyond that, and between texels, is not
+ *            written
+ * prepared   the texture to draw from; may be the same as source
+ *
+ * Checked are source, layout, with_sums, memory, in this order. On an error nothing is written. */
+enum { SELVAGE_PREPARED_ALIGNMENT = 64 };
+SELVAGE_API selvage_status selvage_prepare(const selvage_texture* source, selvage_layout layout,
+                                           int32_t with_sums, void* memory, size_t bytes,
+                                           selvage_texture* prepared);
+
+/* The memory that selvage_prepare needs; SIZE_MAX where it would refuse whatever the memory, or no
+ * memory is large enough. May differ between versions of the library. */
+SELVAGE_API size_t selvage_prepare_bytes(const selvage_texture* source, selvage_layout layout,
+                                         int32_t with_sums);
 
 /* Rounds to the nearest vertex of the grid, halves upward.
  *

@@ -6,6 +6,7 @@
 
 #include "mapper/address.h"
 #include "mapper/image.h"
+#include "mapper/layout.h"
 
 namespace selvage::mapper {
 namespace {
@@ -30,13 +31,15 @@ void repeat(const char* source, size_t unit, size_t total, char* pixels) {
 void copy_row(const selvage_texture& texture, selvage_address address, int32_t s, int32_t t,
               int32_t width_px, char* pixels) {
   const auto unit = static_cast<size_t>(bytes_per_pixel(texture.format));
-  const char* row =
-      static_cast<const char*>(texture.texels) + index(t, texture.height, address) * texture.pitch;
+  const char* const texels = static_cast<const char*>(texture.texels);
+  const int32_t row = index(t, texture.height, address);
   while (width_px > 0) {
     const int32_t column = index(s, texture.width, address);
-    const char* source = row + static_cast<size_t>(column) * unit;
+    const char* source = texels + texel_offset(texture, column, row);
     const bool clamped = column != s && address == SELVAGE_ADDRESS_CLAMP;
-    const int32_t run_px = !clamped ? texture.width - column : s < 0 ? -s : width_px;
+    const int32_t run_px = !clamped ? run_texel(texture.layout, column, texture.width)
+                           : s < 0  ? -s
+                                    : width_px;
     const int32_t piece_px = std::min(run_px, width_px);
     const size_t bytes = static_cast<size_t>(piece_px) * unit;
     if (clamped) {

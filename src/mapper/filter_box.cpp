@@ -4,6 +4,8 @@
 #include <cstddef>
 
 #include "mapper/channels.h"
+#include "mapper/layout.h"
+#include "mapper/sums.h"
 
 namespace selvage::mapper {
 namespace {
@@ -75,15 +77,57 @@ class Runs {
 // A row of texels, each as often as a side of a box covers it. A side is at most 2^24, so 32 bits
 // hold a channel's sum.
 static_assert(uint64_t{255} * kMostSide_fx8 <= UINT32_MAX);
+template <class Layout>
 [[nodiscard]] Channels row_sum(const char* row, const Runs& columns) {
   Channels total;
   for (const Run& run : columns) {
-    const char* texel = row + ptrdiff_t{run.first} * kPixelBytes;
     Channels sum;
-    for (int32_t i = 0; i < run.count; ++i, texel += kPixelBytes) {
-      sum = sum + Channels::of(load_texel(texel));
+    for (int32_t s = run.first; s < run.first + run.count; ++s) {
+      sum = sum + Channels::of(load_texel(row + Layout::column(s) * kPixelBytes));
     }
     total = total + sum * static_cast<uint32_t>(run.weight_fx8);
+  }
+  return total;
+}
+
+template <class Layout>
+[[nodiscard]] BoxSum visit(const selvage_texture& texture, const Runs& columns, const Runs& rows) {
+  const char* const texels = static_cast<const char*>(texture.texels);
+  const ptrdiff_t pitch_texel = texture.pitch / kPixelBytes;
+  BoxSum total{};
+  for (const Run& run : rows) {
+    const auto weight = static_cast<uint64_t>(run.weight_fx8);
+    for (int32_t t = run.first; t < run.first + run.count; ++t) {
+      const Channels sum =
+          row_sum<Layout>(texels + Layout::row(t, pitch_texel) * kPixelBytes, columns);
+      total[0] += weight * (sum.even & UINT32_MAX);
+      total[1] += weight * (sum.odd & UINT32_MAX);
+      total[2] += weight * (sum.even >> 32);
+      total[3] += weight * (sum.odd >> 32);
+    }
+  }
+  return total;
+}
+
+// The same out of sums, a rectangle of equal weights at a time. Rectangles of more than kMostSummed
+// texels are cut into strips.
+[[nodiscard]] BoxSum look_up(const Sums& sums, const Runs& columns, const Runs& rows) {
+  int32_t widest = 1;
+  for (const Run& run : columns) widest = std::max(widest, run.count);
+  static_assert(kMostSummed >= kMostSide_fx8 / kTexel_fx8, "a strip has a row");
+  const auto strip = static_cast<int32_t>(kMostSummed / widest);
+  BoxSum total{};
+  for (const Run& run : rows) {
+    for (int32_t t = run.first, left = run.count; left > 0; t += strip, left -= strip) {
+      const int32_t bottom = t + std::min(left, strip);
+      for (const Run& column : columns) {
+        const ChannelSums sum =
+            sums.over({column.first, t, column.first + column.count, bottom});
+        const auto weight =
+            static_cast<uint64_t>(column.weight_fx8) * static_cast<uint64_t>(run.weight_fx8);
+        for (size_t i = 0; i < total.size(); ++i) total[i] += weight * sum[i];
+      }
+    }
   }
   return total;
 }
@@ -93,19 +137,10 @@ static_assert(uint64_t{255} * kMostSide_fx8 <= UINT32_MAX);
 BoxSum box_sum(const selvage_texture& texture, selvage_address address, const Box& box) {
   const Runs columns(box.left_fx8, box.width_fx8, texture.width, address);
   const Runs rows(box.top_fx8, box.height_fx8, texture.height, address);
-  BoxSum total{};
-  for (const Run& run : rows) {
-    const auto weight = static_cast<uint64_t>(run.weight_fx8);
-    for (int32_t t = run.first; t < run.first + run.count; ++t) {
-      const Channels sum =
-          row_sum(static_cast<const char*>(texture.texels) + t * texture.pitch, columns);
-      total[0] += weight * (sum.even & UINT32_MAX);
-      total[1] += weight * (sum.odd & UINT32_MAX);
-      total[2] += weight * (sum.even >> 32);
-      total[3] += weight * (sum.odd >> 32);
-    }
-  }
-  return total;
+  if (texture.prepared != nullptr) return look_up(Sums(texture), columns, rows);
+  return with_layout(texture.layout, [&](auto layout) {
+    return visit<decltype(layout)>(texture, columns, rows);
+  });
 }
 
 uint32_t box_mean(const selvage_texture& texture, selvage_address address, const Box& box) {

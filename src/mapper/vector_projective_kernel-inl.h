@@ -26,9 +26,7 @@ class ProjectiveRow {
   HWY_INLINE ProjectiveRow(const ProjectiveSpan& each, const ExactMap& map, const Surface& surface)
       : exact_(map),
         span_(each.span),
-        width_texel_(surface.texture.width),
-        height_texel_(surface.texture.height),
-        pitch_texel_(pitch_texel(surface.texture)),
+        extent_(extent_of(surface.texture)),
         u_(in_texels(each.lanes.u_numerator_fx32())),
         v_(in_texels(each.lanes.v_numerator_fx32())),
         denominator_(each.lanes.denominator()),
@@ -82,14 +80,12 @@ class ProjectiveRow {
 
   HWY_INLINE void store_places(hn::Vec<DHalf> s, hn::Vec<DHalf> t,
                                int32_t* HWY_RESTRICT place) const {
-    const DHalf d;
-    const auto row = hn::Mul(Address::index(t, height_texel_), hn::Set(d, pitch_texel_));
-    hn::StoreU(hn::Add(row, Address::index(s, width_texel_)), d, place);
+    hn::StoreU(Address::place(s, t, extent_), DHalf(), place);
   }
 
   const ExactMap& exact_;
   const Span& span_;
-  int32_t width_texel_, height_texel_, pitch_texel_;
+  Extent extent_;
   Linear u_, v_, denominator_;
   double error_texel_;
 };
