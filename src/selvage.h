@@ -228,23 +228,22 @@ SELVAGE_API selvage_status selvage_draw(const selvage_image* target, const selva
                                         const selvage_texture* texture,
                                         const selvage_options* options);
 
-/* Copies a texture into the caller's memory, so laid out that drawing from it is fast. The picture is
- * the same, byte for byte, whatever the layout.
+/* Copies a texture into the caller's memory, so laid out that drawing from it is fast. The picture
+ * is the same, byte for byte, whatever the layout.
  *
- * Rows whose pitch is a large power of two, or a multiple of one, are slow to walk down: the texels of
- * a column fall into few places of a cache, and push each other out.
- *   rows   SELVAGE_LAYOUT_ROWS copies to rows with a better pitch;
- *   tiles  SELVAGE_LAYOUT_TILES has neighbours above and below in the same cache line: of all
- *          layouts the one that minds the direction least. Rows are faster where u runs along x.
- *   sums   let SELVAGE_FILTER_AREA look up a box of texels instead of visiting them. 16 bytes a texel.
+ * Rows whose pitch is a large power of two, or a multiple of one, are slow to walk down: the texels
+ * of a column fall into few places of a cache, and push each other out. rows   SELVAGE_LAYOUT_ROWS
+ * copies to rows with a better pitch; tiles  SELVAGE_LAYOUT_TILES has neighbours above and below in
+ * the same cache line: of all layouts the one that minds the direction least. Rows are faster where
+ * u runs along x. sums   let SELVAGE_FILTER_AREA look up a box of texels instead of visiting them.
+ * 16 bytes a texel.
  *
  * source     any texture that selvage_draw takes; its texels, not its sums, are copied
  * with_sums  not 0: with sums, which are for RGBA8888
- * memory     at a multiple of SELVAGE_PREPARED_ALIGNMENT; stays the caller's, and must stay as it is
- *            while *prepared is drawn from
- * bytes      at least selvage_prepare_bytes. What lies beyond that, and between texels, is not
- *            written
- * prepared   the texture to draw from; may be the same as source
+ * memory     at a multiple of SELVAGE_PREPARED_ALIGNMENT; stays the caller's, and must stay as it
+ * is while *prepared is drawn from bytes      at least selvage_prepare_bytes. What lies beyond
+ * that, and between texels, is not written prepared   the texture to draw from; may be the same as
+ * source
  *
  * Checked are source, layout, with_sums, memory, in this order. On an error nothing is written. */
 enum { SELVAGE_PREPARED_ALIGNMENT = 64 };

@@ -101,7 +101,8 @@ const char* selvage_status_text(selvage_status status) {
     case SELVAGE_ERROR_PREPARE_SIZE:
       return "the memory is too small; it must hold what selvage_prepare_bytes says";
     case SELVAGE_ERROR_PREPARE_OVERLAP:
-      return "the memory shares bytes with the source, its descriptor or the prepared one; they must "
+      return "the memory shares bytes with the source, its descriptor or the prepared one; they "
+             "must "
              "lie apart";
     default:
       return "unknown status";

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "mapper/area_draw.h"
 #include "mapper/copy_row.h"
-#include "mapper/filter_draw.h"
 #include "mapper/image.h"
 #include "mapper/kernel.h"
 #include "mapper/plane.h"
@@ -65,8 +65,8 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
     return;
   }
   if (is_copy(polygon, filter)) return draw_copies(polygon, visible, surface);
-  if (filter != SELVAGE_FILTER_NEAREST) return draw_filtered(surface, visible, polygon, filter);
-  const Kernels& kernels = kernels_for(kernel, surface, polygon);
+  if (filter == SELVAGE_FILTER_AREA) return draw_area(surface, visible, polygon);
+  const Kernels& kernels = kernels_for(kernel, filter, surface, polygon);
   if (const std::optional<Plane> plane = Plane::of(polygon, visible)) {
     return draw_plane(*plane, polygon, visible, surface, kernels);
   }

@@ -52,7 +52,8 @@ struct Bilinear {
 };
 
 template <class Mix, class Address, class Layout>
-void blend_laid_out(std::span<const FilterPoint> points, const selvage_texture texture, char* pixel) {
+void blend_laid_out(std::span<const FilterPoint> points, const selvage_texture texture,
+                    char* pixel) {
   for (const FilterPoint point : points) {
     store_pixel(pixel, Mix::mix(texels_around<Address, Layout>(point, texture), point));
     pixel += kPixelBytes;

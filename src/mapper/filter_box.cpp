@@ -121,8 +121,7 @@ template <class Layout>
     for (int32_t t = run.first, left = run.count; left > 0; t += strip, left -= strip) {
       const int32_t bottom = t + std::min(left, strip);
       for (const Run& column : columns) {
-        const ChannelSums sum =
-            sums.over({column.first, t, column.first + column.count, bottom});
+        const ChannelSums sum = sums.over({column.first, t, column.first + column.count, bottom});
         const auto weight =
             static_cast<uint64_t>(column.weight_fx8) * static_cast<uint64_t>(run.weight_fx8);
         for (size_t i = 0; i < total.size(); ++i) total[i] += weight * sum[i];
@@ -138,9 +137,8 @@ BoxSum box_sum(const selvage_texture& texture, selvage_address address, const Bo
   const Runs columns(box.left_fx8, box.width_fx8, texture.width, address);
   const Runs rows(box.top_fx8, box.height_fx8, texture.height, address);
   if (texture.prepared != nullptr) return look_up(Sums(texture), columns, rows);
-  return with_layout(texture.layout, [&](auto layout) {
-    return visit<decltype(layout)>(texture, columns, rows);
-  });
+  return with_layout(texture.layout,
+                     [&](auto layout) { return visit<decltype(layout)>(texture, columns, rows); });
 }
 
 uint32_t box_mean(const selvage_texture& texture, selvage_address address, const Box& box) {

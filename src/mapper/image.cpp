@@ -32,10 +32,6 @@ struct Footprint {
   return Footprint{first, static_cast<uintptr_t>(size.row_bytes), stride, rows};
 }
 
-[[nodiscard]] RowsOfBytes rows_of_bytes(const selvage_image& image) {
-  return rows_of_bytes(SELVAGE_LAYOUT_ROWS, image.format, image.width, image.height);
-}
-
 [[nodiscard]] Footprint footprint(const selvage_image& image) {
   return footprint(image.pixels, rows_of_bytes(image), image.pitch);
 }
@@ -95,6 +91,10 @@ Memory memory_of(const selvage_texture& texture) {
   return {texels.begin, memory_of_sums(texture).end};
 }
 
+RowsOfBytes rows_of_bytes(const selvage_image& image) {
+  return rows_of_bytes(SELVAGE_LAYOUT_ROWS, image.format, image.width, image.height);
+}
+
 RowsOfBytes rows_of_bytes(const selvage_texture& texture) {
   return rows_of_bytes(texture.layout, texture.format, texture.width, texture.height);
 }
@@ -135,8 +135,7 @@ selvage_status check_pair(const selvage_image& target, const selvage_texture& te
   if (target.format != texture.format) return SELVAGE_ERROR_FORMAT_MISMATCH;
   const Footprint a = footprint(target), b = footprint(texture);
   if (a.memory().meets(b.memory()) && !interleave(a, b)) return SELVAGE_ERROR_OVERLAP;
-  const bool sums_meet =
-      texture.prepared != nullptr && a.memory().meets(memory_of_sums(texture));
+  const bool sums_meet = texture.prepared != nullptr && a.memory().meets(memory_of_sums(texture));
   return sums_meet ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
 }
 

@@ -48,6 +48,7 @@ struct RowsOfBytes {
   if (layout == SELVAGE_LAYOUT_ROWS) return {width * texel, height};
   return {units(width, kTileSide_texel) * kTileTexels * texel, units(height, kTileSide_texel)};
 }
+[[nodiscard]] RowsOfBytes rows_of_bytes(const selvage_image& image);
 [[nodiscard]] RowsOfBytes rows_of_bytes(const selvage_texture& texture);
 [[nodiscard]] bool layout_is_known(selvage_layout layout);
 

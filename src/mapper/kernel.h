@@ -39,20 +39,19 @@ struct ProjectiveSpans {
   ExactMap exact;
 };
 
-// Each writes the nearest texels of all pixels of the spans, and returns how many pixels had to be
-// decided exactly.
+// Each writes all pixels of the spans by its filter.
 struct Kernels {
-  int32_t (*draw_affine)(const AffineSpans& spans, const Surface& surface);
-  int32_t (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
+  void (*draw_affine)(const AffineSpans& spans, const Surface& surface);
+  void (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
 };
 
-// Any surface.
-[[nodiscard]] const Kernels& scalar_kernels();
+// Nearest, four and bilinear; the area filter has no kernels.
+[[nodiscard]] const Kernels& scalar_kernels(selvage_filter filter);
 
 // Those of a selvage_kernel that this machine can run, or the scalar ones, for what a vector kernel
 // cannot hold.
-[[nodiscard]] const Kernels& kernels_for(selvage_kernel kernel, const Surface& surface,
-                                         const Polygon& polygon);
+[[nodiscard]] const Kernels& kernels_for(selvage_kernel kernel, selvage_filter filter,
+                                         const Surface& surface, const Polygon& polygon);
 [[nodiscard]] bool is_usable(selvage_kernel kernel);
 
 }  // namespace selvage::mapper

@@ -1,8 +1,8 @@
 // Sums of a texture, for the area filter: with them a box costs the same whatever its size.
 //
 // Entry (s, t), 0 <= s <= width and 0 <= t <= height, holds for each of the four channels the sum
-// of the texels in columns [0, s) and rows [0, t), modulo 2^32. A rectangle's sum is a difference of
-// entries, modulo 2^32 too: right where it is below 2^32, so for kMostSummed texels at least.
+// of the texels in columns [0, s) and rows [0, t), modulo 2^32. A rectangle's sum is a difference
+// of entries, modulo 2^32 too: right where it is below 2^32, so for kMostSummed texels at least.
 #pragma once
 
 #include <array>

@@ -100,9 +100,16 @@ struct Extent {
 template <class Mode, class Layout>
 struct Addressed {
   template <class V>
+  static HWY_INLINE V row(V t, const Extent& extent) {
+    return Layout::row(Mode::index(t, extent.height_texel), extent.pitch_texel);
+  }
+  template <class V>
+  static HWY_INLINE V column(V s, const Extent& extent) {
+    return Layout::column(Mode::index(s, extent.width_texel));
+  }
+  template <class V>
   static HWY_INLINE V place(V s, V t, const Extent& extent) {
-    return hn::Add(Layout::row(Mode::index(t, extent.height_texel), extent.pitch_texel),
-                   Layout::column(Mode::index(s, extent.width_texel)));
+    return hn::Add(row(t, extent), column(s, extent));
   }
   static int32_t place_of_one(int32_t s, int32_t t, const Extent& extent) {
     using One = typename Mode::Scalar;
@@ -114,7 +121,7 @@ struct Addressed {
 
 // Calls draw with the address mode and the layout that fit.
 template <class Draw>
-HWY_INLINE int32_t with_address(const Surface& surface, const Draw& draw) {
+HWY_INLINE void with_address(const Surface& surface, const Draw& draw) {
   const selvage_texture& texture = surface.texture;
   const auto laid_out = [&](auto mode) {
     using Mode = decltype(mode);
@@ -130,7 +137,7 @@ HWY_INLINE int32_t with_address(const Surface& surface, const Draw& draw) {
 
 // Calls draw with a value of the pixel's type.
 template <class Draw>
-HWY_INLINE int32_t with_pixel(selvage_format format, const Draw& draw) {
+HWY_INLINE void with_pixel(selvage_format format, const Draw& draw) {
   if (format == SELVAGE_RGBA8888) return draw(uint32_t{});
   return format == SELVAGE_RGB565 ? draw(uint16_t{}) : draw(uint8_t{});
 }
@@ -145,6 +152,10 @@ template <class D>
   uint32_t bits;
   std::memcpy(&bits, bytes, sizeof bits);
   return bits;
+}
+
+[[nodiscard]] HWY_INLINE uint32_t first_bits(int32_t count) {
+  return static_cast<uint32_t>((uint64_t{1} << count) - 1);
 }
 
 // The texels, 1 added to those of the near-ties that have reached the next one; those come right

@@ -29,6 +29,6 @@ inline constexpr int32_t kVectorTruncations_fx16 = 2;
 }
 
 // NULL where the build or the machine has no such kernel.
-[[nodiscard]] const Kernels* vector_kernels(selvage_kernel kernel);
+[[nodiscard]] const Kernels* vector_kernels(selvage_kernel kernel, selvage_filter filter);
 
 }  // namespace selvage::mapper

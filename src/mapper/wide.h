@@ -22,8 +22,8 @@ struct Wide {
   }
   // Modulo 2^256.
   friend Wide operator+(const Wide& a, const Wide& b) {
-    const uint128 low = a.low + b.low;
-    return {a.high + b.high + (low < a.low ? 1 : 0), low};
+    const uint128 sum = a.low + b.low;
+    return {a.high + b.high + (sum < a.low ? 1 : 0), sum};
   }
   friend Wide operator-(const Wide& a, const Wide& b) {
     return {a.high - b.high - (a.low < b.low ? 1 : 0), a.low - b.low};

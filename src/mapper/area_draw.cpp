@@ -1,4 +1,4 @@
-#include "mapper/filter_draw.h"
+#include "mapper/area_draw.h"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,6 @@ inline constexpr int32_t kPiece_px = 256;
 // One row of a polygon and what is drawn on it.
 struct Row {
   const Surface& surface;
-  selvage_filter filter;
   Span span;
   SpanMap map;
   Footprint footprint;
@@ -46,18 +45,6 @@ void mean_boxes(const Row& row, int32_t first_px, std::span<const FilterPoint> p
   }
 }
 
-void mix_texels(const Row& row, int32_t first_px, std::span<const FilterPoint> points,
-                char* pixels) {
-  switch (row.filter) {
-    case SELVAGE_FILTER_FOUR:
-      return blend_four(points, row.surface.texture, row.surface.address, pixels);
-    case SELVAGE_FILTER_BILINEAR:
-      return blend_bilinear(points, row.surface.texture, row.surface.address, pixels);
-    default:
-      return mean_boxes(row, first_px, points, pixels);
-  }
-}
-
 template <class Lanes>
 void draw_row(const Row& row, const Lanes& lanes) {
   std::array<FilterPoint, kPiece_px> points;
@@ -66,17 +53,17 @@ void draw_row(const Row& row, const Lanes& lanes) {
   for (int32_t from_px = row.span.left_px; from_px < row.span.right_px; from_px += kPiece_px) {
     const int32_t count = std::min(kPiece_px, row.span.right_px - from_px);
     for (int32_t i = 0; i < count; ++i) {
-      points[static_cast<size_t>(i)] = filter_point(row.map, row.span, lanes, from_px + i);
+      points[static_cast<size_t>(i)] =
+          filter_point(ExactMap(row.map), row.span, lanes, from_px + i);
     }
-    mix_texels(row, from_px, std::span(points).first(static_cast<size_t>(count)),
+    mean_boxes(row, from_px, std::span(points).first(static_cast<size_t>(count)),
                pixels + ptrdiff_t{from_px} * kPixelBytes);
   }
 }
 
 }  // namespace
 
-void draw_filtered(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
-                   selvage_filter filter) {
+void draw_area(const Surface& surface, const selvage_rect& visible, const Polygon& polygon) {
   const std::optional<Plane> plane = Plane::of(polygon, visible);
   std::optional<BoxSides> plane_sides;
   SpanWalk walk(polygon, visible);
@@ -84,10 +71,8 @@ void draw_filtered(const Surface& surface, const selvage_rect& visible, const Po
     const Span& span = walk.span();
     const Edge &left = walk.left(), &right = walk.right();
     const Footprint footprint(left.at(span.row), left.change(), right.at(span.row), right.change());
-    if (plane && filter == SELVAGE_FILTER_AREA && !plane_sides) {
-      plane_sides = footprint.at(span.left_px);
-    }
-    const Row row{surface, filter, span, walk.map(), footprint, plane_sides};
+    if (plane && !plane_sides) plane_sides = footprint.at(span.left_px);
+    const Row row{surface, span, walk.map(), footprint, plane_sides};
     if (polygon.affine) {
       draw_row(row, plane ? plane->lanes() : AffineLanes(row.map, span).field(span));
     } else {
