@@ -2,11 +2,20 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "selvage.h"
 
 namespace selvage::spec {
+
+// selvage_prepare and selvage_prepare_bytes.
+struct Prepare {
+  std::function<selvage_status(const selvage_texture*, selvage_layout, int32_t with_sums,
+                               void* memory, size_t bytes, selvage_texture* prepared)>
+      prepare;
+  std::function<size_t(const selvage_texture*, selvage_layout, int32_t with_sums)> bytes;
+};
 
 struct Subject {
   std::string name;
@@ -16,6 +25,8 @@ struct Subject {
   selvage_profile profile = SELVAGE_PROFILE_EXACT;  // the one it is held to
   bool nearest_only = false;  // it has no other filter: verify() draws with nearest alone, and
                               // others must get SELVAGE_ERROR_FILTER
+  // Lays textures out anew; without it, every layout of a case is rows as given.
+  std::optional<Prepare> prepare{};
 };
 
 // The mapper that this program is linked with.
