@@ -105,8 +105,9 @@ bool operator==(const Case& a, const Case& b) {
          a.target_height_px == b.target_height_px &&
          a.texture_width_texel == b.texture_width_texel &&
          a.texture_height_texel == b.texture_height_texel && a.padding_px == b.padding_px &&
-         a.layout == b.layout && a.flip_target == b.flip_target && a.flip_texture == b.flip_texture &&
-         a.has_clip == b.has_clip && same_rect(a.clip, b.clip) && a.choice == b.choice &&
+         a.layout == b.layout && a.flip_target == b.flip_target &&
+         a.flip_texture == b.flip_texture && a.has_clip == b.has_clip &&
+         same_rect(a.clip, b.clip) && a.choice == b.choice &&
          std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
                     same_vertex);
 }
@@ -118,9 +119,8 @@ std::vector<uint8_t> encode(const Case& c) {
   writer.put(c.texture_width_texel - 1, 2);
   writer.put(c.texture_height_texel - 1, 2);
   writer.put(static_cast<int64_t>(flags(c)), 1);
-  writer.put(c.padding_px | c.filter << kFilterShift |
-                 static_cast<int32_t>(c.layout) << kLayoutShift,
-             1);
+  writer.put(
+      c.padding_px | c.filter << kFilterShift | static_cast<int32_t>(c.layout) << kLayoutShift, 1);
   for (const int32_t side : {c.clip.left, c.clip.top, c.clip.right, c.clip.bottom}) {
     writer.put(side, 2);
   }

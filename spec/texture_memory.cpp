@@ -29,8 +29,7 @@ TextureMemory::TextureMemory(const Subject& subject, const Case& c, const TexelA
     : given_(given_rows(c, texel_at, outside)), view_(given_.texture()) {
   const Layout layout = layout_of(subject, c);
   if (layout == Layout::kGiven) return;
-  prepare(*subject.prepare,
-          layout == Layout::kTiled ? SELVAGE_LAYOUT_TILES : SELVAGE_LAYOUT_ROWS,
+  prepare(*subject.prepare, layout == Layout::kTiled ? SELVAGE_LAYOUT_TILES : SELVAGE_LAYOUT_ROWS,
           c.filter == SELVAGE_FILTER_AREA && can_be_filtered(c), outside);
 }
 

@@ -32,33 +32,27 @@ struct SumsShape {
 
 void write_sums(const selvage_texture& texture, void* table);
 
-// A rectangle of texels: columns [left, right), rows [top, bottom).
-struct TexelRect {
-  int32_t left, top, right, bottom;
-};
+// Modulo 2^32.
+[[nodiscard]] inline ChannelSums difference(const ChannelSums& a, const ChannelSums& b) {
+  ChannelSums difference;
+  for (size_t i = 0; i < a.size(); ++i) difference[i] = a[i] - b[i];
+  return difference;
+}
 
+// The table of a texture that has one.
 class Sums {
  public:
   explicit Sums(const selvage_texture& texture)
       : entries_(static_cast<const char*>(texture.prepared)),
         pitch_bytes_(SumsShape::of(texture).pitch_bytes) {}
 
-  // Of at most kMostSummed texels.
-  [[nodiscard]] ChannelSums over(const TexelRect& rect) const {
-    const ChannelSums a = at(rect.left, rect.top), b = at(rect.right, rect.top);
-    const ChannelSums c = at(rect.left, rect.bottom), d = at(rect.right, rect.bottom);
-    ChannelSums sum;
-    for (size_t i = 0; i < sum.size(); ++i) sum[i] = (d[i] - c[i]) - (b[i] - a[i]);
-    return sum;
-  }
-
- private:
   [[nodiscard]] ChannelSums at(int32_t s, int32_t t) const {
     ChannelSums sums;
     std::memcpy(&sums, entries_ + t * pitch_bytes_ + s * ptrdiff_t{sizeof sums}, sizeof sums);
     return sums;
   }
 
+ private:
   const char* entries_;
   ptrdiff_t pitch_bytes_;
 };
