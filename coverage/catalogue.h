@@ -37,6 +37,11 @@ class Catalogue {
     }
   }
 
+  // A mapper that is wrong by itself, by its own name.
+  void add(std::string_view killer, std::string_view bug, spec::Subject subject) {
+    mappers_.push_back({subject.name, bug, killer, std::move(subject)});
+  }
+
   [[nodiscard]] std::vector<WrongMapper> take() { return std::move(mappers_); }
 
  private:
@@ -50,6 +55,7 @@ inline constexpr selvage_profile kDkit = SELVAGE_PROFILE_DKIT;
 void add_wrong_coverage(Catalogue* catalogue);
 void add_wrong_mapping(Catalogue* catalogue);
 void add_wrong_filters(Catalogue* catalogue);
+void add_wrong_many(Catalogue* catalogue);
 void add_wrong_historic_edges(Catalogue* catalogue);
 void add_wrong_historic_spans(Catalogue* catalogue);
 void add_wrong_historic_walks(Catalogue* catalogue);

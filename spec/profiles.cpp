@@ -70,6 +70,7 @@ constexpr std::array kPromises = {
     Entry{"FILTER", {kYes, none(kNoFilters), none(kNoFilters), none(kNoFilters)}},
     Entry{"MEM", {kYes, kYes, kYes, kYes}},
     Entry{"TOTAL", {kYes, kYes, kYes, kYes}},
+    Entry{"SAME", {kYes, kYes, kYes, kYes}},
     Entry{"ORACLE", {kYes, no(kOtherSamples), no(kOtherSamples), no(kOtherSamples)}},
 };
 

@@ -1,4 +1,5 @@
-// A subject: anything with the draw call. The laws know nothing else about it.
+// A subject: anything with the draw call, and maybe one for many polygons. The laws know nothing
+// else about it.
 #pragma once
 
 #include <functional>
@@ -8,6 +9,11 @@
 #include "selvage.h"
 
 namespace selvage::spec {
+
+// As selvage_draw_many, without what is not the laws' affair: scratch memory, who failed.
+using DrawMany =
+    std::function<selvage_status(const selvage_image*, const selvage_rect*, const selvage_polygon*,
+                                 size_t, const selvage_options*, int32_t threads)>;
 
 // selvage_prepare and selvage_prepare_bytes.
 struct Prepare {
@@ -23,8 +29,10 @@ struct Subject {
                                size_t, const selvage_texture*, const selvage_options*)>
       draw;
   selvage_profile profile = SELVAGE_PROFILE_EXACT;  // the one it is held to
-  bool nearest_only = false;  // it has no other filter: verify() draws with nearest alone, and
-                              // others must get SELVAGE_ERROR_FILTER
+  // It has no other filter: verify() draws with nearest alone, and others must get
+  // SELVAGE_ERROR_FILTER.
+  bool nearest_only = false;
+  DrawMany draw_many{};  // may be empty: then nothing is said of it
   // Lays textures out anew; without it, every layout of a case is rows as given.
   std::optional<Prepare> prepare{};
 };

@@ -1,6 +1,7 @@
-// The C interface: every argument is checked here, then the profile's mapper draws.
+// The C interface to one polygon: every argument is checked here, then the profile's mapper draws.
 #include "selvage.h"
 
+#include "draw_call.h"
 #include "historic/classroom.h"
 #include "historic/two_stage.h"
 #include "historic/whole_px.h"
@@ -9,6 +10,7 @@
 #include "mapper/kernel.h"
 #include "mapper/polygon.h"
 
+namespace selvage {
 namespace {
 
 [[nodiscard]] selvage_status check_options(const selvage_options& options) {
@@ -22,31 +24,43 @@ namespace {
     return SELVAGE_ERROR_ADDRESS;
   }
   if (options.tolerance < 0) return SELVAGE_ERROR_TOLERANCE;
-  if (!selvage::mapper::is_usable(options.kernel)) return SELVAGE_ERROR_KERNEL;
+  if (!mapper::is_usable(options.kernel)) return SELVAGE_ERROR_KERNEL;
   const bool filtered = options.filter != SELVAGE_FILTER_NEAREST;
   return filtered && options.profile != SELVAGE_PROFILE_EXACT ? SELVAGE_ERROR_FILTER_PROFILE
                                                               : SELVAGE_OK;
 }
 
-// Target and texture have one format.
-[[nodiscard]] selvage_status check_filter(selvage_filter filter, selvage_format format) {
-  return filter != SELVAGE_FILTER_NEAREST && format != SELVAGE_RGBA8888
-             ? SELVAGE_ERROR_FILTER_FORMAT
-             : SELVAGE_OK;
+}  // namespace
+
+selvage_status check_call(const selvage_options& options, const selvage_image* target) {
+  const selvage_status status = check_options(options);
+  return status == SELVAGE_OK ? mapper::check_target(target) : status;
 }
 
-// The historic profiles read rows themselves.
-[[nodiscard]] selvage_status check_layout(selvage_profile profile, selvage_layout layout) {
-  return profile != SELVAGE_PROFILE_EXACT && layout != SELVAGE_LAYOUT_ROWS
+selvage_status check_source(const selvage_options& options, const selvage_image& target,
+                            const selvage_texture* texture) {
+  selvage_status status = mapper::check_texture(texture);
+  if (status == SELVAGE_OK) status = mapper::check_pair(target, *texture);
+  if (status != SELVAGE_OK) return status;
+  if (options.filter != SELVAGE_FILTER_NEAREST && target.format != SELVAGE_RGBA8888) {
+    return SELVAGE_ERROR_FILTER_FORMAT;
+  }
+  // The historic profiles read rows themselves.
+  return options.profile != SELVAGE_PROFILE_EXACT && texture->layout != SELVAGE_LAYOUT_ROWS
              ? SELVAGE_ERROR_LAYOUT_PROFILE
              : SELVAGE_OK;
 }
 
-// The arguments have passed every check.
-void draw_by_profile(const selvage_image& target, const selvage_rect& visible,
-                     const selvage::mapper::Polygon& polygon, const selvage_texture& texture,
-                     const selvage_options& options) {
-  using namespace selvage;
+selvage_status check_outline(const selvage_options& options,
+                             std::span<const selvage_vertex> vertices, mapper::Polygon* polygon) {
+  const selvage_status status = mapper::examine(vertices, polygon);
+  if (status != SELVAGE_OK || options.profile == SELVAGE_PROFILE_EXACT) return status;
+  return historic::check_whole_px(*polygon);
+}
+
+void draw_checked(const selvage_image& target, const selvage_rect& visible,
+                  const mapper::Polygon& polygon, const selvage_texture& texture,
+                  const selvage_options& options) {
   switch (options.profile) {
     case SELVAGE_PROFILE_ABRASH56:
       return historic::draw_two_stage(target, visible, polygon, texture, options.address,
@@ -62,34 +76,25 @@ void draw_by_profile(const selvage_image& target, const selvage_rect& visible,
   }
 }
 
-}  // namespace
+}  // namespace selvage
 
 selvage_status selvage_draw(const selvage_image* target, const selvage_rect* clip,
                             const selvage_vertex* vertices, size_t count,
                             const selvage_texture* texture, const selvage_options* options) {
-  using namespace selvage::mapper;
+  using namespace selvage;
   const selvage_options chosen = options != nullptr ? *options : selvage_options{};
+  mapper::Polygon polygon;
 
-  selvage_status status = check_options(chosen);
-  if (status == SELVAGE_OK) status = check_target(target);
-  if (status == SELVAGE_OK) status = check_texture(texture);
-  if (status == SELVAGE_OK) status = check_pair(*target, *texture);
-  if (status == SELVAGE_OK) status = check_filter(chosen.filter, target->format);
-  if (status == SELVAGE_OK) status = check_layout(chosen.profile, texture->layout);
-  if (status == SELVAGE_OK) status = check_vertices(*target, vertices, count);
-  if (status != SELVAGE_OK) return status;
-
-  Polygon polygon;
-  status = examine({vertices, count}, &polygon);
-  if (status == SELVAGE_OK && chosen.profile != SELVAGE_PROFILE_EXACT) {
-    status = selvage::historic::check_whole_px(polygon);
-  }
+  selvage_status status = check_call(chosen, target);
+  if (status == SELVAGE_OK) status = check_source(chosen, *target, texture);
+  if (status == SELVAGE_OK) status = mapper::check_vertices(*target, vertices, count);
+  if (status == SELVAGE_OK) status = check_outline(chosen, {vertices, count}, &polygon);
   if (status != SELVAGE_OK) return status;
 
   // By value: descriptors that lie inside the target must not change while it is drawn on.
   const selvage_image image = *target;
   const selvage_texture texels = *texture;
-  draw_by_profile(image, visible_rect(image, clip), polygon, texels, chosen);
+  draw_checked(image, mapper::visible_rect(image, clip), polygon, texels, chosen);
   return SELVAGE_OK;
 }
 

@@ -7,7 +7,8 @@
  *             bottom edge it is not, so polygons that share an edge neither overlap nor leave a gap
  *
  * No function allocates, throws, keeps state or touches a global: calls on different targets may
- * run at the same time.
+ * run at the same time. (With more than one thread, selvage_draw_many hands work to oneTBB, which
+ * has memory and threads of its own.)
  *
  * Enumerations are int32_t with named values, so that their size is the same in every compiler and
  * an unknown value is an error that can be reported rather than undefined behaviour.
@@ -85,6 +86,13 @@ typedef struct selvage_texture {
   selvage_layout layout;
   const void* prepared; /* NULL, or the sums that selvage_prepare put behind the texels */
 } selvage_texture;
+
+/* One of many that are drawn in one call. */
+typedef struct selvage_polygon {
+  const selvage_vertex* vertices;
+  size_t count; /* of the vertices */
+  const selvage_texture* texture;
+} selvage_polygon;
 
 /* Half-open: columns [left, right), rows [top, bottom), px. Empty where left >= right or
  * top >= bottom, which is legal and draws nothing. May reach beyond the target. */
@@ -184,6 +192,12 @@ enum {
   SELVAGE_ERROR_ADDRESS,           /* not a selvage_address */
   SELVAGE_ERROR_TOLERANCE,         /* negative */
   SELVAGE_ERROR_KERNEL,            /* not a selvage_kernel, or not one for this machine */
+  SELVAGE_ERROR_THREADS,           /* selvage_draw_many: threads is negative */
+  SELVAGE_ERROR_POLYGONS_NULL, /* selvage_draw_many: polygons is NULL and their count is not 0 */
+  SELVAGE_ERROR_SCRATCH_NULL,  /* selvage_draw_many: likewise scratch */
+  SELVAGE_ERROR_SCRATCH_ALIGNMENT, /* selvage_draw_many: not aligned as max_align_t is */
+  SELVAGE_ERROR_SCRATCH_SIZE,      /* selvage_draw_many: below selvage_draw_many_bytes */
+  SELVAGE_ERROR_SCRATCH_OVERLAP,   /* selvage_draw_many: what is drawn, or on, lies in it */
   SELVAGE_ERROR_SNAP_NULL,         /* selvage_snap: no vertex to write to */
   SELVAGE_ERROR_SNAP_NOT_FINITE,   /* selvage_snap: a NaN or an infinity */
   SELVAGE_ERROR_SNAP_POSITION,     /* selvage_snap: x or y beyond the accepted range */
@@ -231,30 +245,59 @@ SELVAGE_API selvage_status selvage_draw(const selvage_image* target, const selva
 /* Copies a texture into the caller's memory, so laid out that drawing from it is fast. The picture
  * is the same, byte for byte, whatever the layout.
  *
- * Rows whose pitch is a large power of two, or a multiple of one, are slow to walk down: the texels
- * of a column fall into few places of a cache, and push each other out. rows   SELVAGE_LAYOUT_ROWS
- * copies to rows with a better pitch; tiles  SELVAGE_LAYOUT_TILES has neighbours above and below in
- * the same cache line: of all layouts the one that minds the direction least. Rows are faster where
- * u runs along x. sums   let SELVAGE_FILTER_AREA look up a box of texels instead of visiting them.
- * 16 bytes a texel.
+ * Rows at a pitch that is a large power of two are slow to walk down: the texels of a column fall
+ * into few places of a cache, and push each other out. SELVAGE_LAYOUT_ROWS copies to rows at a
+ * better pitch. SELVAGE_LAYOUT_TILES has texels of one column in one cache line too: it minds the
+ * direction of a walk least, and is a little slower than rows where u runs along x.
+ * With sums, SELVAGE_FILTER_AREA looks up large boxes of texels instead of visiting them: its time
+ * no longer grows with the scale. They take 16 bytes a texel.
  *
- * source     any texture that selvage_draw takes; its texels, not its sums, are copied
- * with_sums  not 0: with sums, which are for RGBA8888
- * memory     at a multiple of SELVAGE_PREPARED_ALIGNMENT; stays the caller's, and must stay as it
- * is while *prepared is drawn from bytes      at least selvage_prepare_bytes. What lies beyond
- * that, and between texels, is not written prepared   the texture to draw from; may be the same as
- * source
+ * source     any texture that selvage_draw takes; its texels are copied, not its sums.
+ * with_sums  0, or not 0: with sums, which are for RGBA8888.
+ * memory     at a multiple of SELVAGE_PREPARED_ALIGNMENT. It stays the caller's, and must stay as
+ *            it is while *prepared is drawn from.
+ * bytes      at least selvage_prepare_bytes. What is beyond them, or between texels, is not
+ *            written.
+ * prepared   the texture to draw from. May be the same as source.
  *
  * Checked are source, layout, with_sums, memory, in this order. On an error nothing is written. */
-enum { SELVAGE_PREPARED_ALIGNMENT = 64 };
 SELVAGE_API selvage_status selvage_prepare(const selvage_texture* source, selvage_layout layout,
                                            int32_t with_sums, void* memory, size_t bytes,
                                            selvage_texture* prepared);
 
-/* The memory that selvage_prepare needs; SIZE_MAX where it would refuse whatever the memory, or no
- * memory is large enough. May differ between versions of the library. */
+enum { SELVAGE_PREPARED_ALIGNMENT = 64 }; /* bytes */
+
+/* The memory that selvage_prepare needs. SIZE_MAX where it would refuse whatever the memory, or
+ * where none is large enough. May differ between versions of the library. */
 SELVAGE_API size_t selvage_prepare_bytes(const selvage_texture* source, selvage_layout layout,
                                          int32_t with_sums);
+
+/* Draws polygons in order: the same bytes as selvage_draw for one after another, whatever the
+ * number of threads. The rows are split into bands, which are drawn side by side.
+ *
+ * polygons       may be NULL if polygon_count is 0.
+ * threads        1: the caller's alone. 0: as many as the machine runs at a time. N: at most N, the
+ *                caller's among them. In a library built without oneTBB every call is as with 1.
+ * scratch        aligned as max_align_t is; its first selvage_draw_many_bytes(polygon_count) bytes
+ *                are overwritten. May be NULL if polygon_count is 0.
+ * scratch_bytes  what is there.
+ * failed         may be NULL. If a polygon is refused, its index is written here; other errors
+ * leave it alone.
+ *
+ * Every polygon is checked before the first is drawn: an error draws nothing at all. Checked are,
+ * in this order, options, target, threads, polygons, scratch; then polygon after polygon its
+ * texture and its vertices as by selvage_draw. The list of polygons, the textures' descriptors, the
+ * vertices and the texels must share no memory with the target (SELVAGE_ERROR_OVERLAP; texels may
+ * interleave with it as for selvage_draw), nor any of these with the scratch memory
+ * (SELVAGE_ERROR_SCRATCH_OVERLAP). */
+SELVAGE_API selvage_status selvage_draw_many(const selvage_image* target, const selvage_rect* clip,
+                                             const selvage_polygon* polygons, size_t polygon_count,
+                                             const selvage_options* options, int32_t threads,
+                                             void* scratch, size_t scratch_bytes, size_t* failed);
+
+/* The scratch memory that so many polygons need, on the order of 100 bytes each. May differ between
+ * versions of the library. SIZE_MAX where they are too many: more than 4 * 10^8. */
+SELVAGE_API size_t selvage_draw_many_bytes(size_t polygon_count);
 
 /* Rounds to the nearest vertex of the grid, halves upward.
  *

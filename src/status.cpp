@@ -69,6 +69,19 @@ const char* selvage_status_text(selvage_status status) {
     case SELVAGE_ERROR_KERNEL:
       return "the kernel is unknown, or cannot run on this machine; it must be FASTEST, SCALAR or "
              "one that selvage_has_kernel tells of";
+    case SELVAGE_ERROR_THREADS:
+      return "the number of threads is negative; it must be at least 1, or 0 for all there are";
+    case SELVAGE_ERROR_POLYGONS_NULL:
+      return "the polygons are NULL; they must point to as many as are counted";
+    case SELVAGE_ERROR_SCRATCH_NULL:
+      return "the scratch memory is NULL; it must point to selvage_draw_many_bytes bytes";
+    case SELVAGE_ERROR_SCRATCH_ALIGNMENT:
+      return "the scratch memory is misaligned; it must be aligned as max_align_t is";
+    case SELVAGE_ERROR_SCRATCH_SIZE:
+      return "the scratch memory is too small; it must have selvage_draw_many_bytes bytes";
+    case SELVAGE_ERROR_SCRATCH_OVERLAP:
+      return "the scratch memory is shared with the target, a polygon or a texture; it must lie "
+             "apart";
     case SELVAGE_ERROR_SNAP_NULL:
       return "there is no vertex to write to; it must not be NULL";
     case SELVAGE_ERROR_SNAP_NOT_FINITE:

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <new>
+#include <vector>
 
 #include "spec/canvas.h"
 #include "spec/generate.h"
@@ -83,6 +84,27 @@ TEST(Allocation, DrawingAllocatesNothing) {
     if (status == SELVAGE_OK) ++drawn;
   }
   EXPECT_GT(drawn, 1000U);
+}
+
+// What oneTBB allocates for its threads lies in its own library and is not counted.
+TEST(Allocation, DrawingManyAllocatesNothing) {
+  std::vector<uint32_t> pixels(64 * 64), texels(8 * 8, 7);
+  const selvage_image image{pixels.data(), 64, 64, 64 * 4, SELVAGE_RGBA8888};
+  const selvage_texture texture{texels.data(),       8,      8, 8 * 4, SELVAGE_RGBA8888,
+                                SELVAGE_LAYOUT_ROWS, nullptr};
+  const selvage_vertex corners[3] = {{0, 0, 0, 0, 1}, {16384, 300, 0, 0, 1}, {200, 16384, 0, 0, 1}};
+  const std::vector<selvage_polygon> polygons(2000, {corners, 3, &texture});
+  std::vector<std::byte> scratch(selvage_draw_many_bytes(polygons.size()));
+  for (const int32_t threads : {1, 2, 0}) {
+    const size_t before = allocations;
+    const selvage_status status =
+        selvage_draw_many(&image, nullptr, polygons.data(), polygons.size(), nullptr, threads,
+                          scratch.data(), scratch.size(), nullptr);
+    const size_t after = allocations;
+    EXPECT_EQ(status, SELVAGE_OK);
+    EXPECT_EQ(after, before) << threads << " threads";
+  }
+  EXPECT_EQ(pixels[64 * 20 + 20], 7U);
 }
 
 }  // namespace
