@@ -59,16 +59,11 @@ class Scene {
 }
 
 // The texels of the one are the complement of the other's.
-[[nodiscard]] Canvas texture_of(const Case& c, bool complement) {
-  Canvas texture(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
-                 c.flip_texture, 0);
-  for (int32_t t = 0; t < c.texture_height_texel; ++t) {
-    for (int32_t s = 0; s < c.texture_width_texel; ++s) {
-      const uint32_t value = coordinate_texel(c.format, s, t);
-      texture.set_pixel(s, t, complement ? ~value : value);
-    }
-  }
-  return texture;
+[[nodiscard]] TexelAt texture_of(const Case& c, bool complement) {
+  return [format = c.format, complement](Texel texel) {
+    const uint32_t value = coordinate_texel(format, texel.s, texel.t);
+    return complement ? ~value : value;
+  };
 }
 
 // Copies of the case's outline all over the target and beyond, in whole pixels.

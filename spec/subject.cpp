@@ -22,6 +22,7 @@ Subject built_in(selvage_profile profile) {
   subject.draw = selvage_draw;
   subject.profile = profile;
   subject.draw_many = draw_many;
+  subject.prepare = Prepare{selvage_prepare, selvage_prepare_bytes};
   return subject;
 }
 

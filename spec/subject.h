@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "selvage.h"
@@ -14,6 +15,14 @@ using DrawMany =
     std::function<selvage_status(const selvage_image*, const selvage_rect*, const selvage_polygon*,
                                  size_t, const selvage_options*, int32_t threads)>;
 
+// selvage_prepare and selvage_prepare_bytes.
+struct Prepare {
+  std::function<selvage_status(const selvage_texture*, selvage_layout, int32_t with_sums,
+                               void* memory, size_t bytes, selvage_texture* prepared)>
+      prepare;
+  std::function<size_t(const selvage_texture*, selvage_layout, int32_t with_sums)> bytes;
+};
+
 struct Subject {
   std::string name;
   std::function<selvage_status(const selvage_image*, const selvage_rect*, const selvage_vertex*,
@@ -24,6 +33,8 @@ struct Subject {
   // SELVAGE_ERROR_FILTER.
   bool nearest_only = false;
   DrawMany draw_many{};  // may be empty: then nothing is said of it
+  // Lays textures out anew; without it, every layout of a case is rows as given.
+  std::optional<Prepare> prepare{};
 };
 
 // The mapper that this program is linked with.

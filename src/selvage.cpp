@@ -41,10 +41,14 @@ selvage_status check_source(const selvage_options& options, const selvage_image&
                             const selvage_texture* texture) {
   selvage_status status = mapper::check_texture(texture);
   if (status == SELVAGE_OK) status = mapper::check_pair(target, *texture);
-  const bool filtered = options.filter != SELVAGE_FILTER_NEAREST;
-  return status == SELVAGE_OK && filtered && target.format != SELVAGE_RGBA8888
-             ? SELVAGE_ERROR_FILTER_FORMAT
-             : status;
+  if (status != SELVAGE_OK) return status;
+  if (options.filter != SELVAGE_FILTER_NEAREST && target.format != SELVAGE_RGBA8888) {
+    return SELVAGE_ERROR_FILTER_FORMAT;
+  }
+  // The historic profiles read rows themselves.
+  return options.profile != SELVAGE_PROFILE_EXACT && texture->layout != SELVAGE_LAYOUT_ROWS
+             ? SELVAGE_ERROR_LAYOUT_PROFILE
+             : SELVAGE_OK;
 }
 
 selvage_status check_outline(const selvage_options& options,

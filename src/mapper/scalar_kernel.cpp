@@ -4,6 +4,7 @@
 #include "mapper/address.h"
 #include "mapper/image.h"
 #include "mapper/kernel.h"
+#include "mapper/layout.h"
 #include "mapper/scalar_blend_kernel.h"
 #include "mapper/texel_index.h"
 
@@ -11,18 +12,27 @@ namespace selvage::mapper {
 namespace {
 
 // Lanes and texture come by value: no store through `pixel` can change them.
-template <class Pixel, class Address, class Lanes>
-void draw_texels(RowOnDemand& exact, const int32_t width_px, const Lanes lanes,
-                 const selvage_texture texture, char* pixel) {
+template <class Pixel, class Address, class Layout, class Lanes>
+void draw_laid_out(RowOnDemand& exact, const int32_t width_px, const Lanes lanes,
+                   const selvage_texture texture, char* pixel) {
   const char* texels = static_cast<const char*>(texture.texels);
+  const ptrdiff_t pitch_texel = texture.pitch / ptrdiff_t{sizeof(Pixel)};
   for (int32_t offset_px = 0; offset_px < width_px; ++offset_px) {
     const Lane lane = lanes.at(offset_px);
     const TexelIndex texel = texel_under(lane, lanes.margin_fx32(), exact, offset_px);
-    const ptrdiff_t s = Address::index(texel.s, texture.width);
-    const ptrdiff_t t = Address::index(texel.t, texture.height);
-    std::memcpy(pixel, texels + t * texture.pitch + s * ptrdiff_t{sizeof(Pixel)}, sizeof(Pixel));
+    const ptrdiff_t place = Layout::row(Address::index(texel.t, texture.height), pitch_texel) +
+                            Layout::column(Address::index(texel.s, texture.width));
+    std::memcpy(pixel, texels + place * ptrdiff_t{sizeof(Pixel)}, sizeof(Pixel));
     pixel += sizeof(Pixel);
   }
+}
+
+template <class Pixel, class Address, class Lanes>
+void draw_texels(RowOnDemand& exact, int32_t width_px, const Lanes& lanes,
+                 const selvage_texture& texture, char* pixel) {
+  with_layout(texture.layout, [&](auto layout) {
+    draw_laid_out<Pixel, Address, decltype(layout)>(exact, width_px, lanes, texture, pixel);
+  });
 }
 
 [[nodiscard]] bool is_inside(TexelIndex texel, const selvage_texture& texture) {

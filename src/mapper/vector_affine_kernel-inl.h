@@ -46,9 +46,7 @@ class AffineBatch {
  public:
   HWY_INLINE AffineBatch(const AffineSpans& spans, const Surface& surface)
       : exact_(spans.exact),
-        width_texel_(surface.texture.width),
-        height_texel_(surface.texture.height),
-        pitch_texel_(pitch_texel(surface.texture)),
+        extent_(extent_of(surface.texture)),
         lack_fx16_(kVectorTruncations_fx16 +
                    static_cast<int32_t>(spans.field.margin_fx32 >> kAnchorShift) + 1),
         offset_u_(offsets_fx16(spans.field.step_x.u_fx32)),
@@ -96,8 +94,7 @@ class AffineBatch {
                  ? low + 1
                  : low;
     };
-    return Address::Scalar::index(texel(exact.v, v_fx16), height_texel_) * pitch_texel_ +
-           Address::Scalar::index(texel(exact.u, u_fx16), width_texel_);
+    return Address::place_of_one(texel(exact.u, u_fx16), texel(exact.v, v_fx16), extent_);
   }
 
  private:
@@ -110,13 +107,10 @@ class AffineBatch {
   static HWY_INLINE hn::Mask<D32> is_changed(V32 change) {
     return hn::Ne(texel_of(change), hn::Zero(D32()));
   }
-  HWY_INLINE V32 places_of(V32 s, V32 t) const {
-    const V32 row = hn::Mul(Address::index(t, height_texel_), hn::Set(D32(), pitch_texel_));
-    return hn::Add(row, Address::index(s, width_texel_));
-  }
+  HWY_INLINE V32 places_of(V32 s, V32 t) const { return Address::place(s, t, extent_); }
 
   const ExactMap& exact_;
-  int32_t width_texel_, height_texel_, pitch_texel_;
+  Extent extent_;
   int32_t lack_fx16_;
   V32 offset_u_, offset_v_;
 };

@@ -10,6 +10,8 @@
 #define SELVAGE_VECTOR_BLEND_KERNEL_INL_H
 #endif
 
+#include <bit>
+
 #include "mapper/filter_point.h"
 #include "mapper/vector_kernel-inl.h"
 #include "mapper/vector_projective_kernel-inl.h"
@@ -151,13 +153,14 @@ template <class Address>
 HWY_INLINE void fetch_around(const PointVectors& points, const selvage_texture& texture,
                              Neighbours* around) {
   const D32 d;
-  const V32 one = hn::Set(d, 1), pitch = hn::Set(d, pitch_texel(texture));
+  const V32 one = hn::Set(d, 1);
+  const Extent extent = extent_of(texture);
   const V32 s = hn::ShiftRight<kGridBits>(points.u_fx8);
   const V32 t = hn::ShiftRight<kGridBits>(points.v_fx8);
-  const V32 left = Address::index(s, texture.width);
-  const V32 right = Address::index(hn::Add(s, one), texture.width);
-  const V32 upper = hn::Mul(Address::index(t, texture.height), pitch);
-  const V32 lower = hn::Mul(Address::index(hn::Add(t, one), texture.height), pitch);
+  const V32 left = Address::column(s, extent);
+  const V32 right = Address::column(hn::Add(s, one), extent);
+  const V32 upper = Address::row(t, extent);
+  const V32 lower = Address::row(hn::Add(t, one), extent);
   const auto* texels = static_cast<const char*>(texture.texels);
   constexpr ptrdiff_t kBytes = sizeof(uint32_t);
   HWY_ALIGN int32_t upper_left[kLanes], lower_left[kLanes];
@@ -174,10 +177,11 @@ HWY_INLINE void fetch_around(const PointVectors& points, const selvage_texture& 
   hn::Store(hn::Add(upper, right), d, upper_right);
   hn::Store(hn::Add(lower, right), d, lower_right);
   const auto pair = [&](int32_t left_place, int32_t right_place) {
-    uint32_t texel[2];
-    std::memcpy(&texel[0], texels + left_place * kBytes, sizeof texel[0]);
-    std::memcpy(&texel[1], texels + right_place * kBytes, sizeof texel[1]);
-    return load_pair(reinterpret_cast<const char*>(texel));
+    uint32_t first, second;
+    std::memcpy(&first, texels + left_place * kBytes, sizeof first);
+    std::memcpy(&second, texels + right_place * kBytes, sizeof second);
+    static_assert(std::endian::native == std::endian::little);
+    return uint64_t{second} << 32 | first;
   };
   for (int32_t i = 0; i < kLanes; ++i) {
     around->upper[i] = pair(upper_left[i], upper_right[i]);

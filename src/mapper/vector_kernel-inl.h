@@ -14,6 +14,7 @@
 #include "mapper/address.h"
 #include "mapper/exact_row.h"
 #include "mapper/kernel.h"
+#include "mapper/layout.h"
 #include "mapper/vector_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -61,15 +62,77 @@ struct WrapVector {
   }
 };
 
-// Calls draw with the address mode that fits.
+// ---- Layouts: indices into the texture to places, in texels from its first ---------------------
+
+struct RowsVector {
+  using Scalar = Rows;
+  template <class V>
+  static HWY_INLINE V row(V t, int32_t pitch_texel) {
+    return hn::Mul(t, hn::Set(hn::DFromV<V>(), pitch_texel));
+  }
+  template <class V>
+  static HWY_INLINE V column(V s) {
+    return s;
+  }
+};
+
+struct TilesVector {
+  using Scalar = Tiles;
+  template <class V>
+  static HWY_INLINE V row(V t, int32_t pitch_texel) {
+    const hn::DFromV<V> d;
+    const V in_tile = hn::And(t, hn::Set(d, Tiles::kInTile));
+    return hn::Add(hn::Mul(hn::ShiftRight<kTileBits>(t), hn::Set(d, pitch_texel)),
+                   hn::ShiftLeft<kTileBits>(in_tile));
+  }
+  template <class V>
+  static HWY_INLINE V column(V s) {
+    const V in_tile = hn::And(s, hn::Set(hn::DFromV<V>(), Tiles::kInTile));
+    return hn::Add(hn::ShiftLeft<kTileBits>(hn::Sub(s, in_tile)), in_tile);
+  }
+};
+
+// An address mode and a layout: from texel indices to places.
+struct Extent {
+  int32_t width_texel, height_texel, pitch_texel;
+};
+
+template <class Mode, class Layout>
+struct Addressed {
+  template <class V>
+  static HWY_INLINE V row(V t, const Extent& extent) {
+    return Layout::row(Mode::index(t, extent.height_texel), extent.pitch_texel);
+  }
+  template <class V>
+  static HWY_INLINE V column(V s, const Extent& extent) {
+    return Layout::column(Mode::index(s, extent.width_texel));
+  }
+  template <class V>
+  static HWY_INLINE V place(V s, V t, const Extent& extent) {
+    return hn::Add(row(t, extent), column(s, extent));
+  }
+  static int32_t place_of_one(int32_t s, int32_t t, const Extent& extent) {
+    using One = typename Mode::Scalar;
+    using In = typename Layout::Scalar;
+    return static_cast<int32_t>(In::row(One::index(t, extent.height_texel), extent.pitch_texel) +
+                                In::column(One::index(s, extent.width_texel)));
+  }
+};
+
+// Calls draw with the address mode and the layout that fit.
 template <class Draw>
 HWY_INLINE void with_address(const Surface& surface, const Draw& draw) {
   const selvage_texture& texture = surface.texture;
-  if (surface.address == SELVAGE_ADDRESS_CLAMP) return draw(ClampVector());
+  const auto laid_out = [&](auto mode) {
+    using Mode = decltype(mode);
+    return texture.layout == SELVAGE_LAYOUT_TILES ? draw(Addressed<Mode, TilesVector>())
+                                                  : draw(Addressed<Mode, RowsVector>());
+  };
+  if (surface.address == SELVAGE_ADDRESS_CLAMP) return laid_out(ClampVector());
   if (WrapMasked::fits(texture.width) && WrapMasked::fits(texture.height)) {
-    return draw(WrapMaskedVector());
+    return laid_out(WrapMaskedVector());
   }
-  return draw(WrapVector());
+  return laid_out(WrapVector());
 }
 
 // Calls draw with a value of the pixel's type.
@@ -129,8 +192,8 @@ HWY_INLINE hn::Vec<D> decide(D d, hn::Vec<D> texel, uint32_t near_bits, const Ex
 
 // ---- Texels to pixels --------------------------------------------------------------------------
 
-[[nodiscard]] HWY_INLINE int32_t pitch_texel(const selvage_texture& texture) {
-  return static_cast<int32_t>(texture.pitch / bytes_per_pixel(texture.format));
+[[nodiscard]] HWY_INLINE Extent extent_of(const selvage_texture& texture) {
+  return {texture.width, texture.height, static_cast<int32_t>(pitch_texel_of(texture))};
 }
 
 template <class Pixel>

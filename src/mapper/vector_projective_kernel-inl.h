@@ -71,8 +71,7 @@ class ProjectiveRow {
 // Where both ends have one floor, that is the texel; the exact map decides between two.
 template <class Address>
 HWY_INLINE void find_places(const ProjectiveRow& row, const ExactMap& map, const Span& span,
-                            int32_t offset_px, const selvage_texture& texture,
-                            int32_t* HWY_RESTRICT place) {
+                            int32_t offset_px, const Extent& extent, int32_t* HWY_RESTRICT place) {
   const DHalf d;
   uint32_t near_u, near_v;
   LowTexels texel = row.low(offset_px, &near_u, &near_v);
@@ -84,19 +83,18 @@ HWY_INLINE void find_places(const ProjectiveRow& row, const ExactMap& map, const
     texel.s = decide(d, texel.s, near_u, exact, exact.u);
     texel.t = decide(d, texel.t, near_v, exact, exact.v);
   }
-  const auto line =
-      hn::Mul(Address::index(texel.t, texture.height), hn::Set(d, pitch_texel(texture)));
-  hn::StoreU(hn::Add(line, Address::index(texel.s, texture.width)), d, place);
+  hn::StoreU(Address::place(texel.s, texel.t, extent), d, place);
 }
 
 template <class Pixel, class Address>
 void draw_projective_row(const ProjectiveSpan& each, const ExactMap& map, const Surface& surface) {
   const ProjectiveRow row(each.lanes, 1);
+  const Extent extent = extent_of(surface.texture);
   char* pixel = first_pixel<Pixel>(surface, each.span);
   HWY_ALIGN int32_t place[kLanes];
   for (int32_t offset_px = 0; offset_px < each.span.width_px(); offset_px += kLanes) {
     for (int32_t done = 0; done < kLanes; done += kDoubles) {
-      find_places<Address>(row, map, each.span, offset_px + done, surface.texture, place + done);
+      find_places<Address>(row, map, each.span, offset_px + done, extent, place + done);
     }
     const int32_t count = HWY_MIN(each.span.width_px() - offset_px, kLanes);
     fetch<Pixel>(surface.texture.texels, place, count, pixel);
