@@ -83,7 +83,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   if (scene.polygons.empty()) return 0;  // bad options are errors even then
   require(status == wanted, "not the status of one after another", status);
   require(together == (status == SELVAGE_OK ? in_turn : blank), "not the picture due", status);
-  if (status >= SELVAGE_ERROR_PROFILE && status <= SELVAGE_ERROR_TOLERANCE) return 0;
+  if (status >= SELVAGE_ERROR_PROFILE && status <= SELVAGE_ERROR_KERNEL) return 0;
   require(failed == refused, "another polygon is named", status);
   return 0;
 }

@@ -19,10 +19,11 @@ const Kernels& kernels_for(selvage_kernel kernel, selvage_filter filter, const S
     return scalar_kernels(filter);
   }
   if (kernel != SELVAGE_KERNEL_FASTEST) return *vector_kernels(kernel, filter);
+  const Kernels* fastest = nullptr;
   for (const selvage_kernel each : kByPreference) {
-    if (const Kernels* found = vector_kernels(each, filter)) return *found;
+    if (fastest == nullptr) fastest = vector_kernels(each, filter);
   }
-  return scalar_kernels(filter);
+  return fastest != nullptr ? *fastest : scalar_kernels(filter);
 }
 
 }  // namespace selvage::mapper

@@ -42,7 +42,7 @@ TEST(DrawMany, DrawsAsOneAfterAnother) {
   for (const size_t count : {1U, 2U, 30U, 500U, 3000U}) {
     for (const selvage_profile profile : {0, 1, 2, 3}) {
       const List list(count, /*seed=*/count, profile != SELVAGE_PROFILE_EXACT);
-      expect_same(list, nullptr, {profile, 0, SELVAGE_ADDRESS_WRAP, 0});
+      expect_same(list, nullptr, {profile, 0, SELVAGE_ADDRESS_WRAP, 0, 0});
     }
   }
 }
