@@ -55,6 +55,7 @@ inline constexpr selvage_profile kDkit = SELVAGE_PROFILE_DKIT;
 void add_wrong_coverage(Catalogue* catalogue);
 void add_wrong_mapping(Catalogue* catalogue);
 void add_wrong_filters(Catalogue* catalogue);
+void add_wrong_layouts(Catalogue* catalogue);
 void add_wrong_many(Catalogue* catalogue);
 void add_wrong_historic_edges(Catalogue* catalogue);
 void add_wrong_historic_spans(Catalogue* catalogue);

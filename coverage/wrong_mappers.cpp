@@ -13,6 +13,7 @@ std::span<const WrongMapper> wrong_mappers() {
     add_wrong_coverage(&catalogue);
     add_wrong_mapping(&catalogue);
     add_wrong_filters(&catalogue);
+    add_wrong_layouts(&catalogue);
     add_wrong_many(&catalogue);
     add_wrong_historic_edges(&catalogue);
     add_wrong_historic_spans(&catalogue);
@@ -28,6 +29,7 @@ spec::Subject right_mapper(selvage_profile profile) {
                             ? subject_of(name, Recipe{})
                             : subject_of(name, HistoricRecipe(profile));
   right.draw_many = draw_many_by(ManyRecipe{}, right);
+  right.prepare = spec::built_in().prepare;
   return right;
 }
 

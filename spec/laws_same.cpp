@@ -1,4 +1,4 @@
-// Law SAME: neither tiles nor threads nor kernels show in the picture.
+// Law SAME: neither layouts nor tiles nor threads nor kernels show in the picture.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -8,6 +8,7 @@
 #include "spec/canvas.h"
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
+#include "spec/texture_memory.h"
 
 namespace selvage::spec {
 namespace {
@@ -23,7 +24,7 @@ inline constexpr uint8_t kBackground = 0x5A;
 // Polygons over each other, of two textures that differ in every texel, in the order of drawing.
 class Scene {
  public:
-  explicit Scene(const Case& c);
+  Scene(const Subject& subject, const Case& c);
 
   [[nodiscard]] const Case& shown() const { return case_; }
   [[nodiscard]] size_t count() const { return outlines_.size(); }
@@ -37,14 +38,14 @@ class Scene {
   }
   // Views of the scene.
   [[nodiscard]] std::vector<selvage_texture> textures() const {
-    return {textures_[0].texture(), textures_[1].texture()};
+    return {textures_[0].view(), textures_[1].view()};
   }
   [[nodiscard]] std::vector<selvage_polygon> polygons(
       const std::vector<selvage_texture>& textures) const;
 
  private:
   Case case_;
-  std::array<Canvas, 2> textures_;
+  std::array<TextureMemory, 2> textures_;
   std::vector<std::vector<selvage_vertex>> outlines_;
 };
 
@@ -85,8 +86,10 @@ class Scene {
   return heightened(c, choices);
 }
 
-Scene::Scene(const Case& c)
-    : case_(scene_case(c)), textures_{texture_of(c, false), texture_of(c, true)} {
+Scene::Scene(const Subject& subject, const Case& c)
+    : case_(scene_case(c)),
+      textures_{TextureMemory(subject, c, texture_of(c, false), kBackground),
+                TextureMemory(subject, c, texture_of(c, true), kBackground)} {
   Choices choices(c.choice + 1);
   outlines_ = copies(case_, choices);
 }
@@ -208,7 +211,8 @@ struct Drawn {
 Judgement check_same(const Subject& subject, const Case& c) {
   Judgement judgement;
   if (!is_valid(c)) return judgement;
-  const Scene scene(c);
+  if (add(&judgement, check_same_layouts(subject, c))) return judgement;
+  const Scene scene(subject, c);
   const Drawn in_turn = draw_in_turn(subject, scene);
   const std::string tiles = std::to_string(scene.count()) + " polygons, each drawn tile by tile";
   if (add(&judgement, judge(scene, tiles, in_turn, draw_in_tiles(subject, scene)))) {

@@ -24,6 +24,20 @@ using Options = selvage_options;
                       &options);
 }
 
+// As selvage_prepare: rows at a better pitch, or tiles; with sums for the area filter or without.
+[[nodiscard]] inline selvage_status prepare(const Texture& source, selvage_layout layout,
+                                            bool with_sums, std::span<std::byte> memory,
+                                            Texture& prepared) {
+  return selvage_prepare(&source, layout, with_sums ? 1 : 0, memory.data(), memory.size(),
+                         &prepared);
+}
+
+// As selvage_prepare_bytes.
+[[nodiscard]] inline size_t prepare_bytes(const Texture& source, selvage_layout layout,
+                                          bool with_sums) {
+  return selvage_prepare_bytes(&source, layout, with_sums ? 1 : 0);
+}
+
 // As selvage_draw_many, over all the threads of the machine unless told otherwise. `failed`, if
 // given, gets the index of the polygon that is refused.
 [[nodiscard]] inline selvage_status draw_many(const Image& target,

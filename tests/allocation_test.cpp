@@ -4,12 +4,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <new>
 #include <vector>
 
 #include "spec/canvas.h"
 #include "spec/generate.h"
 #include "spec/profiles.h"
+#include "spec/texture_memory.h"
 
 namespace {
 size_t allocations = 0;
@@ -64,15 +66,39 @@ TEST(Allocation, TheCounterCounts) {
   ::operator delete(memory, std::nothrow);
 }
 
+TEST(Allocation, PreparingAllocatesNothing) {
+  for (uint64_t seed = 1; seed <= 200; ++seed) {
+    const Case c = generate(seed);
+    const Canvas texels(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
+                        c.flip_texture, 1);
+    const selvage_texture source = texels.texture();
+    const int32_t with_sums = c.format == SELVAGE_RGBA8888 ? 1 : 0;
+    for (const selvage_layout layout : {SELVAGE_LAYOUT_ROWS, SELVAGE_LAYOUT_TILES}) {
+      const size_t bytes = selvage_prepare_bytes(&source, layout, with_sums);
+      std::vector<std::byte> memory(bytes + SELVAGE_PREPARED_ALIGNMENT);
+      void* aligned = memory.data();
+      size_t space = memory.size();
+      ASSERT_NE(std::align(SELVAGE_PREPARED_ALIGNMENT, bytes, aligned, space), nullptr);
+      selvage_texture prepared{};
+      const size_t before = allocations;
+      const selvage_status status =
+          selvage_prepare(&source, layout, with_sums, aligned, bytes, &prepared);
+      const size_t after = allocations;
+      ASSERT_EQ(status, SELVAGE_OK);
+      ASSERT_EQ(after, before);
+    }
+  }
+}
+
 TEST(Allocation, DrawingAllocatesNothing) {
   uint64_t drawn = 0;
   for (uint64_t seed = 1; seed <= 2000; ++seed) {
     const Case c = in_profile(generate(seed), profiles()[seed % profiles().size()].id);
     Canvas canvas(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target, 0);
-    const Canvas texels(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
-                        c.flip_texture, 1);
+    const TextureMemory texels(
+        built_in(c.profile), c, [](Texel) { return 0x01010101U; }, 1);
     const selvage_image image = canvas.image();
-    const selvage_texture texture = texels.texture();
+    const selvage_texture texture = texels.view();
     const selvage_options options{c.profile, c.filter, c.address, 0, 0};
 
     const size_t before = allocations;

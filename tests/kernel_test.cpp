@@ -7,6 +7,7 @@
 
 #include "spec/canvas.h"
 #include "spec/generate.h"
+#include "spec/texture_memory.h"
 #include "tests/span_support.h"
 
 namespace selvage::mapper {
@@ -78,17 +79,16 @@ TEST(Kernel, WritesItsSpanAndNothingElse) {
 }
 
 [[nodiscard]] spec::Canvas drawn(const spec::Case& c, selvage_kernel kernel) {
-  spec::Canvas texture(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
-                       c.flip_texture, 0xEE);
-  for (int32_t t = 0; t < c.texture_height_texel; ++t) {
-    for (int32_t s = 0; s < c.texture_width_texel; ++s) {
-      texture.set_pixel(s, t, static_cast<uint32_t>(s * 40503 + t * 7919) * 2654435761U);
-    }
-  }
+  const spec::TextureMemory texture(
+      spec::built_in(), c,
+      [](spec::Texel at) {
+        return static_cast<uint32_t>(at.s * 40503 + at.t * 7919) * 2654435761U;
+      },
+      0xEE);
   spec::Canvas target(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target,
                       0x11);
   const selvage_image image = target.image();
-  const selvage_texture view = texture.texture();
+  const selvage_texture view = texture.view();
   const selvage_options options{c.profile, c.filter, c.address, 0, kernel};
   const selvage_status status = selvage_draw(&image, c.has_clip ? &c.clip : nullptr,
                                              c.vertices.data(), c.vertices.size(), &view, &options);

@@ -38,6 +38,7 @@ struct Subject {
 
 [[nodiscard]] Subject subject_exact();
 [[nodiscard]] std::vector<Subject> subjects_tolerant();
+[[nodiscard]] std::vector<Subject> subjects_in_layouts();
 [[nodiscard]] std::vector<Subject> subjects_historic();
 [[nodiscard]] std::vector<Subject> subjects_arithmetic();
 [[nodiscard]] Subject subject_subdivided();
