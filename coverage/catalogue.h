@@ -37,8 +37,10 @@ class Catalogue {
     }
   }
 
-  // One that is no recipe.
-  void add(WrongMapper mapper) { mappers_.push_back(std::move(mapper)); }
+  // A mapper that is wrong by itself, by its own name.
+  void add(std::string_view killer, std::string_view bug, spec::Subject subject) {
+    mappers_.push_back({subject.name, bug, killer, std::move(subject)});
+  }
 
   [[nodiscard]] std::vector<WrongMapper> take() { return std::move(mappers_); }
 
@@ -54,6 +56,8 @@ void add_wrong_coverage(Catalogue* catalogue);
 void add_wrong_mapping(Catalogue* catalogue);
 void add_wrong_filters(Catalogue* catalogue);
 void add_wrong_tolerance(Catalogue* catalogue);
+void add_wrong_layouts(Catalogue* catalogue);
+void add_wrong_many(Catalogue* catalogue);
 void add_wrong_historic_edges(Catalogue* catalogue);
 void add_wrong_historic_spans(Catalogue* catalogue);
 void add_wrong_historic_walks(Catalogue* catalogue);

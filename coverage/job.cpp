@@ -4,31 +4,31 @@
 #include <utility>
 
 namespace selvage::coverage {
-namespace {
-
-[[nodiscard]] size_t bytes_per_pixel(selvage_format format) {
+ptrdiff_t bytes_per_texel(selvage_format format) {
   return format == SELVAGE_INDEX8 ? 1 : format == SELVAGE_RGB565 ? 2 : 4;
 }
 
-}  // namespace
+ptrdiff_t place_of(const selvage_texture& texture, spec::Texel texel) {
+  const ptrdiff_t bytes = bytes_per_texel(texture.format);
+  const auto& [s, t] = texel;
+  if (texture.layout == SELVAGE_LAYOUT_ROWS) return t * texture.pitch + s * bytes;
+  return t / 4 * texture.pitch + (s / 4 * 16 + t % 4 * 4 + s % 4) * bytes;
+}
 
 bool in_clip(const Job& job, int32_t x, int32_t y) {
   return job.clip.left <= x && x < job.clip.right && job.clip.top <= y && y < job.clip.bottom;
 }
 
 void copy_texel(const Job& job, spec::Texel texel, int32_t x, int32_t y) {
-  const auto size = static_cast<ptrdiff_t>(bytes_per_pixel(job.target.format));
-  const char* from =
-      static_cast<const char*>(job.texture.texels) + texel.t * job.texture.pitch + texel.s * size;
+  const ptrdiff_t size = bytes_per_texel(job.target.format);
+  const char* from = static_cast<const char*>(job.texture.texels) + job.place(job.texture, texel);
   char* pixel = static_cast<char*>(job.target.pixels) + y * job.target.pitch + x * size;
   std::memcpy(pixel, from, static_cast<size_t>(size));
 }
 
 uint32_t texel_value(const Job& job, spec::Texel texel) {
   uint32_t value;
-  std::memcpy(&value,
-              static_cast<const char*>(job.texture.texels) + texel.t * job.texture.pitch +
-                  texel.s * ptrdiff_t{sizeof value},
+  std::memcpy(&value, static_cast<const char*>(job.texture.texels) + job.place(job.texture, texel),
               sizeof value);
   return value;
 }

@@ -1,6 +1,7 @@
 // What recipes draw with: the arguments of a call, checked, and a subject made of them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -11,6 +12,10 @@
 
 namespace selvage::coverage {
 
+[[nodiscard]] ptrdiff_t bytes_per_texel(selvage_format format);
+// As the layout says.
+[[nodiscard]] ptrdiff_t place_of(const selvage_texture& texture, spec::Texel texel);
+
 // The arguments of a draw call that has passed every check.
 struct Job {
   selvage_image target;
@@ -20,6 +25,8 @@ struct Job {
   selvage_address address;
   selvage_filter filter;
   int32_t tolerance;  // 1/65536 texel
+  // The bytes from the texture's first texel to one.
+  std::function<ptrdiff_t(const selvage_texture&, spec::Texel)> place = place_of;
 };
 
 // Pixel (x, y) belongs to the clip rectangle.

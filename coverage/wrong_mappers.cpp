@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "coverage/catalogue.h"
+#include "coverage/many_recipe.h"
 
 namespace selvage::coverage {
 
@@ -13,6 +14,8 @@ std::span<const WrongMapper> wrong_mappers() {
     add_wrong_mapping(&catalogue);
     add_wrong_filters(&catalogue);
     add_wrong_tolerance(&catalogue);
+    add_wrong_layouts(&catalogue);
+    add_wrong_many(&catalogue);
     add_wrong_historic_edges(&catalogue);
     add_wrong_historic_spans(&catalogue);
     add_wrong_historic_walks(&catalogue);
@@ -23,8 +26,12 @@ std::span<const WrongMapper> wrong_mappers() {
 
 spec::Subject right_mapper(selvage_profile profile) {
   const std::string name = "the recipe with nothing wrong";
-  if (profile == SELVAGE_PROFILE_EXACT) return subject_of(name, Recipe{});
-  return subject_of(name, HistoricRecipe(profile));
+  spec::Subject right = profile == SELVAGE_PROFILE_EXACT
+                            ? subject_of(name, Recipe{})
+                            : subject_of(name, HistoricRecipe(profile));
+  right.draw_many = draw_many_by(ManyRecipe{}, right);
+  right.prepare = spec::built_in().prepare;
+  return right;
 }
 
 }  // namespace selvage::coverage

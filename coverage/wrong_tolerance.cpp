@@ -79,11 +79,11 @@ void spoil_coverage(Catalogue* catalogue) {
                  });
 }
 
-// The mapper that this program is linked with; tell(options, choice) changes what it tells.
+// The mapper that this program is linked with; tell(choice) changes what it tells.
 template <class Tell>
-[[nodiscard]] WrongMapper telling(std::string name, std::string_view bug, Tell tell) {
+[[nodiscard]] spec::Subject telling(std::string name, Tell tell) {
   spec::Subject subject = spec::built_in();
-  subject.name = name;
+  subject.name = std::move(name);
   subject.choose = [tell](const selvage_image* target, const selvage_rect* clip,
                           const selvage_vertex* vertices, size_t count,
                           const selvage_texture* texture, const selvage_options* options,
@@ -93,19 +93,20 @@ template <class Tell>
     if (status == SELVAGE_OK) tell(*choice);
     return status;
   };
-  return {std::move(name), bug, kKiller, std::move(subject)};
+  return subject;
 }
 
 void spoil_telling(Catalogue* catalogue) {
-  catalogue->add(telling("tells_half_the_bound",
-                         "the bound that is told is half of the derived one",
-                         [](selvage_choice& choice) { choice.bound /= 2; }));
-  catalogue->add(telling("tells_that_it_is_exact", "what is drawn within a tolerance is told exact",
-                         [](selvage_choice& choice) {
-                           choice = {SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0};
-                         }));
-  catalogue->add(telling("tells_shorter_segments", "segments are told to be half as long",
-                         [](selvage_choice& choice) { choice.segment_px /= 2; }));
+  catalogue->add(
+      kKiller, "the bound that is told is half of the derived one",
+      telling("tells_half_the_bound", [](selvage_choice& choice) { choice.bound /= 2; }));
+  catalogue->add(kKiller, "what is drawn within a tolerance is told exact",
+                 telling("tells_that_it_is_exact", [](selvage_choice& choice) {
+                   choice = {SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0};
+                 }));
+  catalogue->add(
+      kKiller, "segments are told to be half as long",
+      telling("tells_shorter_segments", [](selvage_choice& choice) { choice.segment_px /= 2; }));
 }
 
 }  // namespace

@@ -21,8 +21,8 @@ void require(bool holds, const char* what, selvage_status status) {
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   selvage::fuzz::Call call{selvage::fuzz::Bytes(data, size)};
-  const std::vector<uint8_t> target_before = call.target_block;
-  const std::vector<uint8_t> texture_before = call.texture_block();
+  const selvage::fuzz::Block target_before = call.target_block;
+  const selvage::fuzz::Block texture_before = call.texture_block();
   const std::vector<selvage_vertex> vertices_before = call.vertices;
   const selvage_status status = call.draw();
 

@@ -20,35 +20,51 @@ int32_t pixel_bytes(int32_t format) {
 
 Wide magnitude(int64_t pitch) { return pitch < 0 ? -static_cast<Wide>(pitch) : pitch; }
 
+// Texels that lie together: one, or a tile of 4 x 4.
+int32_t side_of(int32_t layout) { return layout == SELVAGE_LAYOUT_TILES ? 4 : 1; }
+
+// How the bytes of a claim lie: rows of texels, or of tiles. Its format is known, its size
+// positive.
+struct Shape {
+  int64_t rows, row_bytes;
+};
+Shape shape_of(const Claim& claim, int32_t layout) {
+  const int64_t side = side_of(layout);
+  return {(claim.height + side - 1) / side,
+          (claim.width + side - 1) / side * side * side * pixel_bytes(claim.format)};
+}
+
 // The memory that a claim needs if it may be accepted; nothing if it must be refused. Shrinks a
 // claim that would need too much.
-Extent settle(Claim& claim, int32_t most_bytes) {
+Extent settle(Claim& claim, int32_t layout, int32_t most_bytes) {
   Extent extent;
   if (claim.format < SELVAGE_INDEX8 || claim.format > SELVAGE_RGBA8888) return extent;
   extent.pixel_bytes = pixel_bytes(claim.format);
   if (claim.width < 1 || claim.height < 1) return extent;
+  const auto shape = [&] { return shape_of(claim, layout); };
   const auto span = [&] {
-    return (claim.height - 1) * magnitude(claim.pitch) +
-           static_cast<Wide>(claim.width) * extent.pixel_bytes;
+    return (shape().rows - 1) * magnitude(claim.pitch) + static_cast<Wide>(shape().row_bytes);
   };
-  if (magnitude(claim.pitch) < static_cast<Wide>(claim.width) * extent.pixel_bytes) return extent;
+  if (magnitude(claim.pitch) < static_cast<Wide>(shape().row_bytes)) return extent;
   if (span() > std::numeric_limits<ptrdiff_t>::max()) return extent;
-  claim.width = std::min(claim.width, most_bytes / extent.pixel_bytes);
+  const int32_t side = side_of(layout);
+  claim.width = std::min(claim.width, most_bytes / (side * extent.pixel_bytes));
   if (span() > most_bytes) {
-    const Wide room = most_bytes - claim.width * extent.pixel_bytes;
-    claim.height = static_cast<int32_t>(1 + room / magnitude(claim.pitch));
+    const Wide room = std::max<Wide>(most_bytes - shape().row_bytes, 0);
+    claim.height = static_cast<int32_t>(
+        std::min<Wide>(claim.height, (1 + room / magnitude(claim.pitch)) * side));
   }
   extent.bytes = static_cast<int64_t>(span());
   if (claim.pitch < 0) {
-    extent.first = static_cast<int64_t>((claim.height - 1) * magnitude(claim.pitch));
+    extent.first = static_cast<int64_t>((shape().rows - 1) * magnitude(claim.pitch));
   }
   return extent;
 }
 
 // A block of exactly this many bytes, filled with a pattern; of one byte where none are needed, so
 // that it has an address.
-std::vector<uint8_t> block(int64_t size_bytes, uint32_t state) {
-  std::vector<uint8_t> memory(static_cast<size_t>(std::max<int64_t>(size_bytes, 1)));
+Block block(int64_t size_bytes, uint32_t state) {
+  Block memory(static_cast<size_t>(std::max<int64_t>(size_bytes, 1)));
   for (uint8_t& byte : memory) byte = static_cast<uint8_t>((state = state * 1664525u + 1u) >> 24);
   return memory;
 }
@@ -63,13 +79,28 @@ Call::Call(Bytes bytes)
       clip(bytes.take<selvage_rect>()),
       options(bytes.take<selvage_options>()),
       shared_offset(bytes.take<uint16_t>()),
-      target_extent(settle(target_claim, most_image_bytes(options))),
-      texture_extent(settle(texture_claim, most_image_bytes(options))) {
+      target_extent(settle(target_claim, SELVAGE_LAYOUT_ROWS, most_image_bytes(options))),
+      texture_extent(settle(texture_claim, layout, most_image_bytes(options))) {
   vertices.reserve(std::max<size_t>(bytes.left() / sizeof(selvage_vertex), 1));  // exact
   while (bytes.left() >= sizeof(selvage_vertex)) {
     vertices.push_back(bytes.take<selvage_vertex>());
   }
+  place_sums();
   place();
+}
+
+// Where the texture may have sums, they are behind its texels, and as large as selvage says.
+void Call::place_sums() {
+  const Claim& s = texture_claim;
+  if (!has(kSums) || texture_extent.bytes == 0 || s.pitch < 0) return;
+  alignas(SELVAGE_PREPARED_ALIGNMENT) static const char texel[SELVAGE_PREPARED_ALIGNMENT] = {};
+  const selvage_texture texture{texel,    s.width, s.height, static_cast<ptrdiff_t>(s.pitch),
+                                s.format, layout,  nullptr};
+  const size_t with = selvage_prepare_bytes(&texture, layout, 1);
+  if (with == SIZE_MAX) return;
+  const size_t without = selvage_prepare_bytes(&texture, layout, 0);
+  sums_offset = shape_of(s, layout).rows * s.pitch;
+  texture_extent.bytes = sums_offset + static_cast<int64_t>(with - without);
 }
 
 // Lays out the memory: the target in its block, the texture in its own or in the same.
@@ -93,14 +124,18 @@ selvage_status Call::draw() {
   const selvage_image target = {
       has(kNoPixels) ? nullptr : target_block.data() + target_start + target_extent.first, t.width,
       t.height, static_cast<ptrdiff_t>(t.pitch), t.format};
-  const selvage_texture texture = {
+  selvage_texture texture = {
       has(kNoTexels) ? nullptr : texture_block().data() + texture_start + texture_extent.first,
       s.width,
       s.height,
       static_cast<ptrdiff_t>(s.pitch),
       s.format,
       layout,
-      has(kPrepared) ? &layout : nullptr};
+      nullptr};
+  if (has(kPrepared)) texture.prepared = &layout;
+  if (sums_offset > 0 && !has(kNoTexels)) {
+    texture.prepared = static_cast<const char*>(texture.texels) + sums_offset;
+  }
   const selvage_vertex* corners = vertices.data();
   if (vertices_in_target) corners = reinterpret_cast<const selvage_vertex*>(target_block.data());
   if (has(kNoVertices)) corners = nullptr;
@@ -109,23 +144,24 @@ selvage_status Call::draw() {
                       has(kNoTexture) ? nullptr : &texture, has(kNoOptions) ? nullptr : &options);
 }
 
-bool same_texels(const std::vector<uint8_t>& after, const std::vector<uint8_t>& before,
-                 const Call& call) {
+bool same_texels(const Block& after, const Block& before, const Call& call) {
   const Claim& claim = call.texture_claim;
-  const int64_t bytes = pixel_bytes(claim.format);
+  const Shape shape = shape_of(claim, call.layout);
   const int64_t top_row = call.texture_start + call.texture_extent.first;
-  for (int64_t row = 0; row < claim.height; ++row) {
+  for (int64_t row = 0; row < shape.rows; ++row) {
     const int64_t begin = top_row + row * claim.pitch;
-    const int64_t end = begin + claim.width * bytes;
+    const int64_t end = begin + shape.row_bytes;
     if (!std::equal(after.begin() + begin, after.begin() + end, before.begin() + begin)) {
       return false;
     }
   }
-  return true;
+  if (call.sums_offset == 0) return true;
+  const int64_t begin = top_row + call.sums_offset;
+  const int64_t end = call.texture_start + call.texture_extent.bytes;
+  return std::equal(after.begin() + begin, after.begin() + end, before.begin() + begin);
 }
 
-bool same_elsewhere(std::vector<uint8_t> after, const std::vector<uint8_t>& before,
-                    const Call& call) {
+bool same_elsewhere(Block after, const Block& before, const Call& call) {
   const Claim& claim = call.target_claim;
   const int64_t bytes = pixel_bytes(claim.format);
   selvage_rect part = {0, 0, claim.width, claim.height};

@@ -9,7 +9,7 @@ namespace {
 //
 //   bytes  0   target width, target height, texture width, texture height: 2 bytes each
 //          8   flags
-//          9   padding: the low 4 bits; filter: the next 2
+//          9   padding: the low 4 bits; filter: the next 2; layout: the next 2, modulo 3 when read
 //         10   clip: left, top, right, bottom: 2 bytes each, signed
 //         18   choice: 4 bytes
 constexpr size_t kVertexBytes = 17;
@@ -22,6 +22,7 @@ constexpr int kProfileShift = 6;
 static_assert(SELVAGE_PROFILE_DKIT < 1 << (8 - kProfileShift));
 
 constexpr int kFilterShift = 4;
+constexpr int kLayoutShift = 6;
 constexpr uint64_t kPaddingMask = 15, kFilterMask = 3;
 static_assert(SELVAGE_FILTER_AREA <= kFilterMask);
 
@@ -104,8 +105,9 @@ bool operator==(const Case& a, const Case& b) {
          a.target_height_px == b.target_height_px &&
          a.texture_width_texel == b.texture_width_texel &&
          a.texture_height_texel == b.texture_height_texel && a.padding_px == b.padding_px &&
-         a.flip_target == b.flip_target && a.flip_texture == b.flip_texture &&
-         a.has_clip == b.has_clip && same_rect(a.clip, b.clip) && a.choice == b.choice &&
+         a.layout == b.layout && a.flip_target == b.flip_target &&
+         a.flip_texture == b.flip_texture && a.has_clip == b.has_clip &&
+         same_rect(a.clip, b.clip) && a.choice == b.choice &&
          std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
                     same_vertex);
 }
@@ -117,7 +119,8 @@ std::vector<uint8_t> encode(const Case& c) {
   writer.put(c.texture_width_texel - 1, 2);
   writer.put(c.texture_height_texel - 1, 2);
   writer.put(static_cast<int64_t>(flags(c)), 1);
-  writer.put(c.padding_px | c.filter << kFilterShift, 1);
+  writer.put(
+      c.padding_px | c.filter << kFilterShift | static_cast<int32_t>(c.layout) << kLayoutShift, 1);
   for (const int32_t side : {c.clip.left, c.clip.top, c.clip.right, c.clip.bottom}) {
     writer.put(side, 2);
   }
@@ -140,9 +143,10 @@ Case decode(std::span<const uint8_t> bytes) {
   c.texture_width_texel = reader.take_size();
   c.texture_height_texel = std::min(reader.take_size(), kMaxTextureTexels / c.texture_width_texel);
   set_flags(reader.take_unsigned(1), &c);
-  const uint64_t padding_and_filter = reader.take_unsigned(1);
-  c.padding_px = static_cast<int32_t>(padding_and_filter & kPaddingMask);
-  c.filter = static_cast<selvage_filter>(padding_and_filter >> kFilterShift & kFilterMask);
+  const uint64_t texture = reader.take_unsigned(1);
+  c.padding_px = static_cast<int32_t>(texture & kPaddingMask);
+  c.filter = static_cast<selvage_filter>(texture >> kFilterShift & kFilterMask);
+  c.layout = static_cast<Layout>((texture >> kLayoutShift) % kLayoutCount);
   for (int32_t* side : {&c.clip.left, &c.clip.top, &c.clip.right, &c.clip.bottom}) {
     *side = reader.take_signed(2);
   }

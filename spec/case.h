@@ -21,6 +21,14 @@ inline constexpr int32_t kMaxTargetPx = 65536;       // width x height of a case
 inline constexpr int32_t kMaxTextureTexels = 65536;  // width x height of a case's texture
 inline constexpr size_t kMaxVertices = 256;
 
+// How the texture lies in memory when it is drawn from.
+enum class Layout : int32_t {
+  kGiven,   // rows as the case has them
+  kPadded,  // these, laid out anew by the subject: rows
+  kTiled    // likewise: tiles
+};
+inline constexpr int32_t kLayoutCount = 3;
+
 struct Case {
   selvage_profile profile = SELVAGE_PROFILE_EXACT;
   selvage_format format = SELVAGE_RGBA8888;
@@ -31,6 +39,7 @@ struct Case {
   int32_t padding_px = 0;     // 0 .. 15: pixels between the end of a row and the next, both images
   bool flip_target = false;   // negative pitch
   bool flip_texture = false;  // negative pitch
+  Layout layout = Layout::kGiven;
   bool has_clip = false;
   selvage_rect clip{};                   // each side in [-32768, 32768)
   uint32_t choice = 0;                   // what a law may vary freely: a shift, a chord, a centre

@@ -50,10 +50,20 @@ namespace {
   }
 }
 
+[[nodiscard]] const char* layout_name(Layout layout) {
+  switch (layout) {
+    case Layout::kPadded:
+      return ", prepared in rows";
+    case Layout::kTiled:
+      return ", prepared in tiles";
+    default:
+      return "";
+  }
+}
+
 void print_image(std::ostream& out, const Case& c, bool flipped) {
   if (c.padding_px > 0) out << ", padding " << c.padding_px << " px a row";
   if (flipped) out << ", bottom row first";
-  out << '\n';
 }
 
 }  // namespace
@@ -64,8 +74,10 @@ std::string print(const Case& c) {
       << (c.address == SELVAGE_ADDRESS_WRAP ? "wrap" : "clamp") << ", choice " << c.choice << '\n';
   out << "target   " << c.target_width_px << " x " << c.target_height_px << " px";
   print_image(out, c, c.flip_target);
+  out << '\n';
   out << "texture  " << c.texture_width_texel << " x " << c.texture_height_texel << " texels";
   print_image(out, c, c.flip_texture);
+  out << layout_name(c.layout) << '\n';
   if (c.has_clip) {
     out << "clip     columns [" << c.clip.left << ", " << c.clip.right << "), rows [" << c.clip.top
         << ", " << c.clip.bottom << ")\n";

@@ -20,14 +20,16 @@ constexpr int kTexelBits = std::countr_zero(unsigned{SELVAGE_SUBTEXELS});
 [[nodiscard]] uint64_t options_set(const Case& c) {
   return uint64_t{c.has_clip} + uint64_t{c.padding_px > 0} + uint64_t{c.flip_target} +
          uint64_t{c.flip_texture} + uint64_t{c.address != SELVAGE_ADDRESS_CLAMP} +
-         uint64_t{c.filter != SELVAGE_FILTER_NEAREST} + uint64_t{c.format != SELVAGE_RGBA8888};
+         uint64_t{c.filter != SELVAGE_FILTER_NEAREST} + uint64_t{c.format != SELVAGE_RGBA8888} +
+         uint64_t{c.layout != Layout::kGiven};
 }
 
 }  // namespace
 
 Complexity complexity(const Case& c) {
   uint64_t fractions = 0;
-  uint64_t magnitudes = magnitude(c.padding_px) + magnitude(c.filter) + c.choice +
+  uint64_t magnitudes = magnitude(c.padding_px) + magnitude(c.filter) +
+                        magnitude(static_cast<int32_t>(c.layout)) + c.choice +
                         magnitude(c.clip.left) + magnitude(c.clip.top) + magnitude(c.clip.right) +
                         magnitude(c.clip.bottom);
   for (const selvage_vertex& vertex : c.vertices) {

@@ -13,8 +13,8 @@ namespace selvage::spec {
 //   the vertices
 //   width + height of the target
 //   width + height of the texture
-//   options that are not at their simplest: a clip, padding, flips, wrap, a format but RGBA8888
-//   fraction bits of x, y, u, v: places after the binary point, over all vertices
+//   options that are not at their simplest: a clip, padding, flips, wrap, a layout, a format but
+//   RGBA8888 fraction bits of x, y, u, v: places after the binary point, over all vertices
 //   magnitudes of x, y, u, v, q - 1, padding, the clip's sides and the choice, added up
 using Complexity = std::array<uint64_t, 6>;
 

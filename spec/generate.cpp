@@ -146,6 +146,7 @@ Case generate(uint64_t seed) {
   if (c.vertices.size() == 3 && random.percent(30)) graze_a_texel(random, frame, c.vertices);
   c.choice = static_cast<uint32_t>(random.bits() >> 32);
   set_filter(random, &c);
+  if (random.percent(50)) c.layout = random.pick({Layout::kPadded, Layout::kTiled, Layout::kTiled});
   return c;
 }
 

@@ -109,10 +109,10 @@ void spoil_pointers(Calls* calls, selvage_format format) {
   add("no texels", SELVAGE_ERROR_TEXTURE_NULL, [](Arguments& a) { a.texture.texels = nullptr; });
   add("no vertices", SELVAGE_ERROR_VERTICES_NULL,
       [](Arguments& a) { a.vertices_pointer = nullptr; });
-  add("an unknown layout", SELVAGE_ERROR_TEXTURE_LAYOUT,
-      [](Arguments& a) { a.texture.layout = 1; });
-  add("a prepared texture in plain rows", SELVAGE_ERROR_TEXTURE_LAYOUT,
-      [](Arguments& a) { a.texture.prepared = &a; });
+  for (const int32_t unknown : {-1, 2, kInt32Min, kInt32Max}) {
+    add("an unknown layout", SELVAGE_ERROR_TEXTURE_LAYOUT,
+        [=](Arguments& a) { a.texture.layout = unknown; });
+  }
   add("a texture that is the target", SELVAGE_ERROR_OVERLAP, [](Arguments& a) {
     const auto& [pixels, width, height, pitch, image_format] = a.target;
     a.texture = {pixels, width, height, pitch, image_format, SELVAGE_LAYOUT_ROWS, nullptr};
@@ -180,6 +180,38 @@ void start_before(Arguments& a, ptrdiff_t distance_px) {
       static_cast<const char*>(a.target.pixels) - distance_px * bytes_per_pixel(a.target.format);
 }
 
+// Rows as given, said to be what they are not.
+void spoil_preparation(Calls* calls, const Case& c) {
+  const auto add = [&](std::string what, selvage_status wanted, auto spoil) {
+    calls->push_back({std::move(what), wanted, spoil});
+  };
+  add("sums that are not behind the texels", SELVAGE_ERROR_TEXTURE_PREPARED,
+      [](Arguments& a) { a.texture.prepared = &a; });
+  add("sums a row too far behind the texels", SELVAGE_ERROR_TEXTURE_PREPARED, [](Arguments& a) {
+    a.texture.pitch = std::abs(a.texture.pitch);
+    a.texture.prepared = static_cast<const char*>(a.texture.texels) +
+                         a.texture.pitch * (ptrdiff_t{a.texture.height} + 1);
+  });
+  const ptrdiff_t tile = 16 * bytes_per_pixel(c.format);
+  const auto tiled = [=](Arguments& a, ptrdiff_t pitch) {
+    alignas(64) static const char texels[16 * 4 * 4 * 4] = {};
+    a.texture = {texels + 16 * 4, 8, 5, pitch, c.format, SELVAGE_LAYOUT_TILES, nullptr};
+  };
+  add("tiles at a pitch short of a row of them", SELVAGE_ERROR_TEXTURE_PITCH,
+      [=](Arguments& a) { tiled(a, tile); });
+  add("tiles at a pitch that splits a tile", SELVAGE_ERROR_TEXTURE_PITCH,
+      [=](Arguments& a) { tiled(a, 2 * tile + tile / 4); });
+  add("tiles bottom row first", SELVAGE_ERROR_TEXTURE_PITCH,
+      [=](Arguments& a) { tiled(a, -2 * tile); });
+  add("tiles that start within a tile", SELVAGE_ERROR_TEXTURE_ALIGNMENT, [=](Arguments& a) {
+    tiled(a, 2 * tile);
+    a.texture.texels = static_cast<const char*>(a.texture.texels) + tile / 4;
+  });
+  const bool exact = c.profile == SELVAGE_PROFILE_EXACT;
+  add("tiles", exact ? SELVAGE_OK : SELVAGE_ERROR_LAYOUT_PROFILE,
+      [=](Arguments& a) { tiled(a, 2 * tile); });
+}
+
 void share_memory(Calls* calls) {
   calls->push_back({"a texture whose last texel is the target's first pixel", SELVAGE_ERROR_OVERLAP,
                     [](Arguments& a) { start_before(a, 2); }});
@@ -200,14 +232,15 @@ void leave_out(Calls* calls) {
 
 }  // namespace
 
-std::vector<HostileCall> hostile_calls(const Case& c, bool nearest_only) {
+std::vector<HostileCall> hostile_calls(const Case& c, const Subject& subject) {
   std::vector<HostileCall> calls;
   spoil_options(&calls);
-  choose_filters(&calls, c, nearest_only);
+  choose_filters(&calls, c, subject.nearest_only);
   spoil_images(&calls, c.format);
   spoil_pointers(&calls, c.format);
   spoil_vertices(&calls, c.choice % 3);
   if (profile_of(c).whole_px) spoil_wholeness(&calls, c.choice % 3);
+  if (subject.prepare) spoil_preparation(&calls, c);
   share_memory(&calls);
   leave_out(&calls);
   return calls;

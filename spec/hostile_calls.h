@@ -38,9 +38,9 @@ struct HostileOutcome {
   bool target_untouched;
 };
 
-// Those that make sense for the case's profile, format and size, for a subject that has all filters
-// or only nearest.
-[[nodiscard]] std::vector<HostileCall> hostile_calls(const Case& c, bool nearest_only);
+// Those that make sense for the case's profile, format and size, and for what the subject has: all
+// filters or only nearest, prepared textures or none.
+[[nodiscard]] std::vector<HostileCall> hostile_calls(const Case& c, const Subject& subject);
 
 // Draws a good triangle with the case's images, spoiled.
 [[nodiscard]] HostileOutcome make(const Subject& subject, const Case& c, const HostileCall& call);

@@ -23,6 +23,9 @@ namespace selvage::spec {
 [[nodiscard]] Judgement check_tolerance(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_mem(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_total(const Subject& subject, const Case& c);
+[[nodiscard]] Judgement check_same(const Subject& subject, const Case& c);
+// A part of law SAME.
+[[nodiscard]] Judgement check_same_layouts(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_oracle(const Subject& subject, const Case& c);
 
 }  // namespace selvage::spec

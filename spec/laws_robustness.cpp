@@ -54,7 +54,7 @@ namespace {
 Judgement check_total(const Subject& subject, const Case& c) {
   Judgement judgement = judge_status(subject, c);
   if (judgement.violation) return judgement;
-  for (const HostileCall& hostile : hostile_calls(c, subject.nearest_only)) {
+  for (const HostileCall& hostile : hostile_calls(c, subject)) {
     ++judgement.judged_px;
     const HostileOutcome outcome = make(subject, c, hostile);
     if (outcome.status != hostile.wanted) {

@@ -5,6 +5,7 @@
 
 #include "spec/canvas.h"
 #include "spec/model.h"
+#include "spec/texture_memory.h"
 
 namespace selvage::spec {
 namespace {
@@ -17,17 +18,6 @@ inline constexpr std::array<uint8_t, 2> kOutsideTexture = {0xEE, 0x11};
 // How many bits of s and of t a format's coordinate texel holds.
 [[nodiscard]] int coordinate_bits(selvage_format format) {
   return format == SELVAGE_INDEX8 ? 4 : format == SELVAGE_RGB565 ? 8 : 16;
-}
-
-[[nodiscard]] Canvas texture_of(const Case& c, const TexelAt& texel_at, uint8_t outside) {
-  Canvas texture(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
-                 c.flip_texture, outside);
-  for (int32_t t = 0; t < c.texture_height_texel; ++t) {
-    for (int32_t s = 0; s < c.texture_width_texel; ++s) {
-      texture.set_pixel(s, t, texel_at({s, t}));
-    }
-  }
-  return texture;
 }
 
 struct Drawn {
@@ -43,15 +33,17 @@ template <class T>
 }
 
 // One drawing over one background; notes in *fault what no mapper may touch and this one did.
-[[nodiscard]] Drawn draw_over(const Subject& subject, const Case& c, const Canvas& texture,
+[[nodiscard]] Drawn draw_over(const Subject& subject, const Case& c, const TextureMemory& texture,
                               uint8_t background, std::string* fault) {
   Canvas canvas(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target,
                 background);
-  const Canvas texture_before = texture;
+  if (!texture.fault().empty()) *fault = texture.fault();
+  if (texture.status() != SELVAGE_OK) return {std::move(canvas), texture.status()};
+  const TextureMemory::Bytes texture_before = texture.bytes();
   std::vector<selvage_vertex> vertices = c.vertices;
   vertices.reserve(1);  // no vertices are not NULL vertices
   const selvage_image image = canvas.image();
-  const selvage_texture view = texture.texture();
+  const selvage_texture view = texture.view();
   const selvage_options options{c.profile, c.filter, c.address, /*tolerance=*/0,
                                 SELVAGE_KERNEL_FASTEST};
   const selvage_rect clip = c.clip;
@@ -64,7 +56,7 @@ template <class T>
                                              vertices.size(), &view, &options);
 
   if (!canvas.guards_are_intact()) *fault = "a byte outside the target's pixels was written";
-  if (!(texture == texture_before)) *fault = "the texture was written";
+  if (!(texture.bytes() == texture_before)) *fault = "the texture was written";
   const bool vertices_changed =
       !vertices.empty() && std::memcmp(vertices.data(), c.vertices.data(),
                                        vertices.size() * sizeof(selvage_vertex)) != 0;
@@ -122,10 +114,11 @@ Picture draw(const Subject& subject, const Case& c) {
 
 Picture draw(const Subject& subject, const Case& c, const TexelAt& texel_at) {
   Picture picture = blank(c);
-  const Drawn first = draw_over(subject, c, texture_of(c, texel_at, kOutsideTexture[0]),
-                                kBackgrounds[0], &picture.memory_fault);
-  const Drawn second = draw_over(subject, c, texture_of(c, texel_at, kOutsideTexture[1]),
-                                 kBackgrounds[1], &picture.memory_fault);
+  const auto draw_with = [&](size_t i) {
+    const TextureMemory texture(subject, c, texel_at, kOutsideTexture[i]);
+    return draw_over(subject, c, texture, kBackgrounds[i], &picture.memory_fault);
+  };
+  const Drawn first = draw_with(0), second = draw_with(1);
   picture.status = first.status;
   if (second.status != first.status) picture.memory_fault = "the status depends on the target";
 

@@ -72,6 +72,7 @@ constexpr std::array kPromises = {
     Entry{"TOLERANCE", {kYes, none(kNoTolerance), none(kNoTolerance), none(kNoTolerance)}},
     Entry{"MEM", {kYes, kYes, kYes, kYes}},
     Entry{"TOTAL", {kYes, kYes, kYes, kYes}},
+    Entry{"SAME", {kYes, kYes, kYes, kYes}},
     Entry{"ORACLE", {kYes, no(kOtherSamples), no(kOtherSamples), no(kOtherSamples)}},
 };
 

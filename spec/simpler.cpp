@@ -141,6 +141,8 @@ void plain_options(const Case& c, Candidates& candidates) {
   for (selvage_filter simple = SELVAGE_FILTER_NEAREST; simple < c.filter; ++simple) {
     candidates.offer_value(&Case::filter, simple);
   }
+  candidates.offer_value(&Case::layout, Layout::kGiven);
+  candidates.offer_value(&Case::layout, Layout::kPadded);
   candidates.offer_value(&Case::flip_target, false);
   candidates.offer_value(&Case::flip_texture, false);
   for (const int64_t padding : nearer_to_zero(c.padding_px)) {

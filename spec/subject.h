@@ -1,12 +1,27 @@
-// A subject: anything with the draw call. The laws know nothing else about it.
+// A subject: anything with the draw call, and maybe one for many polygons. The laws know nothing
+// else about it.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "selvage.h"
 
 namespace selvage::spec {
+
+// As selvage_draw_many, without what is not the laws' affair: scratch memory, who failed.
+using DrawMany =
+    std::function<selvage_status(const selvage_image*, const selvage_rect*, const selvage_polygon*,
+                                 size_t, const selvage_options*, int32_t threads)>;
+
+// selvage_prepare and selvage_prepare_bytes.
+struct Prepare {
+  std::function<selvage_status(const selvage_texture*, selvage_layout, int32_t with_sums,
+                               void* memory, size_t bytes, selvage_texture* prepared)>
+      prepare;
+  std::function<size_t(const selvage_texture*, selvage_layout, int32_t with_sums)> bytes;
+};
 
 struct Subject {
   std::string name;
@@ -14,9 +29,13 @@ struct Subject {
                                size_t, const selvage_texture*, const selvage_options*)>
       draw;
   selvage_profile profile = SELVAGE_PROFILE_EXACT;  // the one it is held to
-  bool nearest_only = false;  // it has no other filter: verify() draws with nearest alone, and
-                              // others must get SELVAGE_ERROR_FILTER
-  // selvage_choose, if it has it: what it draws by is then held to the bounds that it tells.
+  // It has no other filter: verify() draws with nearest alone, and others must get
+  // SELVAGE_ERROR_FILTER.
+  bool nearest_only = false;
+  DrawMany draw_many{};  // may be empty: then nothing is said of it
+  // Lays textures out anew; without it, every layout of a case is rows as given.
+  std::optional<Prepare> prepare{};
+  // selvage_choose, if it has it: what it draws is then held to the bounds that it tells.
   std::function<selvage_status(const selvage_image*, const selvage_rect*, const selvage_vertex*,
                                size_t, const selvage_texture*, const selvage_options*,
                                selvage_choice*)>

@@ -4,11 +4,17 @@ include(CMakePackageConfigHelpers)
 
 set(SELVAGE_PACKAGE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/selvage)
 
-install(TARGETS selvage selvage_static EXPORT selvageTargets
+set(SELVAGE_PLACES
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(TARGETS selvage selvage_static_alone EXPORT selvageTargets ${SELVAGE_PLACES})
+# Apart, for its users need oneTBB and the others do not.
+if(SELVAGE_THREADS)
+  install(TARGETS selvage_static EXPORT selvageThreadsTargets ${SELVAGE_PLACES})
+  install(EXPORT selvageThreadsTargets NAMESPACE selvage:: DESTINATION ${SELVAGE_PACKAGE_DIR})
+endif()
 install(FILES selvage.h selvage.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 write_basic_package_version_file(selvageConfigVersion.cmake COMPATIBILITY SameMinorVersion)

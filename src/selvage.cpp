@@ -1,6 +1,7 @@
-// The C interface: every argument is checked here, then the profile's mapper draws.
+// The C interface to one polygon: every argument is checked here, then the profile's mapper draws.
 #include "selvage.h"
 
+#include "draw_call.h"
 #include "historic/classroom.h"
 #include "historic/two_stage.h"
 #include "historic/whole_px.h"
@@ -9,6 +10,7 @@
 #include "mapper/kernel.h"
 #include "mapper/polygon.h"
 
+namespace selvage {
 namespace {
 
 [[nodiscard]] selvage_status check_options(const selvage_options& options) {
@@ -22,24 +24,43 @@ namespace {
     return SELVAGE_ERROR_ADDRESS;
   }
   if (options.tolerance < 0) return SELVAGE_ERROR_TOLERANCE;
-  if (!selvage::mapper::is_usable(options.kernel)) return SELVAGE_ERROR_KERNEL;
+  if (!mapper::is_usable(options.kernel)) return SELVAGE_ERROR_KERNEL;
   const bool filtered = options.filter != SELVAGE_FILTER_NEAREST;
   return filtered && options.profile != SELVAGE_PROFILE_EXACT ? SELVAGE_ERROR_FILTER_PROFILE
                                                               : SELVAGE_OK;
 }
 
-// Target and texture have one format.
-[[nodiscard]] selvage_status check_filter(selvage_filter filter, selvage_format format) {
-  return filter != SELVAGE_FILTER_NEAREST && format != SELVAGE_RGBA8888
-             ? SELVAGE_ERROR_FILTER_FORMAT
+}  // namespace
+
+selvage_status check_call(const selvage_options& options, const selvage_image* target) {
+  const selvage_status status = check_options(options);
+  return status == SELVAGE_OK ? mapper::check_target(target) : status;
+}
+
+selvage_status check_source(const selvage_options& options, const selvage_image& target,
+                            const selvage_texture* texture) {
+  selvage_status status = mapper::check_texture(texture);
+  if (status == SELVAGE_OK) status = mapper::check_pair(target, *texture);
+  if (status != SELVAGE_OK) return status;
+  if (options.filter != SELVAGE_FILTER_NEAREST && target.format != SELVAGE_RGBA8888) {
+    return SELVAGE_ERROR_FILTER_FORMAT;
+  }
+  // The historic profiles read rows themselves.
+  return options.profile != SELVAGE_PROFILE_EXACT && texture->layout != SELVAGE_LAYOUT_ROWS
+             ? SELVAGE_ERROR_LAYOUT_PROFILE
              : SELVAGE_OK;
 }
 
-// The arguments have passed every check.
-void draw_by_profile(const selvage_image& target, const selvage_rect& visible,
-                     const selvage::mapper::Polygon& polygon, const selvage_texture& texture,
-                     const selvage_options& options) {
-  using namespace selvage;
+selvage_status check_outline(const selvage_options& options,
+                             std::span<const selvage_vertex> vertices, mapper::Polygon* polygon) {
+  const selvage_status status = mapper::examine(vertices, polygon);
+  if (status != SELVAGE_OK || options.profile == SELVAGE_PROFILE_EXACT) return status;
+  return historic::check_whole_px(*polygon);
+}
+
+void draw_checked(const selvage_image& target, const selvage_rect& visible,
+                  const mapper::Polygon& polygon, const selvage_texture& texture,
+                  const selvage_options& options) {
   switch (options.profile) {
     case SELVAGE_PROFILE_ABRASH56:
       return historic::draw_two_stage(target, visible, polygon, texture, options.address,
@@ -54,42 +75,36 @@ void draw_by_profile(const selvage_image& target, const selvage_rect& visible,
   }
 }
 
-// All arguments but the clip, of which every one is good. On SELVAGE_OK *polygon refers to the
-// vertices.
-[[nodiscard]] selvage_status check(const selvage_image* target, const selvage_vertex* vertices,
-                                   size_t count, const selvage_texture* texture,
-                                   const selvage_options& options,
-                                   selvage::mapper::Polygon* polygon) {
-  using namespace selvage::mapper;
-  selvage_status status = check_options(options);
-  if (status == SELVAGE_OK) status = check_target(target);
-  if (status == SELVAGE_OK) status = check_texture(texture);
-  if (status == SELVAGE_OK) status = check_pair(*target, *texture);
-  if (status == SELVAGE_OK) status = check_filter(options.filter, target->format);
-  if (status == SELVAGE_OK) status = check_vertices(*target, vertices, count);
-  if (status != SELVAGE_OK) return status;
+namespace {
 
-  status = examine({vertices, count}, polygon);
-  if (status == SELVAGE_OK && options.profile != SELVAGE_PROFILE_EXACT) {
-    status = selvage::historic::check_whole_px(*polygon);
-  }
+// All arguments of a call but the clip, of which every one is good.
+[[nodiscard]] selvage_status check_one(const selvage_options& options, const selvage_image* target,
+                                       const selvage_vertex* vertices, size_t count,
+                                       const selvage_texture* texture, mapper::Polygon* polygon) {
+  selvage_status status = check_call(options, target);
+  if (status == SELVAGE_OK) status = check_source(options, *target, texture);
+  if (status == SELVAGE_OK) status = mapper::check_vertices(*target, vertices, count);
+  if (status == SELVAGE_OK) status = check_outline(options, {vertices, count}, polygon);
   return status;
 }
 
 }  // namespace
+}  // namespace selvage
 
 selvage_status selvage_draw(const selvage_image* target, const selvage_rect* clip,
                             const selvage_vertex* vertices, size_t count,
                             const selvage_texture* texture, const selvage_options* options) {
+  using namespace selvage;
   const selvage_options chosen = options != nullptr ? *options : selvage_options{};
-  selvage::mapper::Polygon polygon;
-  const selvage_status status = check(target, vertices, count, texture, chosen, &polygon);
+  mapper::Polygon polygon;
+
+  const selvage_status status = check_one(chosen, target, vertices, count, texture, &polygon);
   if (status != SELVAGE_OK) return status;
 
   // By value: descriptors that lie inside the target must not change while it is drawn on.
   const selvage_image image = *target;
   const selvage_texture texels = *texture;
-  draw_by_profile(image, selvage::mapper::visible_rect(image, clip), polygon, texels, chosen);
+  draw_checked(image, mapper::visible_rect(image, clip), polygon, texels, chosen);
   return SELVAGE_OK;
 }
 
@@ -97,15 +112,15 @@ selvage_status selvage_choose(const selvage_image* target, const selvage_rect* c
                               const selvage_vertex* vertices, size_t count,
                               const selvage_texture* texture, const selvage_options* options,
                               selvage_choice* choice) {
+  using namespace selvage;
   const selvage_options chosen = options != nullptr ? *options : selvage_options{};
-  selvage::mapper::Polygon polygon;
-  const selvage_status status = check(target, vertices, count, texture, chosen, &polygon);
+  mapper::Polygon polygon;
+  const selvage_status status = check_one(chosen, target, vertices, count, texture, &polygon);
   if (status != SELVAGE_OK) return status;
   if (choice == nullptr) return SELVAGE_ERROR_CHOICE_NULL;
-  *choice =
-      chosen.profile == SELVAGE_PROFILE_EXACT
-          ? selvage::mapper::choose(selvage::mapper::visible_rect(*target, clip), polygon, chosen)
-          : selvage_choice{SELVAGE_METHOD_HISTORIC, 0, 0};
+  *choice = chosen.profile == SELVAGE_PROFILE_EXACT
+                ? mapper::choose(mapper::visible_rect(*target, clip), polygon, chosen)
+                : selvage_choice{SELVAGE_METHOD_HISTORIC, 0, 0};
   return SELVAGE_OK;
 }
 

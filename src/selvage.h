@@ -7,7 +7,8 @@
  *             bottom edge it is not, so polygons that share an edge neither overlap nor leave a gap
  *
  * No function allocates, throws, keeps state or touches a global: calls on different targets may
- * run at the same time.
+ * run at the same time. (With more than one thread, selvage_draw_many hands work to oneTBB, which
+ * has memory and threads of its own.)
  *
  * Enumerations are int32_t with named values, so that their size is the same in every compiler and
  * an unknown value is an error that can be reported rather than undefined behaviour.
@@ -68,7 +69,13 @@ typedef struct selvage_image {
 
 typedef int32_t selvage_layout;
 enum {
-  SELVAGE_LAYOUT_ROWS = 0 /* plain rows, as in selvage_image; no other layout exists yet */
+  SELVAGE_LAYOUT_ROWS = 0, /* plain rows, as in selvage_image */
+  SELVAGE_LAYOUT_TILES = 1 /* tiles of 4 x 4 texels: the 16 of a tile follow each other row by row,
+                              the tiles of a row of tiles too; pitch is from a row of tiles to the
+                              next one down. Texels and pitch are multiples of a tile, the pitch is
+                              positive and at least a row of tiles: as many as hold width texels,
+                              and as many rows of them as hold height. Texels that a tile has
+                              beyond width or height are never read. */
 };
 
 typedef struct selvage_texture {
@@ -77,8 +84,15 @@ typedef struct selvage_texture {
   ptrdiff_t pitch;       /* bytes */
   selvage_format format;
   selvage_layout layout;
-  const void* prepared; /* reserved for prepared layouts: NULL */
+  const void* prepared; /* NULL, or the sums that selvage_prepare put behind the texels */
 } selvage_texture;
+
+/* One of many that are drawn in one call. */
+typedef struct selvage_polygon {
+  const selvage_vertex* vertices;
+  size_t count; /* of the vertices */
+  const selvage_texture* texture;
+} selvage_polygon;
 
 /* Half-open: columns [left, right), rows [top, bottom), px. Empty where left >= right or
  * top >= bottom, which is legal and draws nothing. May reach beyond the target. */
@@ -113,7 +127,8 @@ enum {
   SELVAGE_FILTER_BILINEAR = 2, /* these four, weighed by the distance in steps of 1/256 texel */
   SELVAGE_FILTER_AREA = 3      /* the mean of a box as large as a pixel is in the texture, and at
                                   least a texel: bilinear where nothing is minified. Time is then
-                                  proportional to the texels of the texture under the boxes */
+                                  proportional to the texels of the texture under the boxes,
+                                  unless the texture has sums (selvage_prepare) */
 };
 
 typedef int32_t selvage_address;
@@ -182,9 +197,10 @@ enum {
   SELVAGE_ERROR_TEXTURE_NULL,      /* texture or texture->texels is NULL */
   SELVAGE_ERROR_TEXTURE_FORMAT,    /* not a selvage_format */
   SELVAGE_ERROR_TEXTURE_SIZE,      /* width or height below 1 */
-  SELVAGE_ERROR_TEXTURE_PITCH,     /* as for the target */
-  SELVAGE_ERROR_TEXTURE_ALIGNMENT, /* texels is not aligned to a texel's size */
-  SELVAGE_ERROR_TEXTURE_LAYOUT,    /* layout is not SELVAGE_LAYOUT_ROWS or prepared is not NULL */
+  SELVAGE_ERROR_TEXTURE_LAYOUT,    /* not a selvage_layout */
+  SELVAGE_ERROR_TEXTURE_PITCH,     /* as for the target; for tiles as their layout says */
+  SELVAGE_ERROR_TEXTURE_ALIGNMENT, /* texels is not aligned to a texel's size, or a tile's */
+  SELVAGE_ERROR_TEXTURE_PREPARED,  /* prepared is neither NULL nor as selvage_prepare leaves it */
   SELVAGE_ERROR_FORMAT_MISMATCH,   /* target and texture formats differ */
   SELVAGE_ERROR_OVERLAP,           /* the texture or the vertices share memory with the target */
   SELVAGE_ERROR_VERTICES_NULL,     /* vertices is NULL */
@@ -198,9 +214,16 @@ enum {
   SELVAGE_ERROR_FILTER,            /* not a selvage_filter */
   SELVAGE_ERROR_FILTER_PROFILE,    /* historic profiles: a filter other than nearest */
   SELVAGE_ERROR_FILTER_FORMAT,     /* a filter other than nearest, and not RGBA8888 */
+  SELVAGE_ERROR_LAYOUT_PROFILE,    /* historic profiles: a layout other than rows */
   SELVAGE_ERROR_ADDRESS,           /* not a selvage_address */
   SELVAGE_ERROR_TOLERANCE,         /* negative */
   SELVAGE_ERROR_KERNEL,            /* not a selvage_kernel, or not one for this machine */
+  SELVAGE_ERROR_THREADS,           /* selvage_draw_many: threads is negative */
+  SELVAGE_ERROR_POLYGONS_NULL, /* selvage_draw_many: polygons is NULL and their count is not 0 */
+  SELVAGE_ERROR_SCRATCH_NULL,  /* selvage_draw_many: likewise scratch */
+  SELVAGE_ERROR_SCRATCH_ALIGNMENT, /* selvage_draw_many: not aligned as max_align_t is */
+  SELVAGE_ERROR_SCRATCH_SIZE,      /* selvage_draw_many: below selvage_draw_many_bytes */
+  SELVAGE_ERROR_SCRATCH_OVERLAP,   /* selvage_draw_many: what is drawn, or on, lies in it */
   SELVAGE_ERROR_SNAP_NULL,         /* selvage_snap: no vertex to write to */
   SELVAGE_ERROR_SNAP_NOT_FINITE,   /* selvage_snap: a NaN or an infinity */
   SELVAGE_ERROR_SNAP_POSITION,     /* selvage_snap: x or y beyond the accepted range */
@@ -210,6 +233,14 @@ enum {
   SELVAGE_ERROR_FIT_COUNT,         /* selvage_fit: neither 3 nor 4 corners */
   SELVAGE_ERROR_FIT_DOUBLED,       /* selvage_fit: the doubled corner is not one of the three */
   SELVAGE_ERROR_FIT_SIZE,          /* selvage_fit: width or height outside [1, 32767] texels */
+  SELVAGE_ERROR_PREPARE_NULL,      /* selvage_prepare: memory or prepared is NULL */
+  SELVAGE_ERROR_PREPARE_LAYOUT,    /* selvage_prepare: not a selvage_layout */
+  SELVAGE_ERROR_PREPARE_SUMS,      /* selvage_prepare: sums wanted, and not RGBA8888 */
+  SELVAGE_ERROR_PREPARE_ALIGNMENT, /* selvage_prepare: memory is no multiple of
+                                      SELVAGE_PREPARED_ALIGNMENT */
+  SELVAGE_ERROR_PREPARE_SIZE,      /* selvage_prepare: bytes is below selvage_prepare_bytes */
+  SELVAGE_ERROR_PREPARE_OVERLAP,   /* selvage_prepare: memory shares bytes with the source, its
+                                      descriptor or *prepared */
   SELVAGE_ERROR_CHOICE_NULL,       /* selvage_choose: no choice to write to */
   SELVAGE_STATUS_COUNT
 };
@@ -248,6 +279,63 @@ SELVAGE_API selvage_status selvage_choose(const selvage_image* target, const sel
                                           const selvage_vertex* vertices, size_t count,
                                           const selvage_texture* texture,
                                           const selvage_options* options, selvage_choice* choice);
+
+/* Copies a texture into the caller's memory, so laid out that drawing from it is fast. The picture
+ * is the same, byte for byte, whatever the layout.
+ *
+ * Rows at a pitch that is a large power of two are slow to walk down: the texels of a column fall
+ * into few places of a cache, and push each other out. SELVAGE_LAYOUT_ROWS copies to rows at a
+ * better pitch. SELVAGE_LAYOUT_TILES has texels of one column in one cache line too: it minds the
+ * direction of a walk least, and is a little slower than rows where u runs along x.
+ * With sums, SELVAGE_FILTER_AREA looks up large boxes of texels instead of visiting them: its time
+ * no longer grows with the scale. They take 16 bytes a texel.
+ *
+ * source     any texture that selvage_draw takes; its texels are copied, not its sums.
+ * with_sums  0, or not 0: with sums, which are for RGBA8888.
+ * memory     at a multiple of SELVAGE_PREPARED_ALIGNMENT. It stays the caller's, and must stay as
+ *            it is while *prepared is drawn from.
+ * bytes      at least selvage_prepare_bytes. What is beyond them, or between texels, is not
+ *            written.
+ * prepared   the texture to draw from. May be the same as source.
+ *
+ * Checked are source, layout, with_sums, memory, in this order. On an error nothing is written. */
+SELVAGE_API selvage_status selvage_prepare(const selvage_texture* source, selvage_layout layout,
+                                           int32_t with_sums, void* memory, size_t bytes,
+                                           selvage_texture* prepared);
+
+enum { SELVAGE_PREPARED_ALIGNMENT = 64 }; /* bytes */
+
+/* The memory that selvage_prepare needs. SIZE_MAX where it would refuse whatever the memory, or
+ * where none is large enough. May differ between versions of the library. */
+SELVAGE_API size_t selvage_prepare_bytes(const selvage_texture* source, selvage_layout layout,
+                                         int32_t with_sums);
+
+/* Draws polygons in order: the same bytes as selvage_draw for one after another, whatever the
+ * number of threads. The rows are split into bands, which are drawn side by side.
+ *
+ * polygons       may be NULL if polygon_count is 0.
+ * threads        1: the caller's alone. 0: as many as the machine runs at a time. N: at most N, the
+ *                caller's among them. In a library built without oneTBB every call is as with 1.
+ * scratch        aligned as max_align_t is; its first selvage_draw_many_bytes(polygon_count) bytes
+ *                are overwritten. May be NULL if polygon_count is 0.
+ * scratch_bytes  what is there.
+ * failed         may be NULL. If a polygon is refused, its index is written here; other errors
+ * leave it alone.
+ *
+ * Every polygon is checked before the first is drawn: an error draws nothing at all. Checked are,
+ * in this order, options, target, threads, polygons, scratch; then polygon after polygon its
+ * texture and its vertices as by selvage_draw. The list of polygons, the textures' descriptors, the
+ * vertices and the texels must share no memory with the target (SELVAGE_ERROR_OVERLAP; texels may
+ * interleave with it as for selvage_draw), nor any of these with the scratch memory
+ * (SELVAGE_ERROR_SCRATCH_OVERLAP). */
+SELVAGE_API selvage_status selvage_draw_many(const selvage_image* target, const selvage_rect* clip,
+                                             const selvage_polygon* polygons, size_t polygon_count,
+                                             const selvage_options* options, int32_t threads,
+                                             void* scratch, size_t scratch_bytes, size_t* failed);
+
+/* The scratch memory that so many polygons need, on the order of 100 bytes each. May differ between
+ * versions of the library. SIZE_MAX where they are too many: more than 4 * 10^8. */
+SELVAGE_API size_t selvage_draw_many_bytes(size_t polygon_count);
 
 /* Rounds to the nearest vertex of the grid, halves upward.
  *

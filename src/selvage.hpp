@@ -1,6 +1,7 @@
 // A thin C++ face over selvage.h: views instead of pointers, defaults instead of NULL.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 
@@ -11,6 +12,7 @@ namespace selvage {
 using Vertex = selvage_vertex;
 using Image = selvage_image;
 using Texture = selvage_texture;
+using Polygon = selvage_polygon;
 using Rect = selvage_rect;
 using Options = selvage_options;
 
@@ -20,6 +22,32 @@ using Options = selvage_options;
                                          const std::optional<Rect>& clip = std::nullopt) {
   return selvage_draw(&target, clip ? &*clip : nullptr, polygon.data(), polygon.size(), &texture,
                       &options);
+}
+
+// As selvage_prepare: rows at a better pitch, or tiles; with sums for the area filter or without.
+[[nodiscard]] inline selvage_status prepare(const Texture& source, selvage_layout layout,
+                                            bool with_sums, std::span<std::byte> memory,
+                                            Texture& prepared) {
+  return selvage_prepare(&source, layout, with_sums ? 1 : 0, memory.data(), memory.size(),
+                         &prepared);
+}
+
+// As selvage_prepare_bytes.
+[[nodiscard]] inline size_t prepare_bytes(const Texture& source, selvage_layout layout,
+                                          bool with_sums) {
+  return selvage_prepare_bytes(&source, layout, with_sums ? 1 : 0);
+}
+
+// As selvage_draw_many, over all the threads of the machine unless told otherwise. `failed`, if
+// given, gets the index of the polygon that is refused.
+[[nodiscard]] inline selvage_status draw_many(const Image& target,
+                                              std::span<const Polygon> polygons,
+                                              std::span<std::byte> scratch,
+                                              const Options& options = {},
+                                              const std::optional<Rect>& clip = std::nullopt,
+                                              int32_t threads = 0, size_t* failed = nullptr) {
+  return selvage_draw_many(&target, clip ? &*clip : nullptr, polygons.data(), polygons.size(),
+                           &options, threads, scratch.data(), scratch.size(), failed);
 }
 
 }  // namespace selvage

@@ -21,13 +21,18 @@ const char* selvage_status_text(selvage_status status) {
       return "the texture's format is unknown; it must be INDEX8, RGB565 or RGBA8888";
     case SELVAGE_ERROR_TEXTURE_SIZE:
       return "the texture is empty; width and height must be at least 1 texel";
+    case SELVAGE_ERROR_TEXTURE_LAYOUT:
+      return "the texture's layout is unknown; it must be ROWS or TILES";
     case SELVAGE_ERROR_TEXTURE_PITCH:
       return "the texture's pitch is wrong; its magnitude must be at least a row, a multiple of a "
-             "texel, and keep the image within PTRDIFF_MAX bytes";
+             "texel, and keep the image within PTRDIFF_MAX bytes; with tiles it must be positive, "
+             "at least a row of tiles and a multiple of a tile";
     case SELVAGE_ERROR_TEXTURE_ALIGNMENT:
-      return "the texture's texels are misaligned; the address must be a multiple of a texel";
-    case SELVAGE_ERROR_TEXTURE_LAYOUT:
-      return "the texture's layout is unknown; it must be ROWS, with prepared NULL";
+      return "the texture's texels are misaligned; the address must be a multiple of a texel, with "
+             "tiles of a tile";
+    case SELVAGE_ERROR_TEXTURE_PREPARED:
+      return "the texture's sums are not behind its texels; prepared must be NULL or what "
+             "selvage_prepare gave";
     case SELVAGE_ERROR_FORMAT_MISMATCH:
       return "target and texture differ in format; they must have the same one";
     case SELVAGE_ERROR_OVERLAP:
@@ -55,6 +60,8 @@ const char* selvage_status_text(selvage_status status) {
              "EXACT";
     case SELVAGE_ERROR_FILTER_FORMAT:
       return "the format cannot be filtered; the filter must be NEAREST, or the format RGBA8888";
+    case SELVAGE_ERROR_LAYOUT_PROFILE:
+      return "a historic profile draws from rows; the layout must be ROWS, or the profile EXACT";
     case SELVAGE_ERROR_ADDRESS:
       return "the address mode is unknown; it must be CLAMP or WRAP";
     case SELVAGE_ERROR_TOLERANCE:
@@ -62,6 +69,19 @@ const char* selvage_status_text(selvage_status status) {
     case SELVAGE_ERROR_KERNEL:
       return "the kernel is unknown, or cannot run on this machine; it must be FASTEST, SCALAR or "
              "one that selvage_has_kernel tells of";
+    case SELVAGE_ERROR_THREADS:
+      return "the number of threads is negative; it must be at least 1, or 0 for all there are";
+    case SELVAGE_ERROR_POLYGONS_NULL:
+      return "the polygons are NULL; they must point to as many as are counted";
+    case SELVAGE_ERROR_SCRATCH_NULL:
+      return "the scratch memory is NULL; it must point to selvage_draw_many_bytes bytes";
+    case SELVAGE_ERROR_SCRATCH_ALIGNMENT:
+      return "the scratch memory is misaligned; it must be aligned as max_align_t is";
+    case SELVAGE_ERROR_SCRATCH_SIZE:
+      return "the scratch memory is too small; it must have selvage_draw_many_bytes bytes";
+    case SELVAGE_ERROR_SCRATCH_OVERLAP:
+      return "the scratch memory is shared with the target, a polygon or a texture; it must lie "
+             "apart";
     case SELVAGE_ERROR_SNAP_NULL:
       return "there is no vertex to write to; it must not be NULL";
     case SELVAGE_ERROR_SNAP_NOT_FINITE:
@@ -82,6 +102,21 @@ const char* selvage_status_text(selvage_status status) {
       return "the doubled corner is none of the three; it must be 0, 1 or 2";
     case SELVAGE_ERROR_FIT_SIZE:
       return "the texture's size is out of range; width and height must be in 1 .. 32767 texels";
+    case SELVAGE_ERROR_PREPARE_NULL:
+      return "the memory or the prepared texture is NULL; both must point to memory";
+    case SELVAGE_ERROR_PREPARE_LAYOUT:
+      return "the layout that is wanted is unknown; it must be ROWS or TILES";
+    case SELVAGE_ERROR_PREPARE_SUMS:
+      return "the format has no sums; with_sums must be 0, or the format RGBA8888";
+    case SELVAGE_ERROR_PREPARE_ALIGNMENT:
+      return "the memory is misaligned; its address must be a multiple of "
+             "SELVAGE_PREPARED_ALIGNMENT, 64 bytes";
+    case SELVAGE_ERROR_PREPARE_SIZE:
+      return "the memory is too small; it must hold what selvage_prepare_bytes says";
+    case SELVAGE_ERROR_PREPARE_OVERLAP:
+      return "the memory shares bytes with the source, its descriptor or the prepared one; they "
+             "must "
+             "lie apart";
     case SELVAGE_ERROR_CHOICE_NULL:
       return "choice is NULL; it must point to a selvage_choice to write to";
     default:

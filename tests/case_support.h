@@ -23,6 +23,7 @@ namespace selvage::spec {
   for (const int32_t side : {c.clip.left, c.clip.top, c.clip.right, c.clip.bottom}) {
     if (side < -32768 || side > 32767) return "clip";
   }
+  if (c.layout < Layout::kGiven || c.layout > Layout::kTiled) return "layout";
   if (c.vertices.size() > kMaxVertices) return "vertex count";
   for (const selvage_vertex& vertex : c.vertices) {
     if (bad_position(vertex.x) || bad_position(vertex.y)) return "position";

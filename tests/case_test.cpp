@@ -27,6 +27,7 @@ constexpr size_t kVertexBytes = 17;
   c.texture_width_texel = 17;
   c.texture_height_texel = 5;
   c.padding_px = 11;
+  c.layout = Layout::kPadded;
   c.flip_texture = true;
   c.has_clip = true;
   c.clip = {-1, 2, 300, -32768};
@@ -46,6 +47,7 @@ TEST(CaseEquality, SeesEveryField) {
                                                 [](Case& d) { ++d.texture_width_texel; },
                                                 [](Case& d) { ++d.texture_height_texel; },
                                                 [](Case& d) { ++d.padding_px; },
+                                                [](Case& d) { d.layout = Layout::kTiled; },
                                                 [](Case& d) { d.flip_target = !d.flip_target; },
                                                 [](Case& d) { d.flip_texture = !d.flip_texture; },
                                                 [](Case& d) { d.has_clip = !d.has_clip; },
@@ -79,7 +81,7 @@ TEST(CaseCodec, HasTheLayoutThatTheHeaderStates) {
                                        4,
                                        0,  // sizes less one
                                        1 + 4 + 16 + 32,
-                                       11 + 32,  // flags, padding and filter
+                                       11 + 32 + 64,  // flags; padding, filter and layout
                                        0xff,
                                        0xff,
                                        2,
@@ -140,6 +142,7 @@ TEST(CaseCodec, KeepsTheEndsOfEveryRange) {
     for (const selvage_format format : {SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888}) {
       c.format = format;
       c.filter = format + 1;
+      c.layout = static_cast<Layout>(format);
       for (const int32_t end : {0, 1}) {
         c.padding_px = end * 15;
         c.choice = end == 0 ? 0 : std::numeric_limits<uint32_t>::max();
@@ -176,6 +179,16 @@ TEST(CaseCodec, LowersTheHeightOfWhatIsTooLarge) {
   EXPECT_EQ(some.texture_height_texel, 85);  // 65536 / 768 is 85 and a third
 }
 
+// The fourth value that two bits have means the first again.
+TEST(CaseCodec, ReadsEveryLayout) {
+  const std::vector<uint8_t> sizes(9, 0);
+  for (const uint8_t bits : {0, 1, 2, 3}) {
+    std::vector<uint8_t> bytes = sizes;
+    bytes.push_back(static_cast<uint8_t>(bits << 6));
+    EXPECT_EQ(static_cast<int>(decode(bytes).layout), bits % 3);
+  }
+}
+
 TEST(CaseCodec, IgnoresWhatIsShortOfAVertexAndVerticesBeyondTheMost) {
   std::vector<uint8_t> bytes(kHeaderBytes + kVertexBytes - 1, 1);
   EXPECT_EQ(decode(bytes).vertices.size(), 0U);
@@ -204,7 +217,7 @@ TEST(CaseHex, ReadsWhatItWrites) {
   EXPECT_EQ(hex.substr(0, 20),
             "020003011000"
             "0400"
-            "352b");
+            "356b");
   EXPECT_EQ(hex.size(), 2 * (kHeaderBytes + 2 * kVertexBytes));
   EXPECT_TRUE(from_hex(hex) == distinct());
   std::string upper = hex;
@@ -224,7 +237,7 @@ TEST(CasePrint, TellsEverythingExactly) {
   EXPECT_EQ(print(distinct()),
             "exact, RGB565, bilinear, wrap, choice 2309737967\n"
             "target   3 x 260 px, padding 11 px a row\n"
-            "texture  17 x 5 texels, padding 11 px a row, bottom row first\n"
+            "texture  17 x 5 texels, padding 11 px a row, bottom row first, prepared in rows\n"
             "clip     columns [-1, 300), rows [2, -32768)\n"
             "2 vertices: (x, y) px, (u, v) texels, q\n"
             "  (-0.00390625, 1), (1, -1), 1\n"
@@ -244,6 +257,8 @@ TEST(CasePrint, TellsThePlainCasePlainly) {
             "  (-32768, 32767.99609375), (-32768, 32767.9999847412109375), 1\n");
   c.format = SELVAGE_INDEX8;
   EXPECT_EQ(print(c).substr(0, 13), "exact, INDEX8");
+  c.layout = Layout::kTiled;
+  EXPECT_NE(print(c).find("16 x 16 texels, prepared in tiles\n"), std::string::npos);
   c.profile = SELVAGE_PROFILE_DKIT;
   EXPECT_EQ(print(c).substr(0, 12), "dkit, INDEX8");
   c.filter = SELVAGE_FILTER_FOUR;

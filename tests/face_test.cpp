@@ -46,6 +46,23 @@ TEST(Face, DrawsWhatTheCInterfaceDraws) {
   EXPECT_LT(by_face.drawn(), 16500);
 }
 
+TEST(Face, DrawsTheSameFromAPreparedTexture) {
+  Pictures given, tiled;
+  const Texture texture = given.texture();
+  const size_t bytes = prepare_bytes(texture, SELVAGE_LAYOUT_TILES, true);
+  alignas(SELVAGE_PREPARED_ALIGNMENT) static std::array<std::byte, 1 << 18> memory;
+  ASSERT_LE(bytes, memory.size());
+  Texture prepared{};
+  ASSERT_EQ(prepare(texture, SELVAGE_LAYOUT_TILES, true, std::span(memory).first(bytes), prepared),
+            SELVAGE_OK);
+  ASSERT_EQ(draw(given.target(), corners(), texture), SELVAGE_OK);
+  ASSERT_EQ(draw(tiled.target(), corners(), prepared), SELVAGE_OK);
+  EXPECT_EQ(given.pixels, tiled.pixels);
+  EXPECT_EQ(
+      prepare(texture, SELVAGE_LAYOUT_TILES, true, std::span(memory).first(bytes - 1), prepared),
+      SELVAGE_ERROR_PREPARE_SIZE);
+}
+
 TEST(Face, PassesClipAndOptionsOn) {
   Pictures pictures;
   ASSERT_EQ(draw(pictures.target(), corners(), pictures.texture(), {}, Rect{60, 60, 70, 70}),

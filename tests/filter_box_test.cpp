@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "mapper/filter_blend.h"
+#include "mapper/layout.h"
+#include "mapper/sums.h"
 #include "spec/filter.h"
 #include "spec/random.h"
 
@@ -70,6 +74,53 @@ TEST(BoxSum, IsTheSpecificationsForEverySizeAndPlace) {
         << " of " << width << " x " << height;
     ASSERT_EQ(box_mean(texels.texture(), address, box),
               spec::weighted_mean(columns, rows, [&](spec::Texel t) { return texels.at(t); }));
+  }
+}
+
+// Sizes about those where looking up begins to pay, and boxes over several periods.
+TEST(BoxSum, IsTheSameByVisitingAndByLookingUp) {
+  spec::Random random(3);
+  for (int i = 0; i < 4000; ++i) {
+    const Texels texels(random, random.in(1, 40), random.in(1, 40));
+    const selvage_texture plain = texels.texture();
+    const selvage_layout layout = random.pick({SELVAGE_LAYOUT_ROWS, SELVAGE_LAYOUT_TILES});
+    const size_t bytes = selvage_prepare_bytes(&plain, layout, 1);
+    std::vector<std::byte> memory(bytes + SELVAGE_PREPARED_ALIGNMENT);
+    void* aligned = memory.data();
+    size_t space = memory.size();
+    ASSERT_NE(std::align(SELVAGE_PREPARED_ALIGNMENT, bytes, aligned, space), nullptr);
+    selvage_texture summed{};
+    ASSERT_EQ(selvage_prepare(&plain, layout, 1, aligned, bytes, &summed), SELVAGE_OK);
+    selvage_texture tiled = summed;
+    tiled.prepared = nullptr;
+    const selvage_address address =
+        random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP;
+    for (int k = 0; k < 10; ++k) {
+      const Box box{random.in(-9000, 12000), random.in(-9000, 12000), random.in(256, 12000),
+                    random.in(256, 12000)};
+      const BoxSum wanted = box_sum(plain, address, box);
+      ASSERT_EQ(box_sum(summed, address, box), wanted);
+      ASSERT_EQ(box_sum(tiled, address, box), wanted);
+    }
+  }
+}
+
+// More texels of 255 than 32 bits can sum: rectangles are cut into strips.
+TEST(BoxSum, OfMoreTexelsThan32BitsHold) {
+  constexpr int32_t kWidth = 4111, kHeight = 4127;
+  static_assert(int64_t{kWidth - 3} * (kHeight - 2) > kMostSummed);
+  selvage_texture white{
+      nullptr, kWidth, kHeight, padded_pitch(4 * kWidth), SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS,
+      nullptr};
+  const auto texel_bytes = static_cast<size_t>(white.pitch * kHeight);
+  std::vector<char> memory(texel_bytes + static_cast<size_t>(SumsShape::of(white).bytes()), -1);
+  white.texels = memory.data();
+  white.prepared = place_of_sums(white);
+  write_sums(white, memory.data() + texel_bytes);
+  for (const selvage_address address : {SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP}) {
+    const Box box{300, 200, 256 * (kWidth - 1), 256 * (kHeight - 1) - 77};
+    const uint64_t area = uint64_t{256} * (kWidth - 1) * (uint64_t{256} * (kHeight - 1) - 77);
+    for (const uint64_t sum : box_sum(white, address, box)) ASSERT_EQ(sum, 255 * area);
   }
 }
 

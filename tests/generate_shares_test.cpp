@@ -263,6 +263,8 @@ const Share kImages[] = {
     {"INDEX8", 8, 25, [](const Case& c) { return c.format == SELVAGE_INDEX8; }},
     {"wrap", 40, 60, [](const Case& c) { return c.address == SELVAGE_ADDRESS_WRAP; }},
     {"padding", 25, 60, [](const Case& c) { return c.padding_px > 0; }},
+    {"prepared in rows", 10, 25, [](const Case& c) { return c.layout == Layout::kPadded; }},
+    {"prepared in tiles", 25, 45, [](const Case& c) { return c.layout == Layout::kTiled; }},
     {"target upside down", 10, 40, [](const Case& c) { return c.flip_target; }},
     {"texture upside down", 10, 40, [](const Case& c) { return c.flip_texture; }},
     {"target one pixel wide", 3, 20, [](const Case& c) { return c.target_width_px == 1; }},

@@ -7,6 +7,7 @@
 
 #include "spec/canvas.h"
 #include "spec/generate.h"
+#include "spec/texture_memory.h"
 #include "tests/span_support.h"
 
 namespace selvage::mapper {
@@ -43,7 +44,7 @@ template <class Pixel>
                         address};
   const SpanMap map = one_to_one(first_texel);
   const Span span{0, 1, 5};
-  const Kernels& kernels = kernels_for(kernel, surface, {});
+  const Kernels& kernels = kernels_for(kernel, SELVAGE_FILTER_NEAREST, surface, {});
   if (affine) {
     const AffineField lanes = AffineLanes(map, span).field(span);
     kernels.draw_affine({one_span(span), lanes, ExactMap(map)}, surface);
@@ -78,18 +79,17 @@ TEST(Kernel, WritesItsSpanAndNothingElse) {
 }
 
 [[nodiscard]] spec::Canvas drawn(const spec::Case& c, selvage_kernel kernel) {
-  spec::Canvas texture(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
-                       c.flip_texture, 0xEE);
-  for (int32_t t = 0; t < c.texture_height_texel; ++t) {
-    for (int32_t s = 0; s < c.texture_width_texel; ++s) {
-      texture.set_pixel(s, t, static_cast<uint32_t>(s * 40503 + t * 7919));
-    }
-  }
+  const spec::TextureMemory texture(
+      spec::built_in(), c,
+      [](spec::Texel at) {
+        return static_cast<uint32_t>(at.s * 40503 + at.t * 7919) * 2654435761U;
+      },
+      0xEE);
   spec::Canvas target(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target,
                       0x11);
   const selvage_image image = target.image();
-  const selvage_texture view = texture.texture();
-  const selvage_options options{c.profile, SELVAGE_FILTER_NEAREST, c.address, 0, kernel};
+  const selvage_texture view = texture.view();
+  const selvage_options options{c.profile, c.filter, c.address, 0, kernel};
   const selvage_status status = selvage_draw(&image, c.has_clip ? &c.clip : nullptr,
                                              c.vertices.data(), c.vertices.size(), &view, &options);
   EXPECT_NE(status, SELVAGE_ERROR_KERNEL);
@@ -116,13 +116,15 @@ TEST(Kernel, AddressesATextureOfAnyPitch) {
                     SELVAGE_ADDRESS_CLAMP};
   const Surface near{
       far.target, {texels.data(), 3, 1, 3, SELVAGE_INDEX8, 0, nullptr}, SELVAGE_ADDRESS_CLAMP};
+  constexpr selvage_filter nearest = SELVAGE_FILTER_NEAREST;
   Polygon at_the_end;
   at_the_end.least_texel_fx16 = INT32_MIN + 65535;
-  EXPECT_EQ(&kernels_for(SELVAGE_KERNEL_FASTEST, far, {}), &scalar_kernels());
+  EXPECT_EQ(&kernels_for(SELVAGE_KERNEL_FASTEST, nearest, far, {}), &scalar_kernels(nearest));
   for (const selvage_kernel kernel : usable_kernels()) {
-    EXPECT_EQ(&kernels_for(kernel, far, {}), &scalar_kernels());
-    EXPECT_EQ(&kernels_for(kernel, near, {}) == &scalar_kernels(), kernel == SELVAGE_KERNEL_SCALAR);
-    EXPECT_EQ(&kernels_for(kernel, near, at_the_end), &scalar_kernels());
+    EXPECT_EQ(&kernels_for(kernel, nearest, far, {}), &scalar_kernels(nearest));
+    EXPECT_EQ(&kernels_for(kernel, nearest, near, {}) == &scalar_kernels(nearest),
+              kernel == SELVAGE_KERNEL_SCALAR);
+    EXPECT_EQ(&kernels_for(kernel, nearest, near, at_the_end), &scalar_kernels(nearest));
   }
 }
 

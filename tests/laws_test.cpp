@@ -19,7 +19,7 @@ TEST(Laws, HaveNamesAndStatementsOfTheirOwn) {
   EXPECT_EQ(find_law("NONE"), nullptr);
   for (const char* name :
        {"COV", "PART", "PINWHEEL", "CLIP", "VERT", "MAP", "GAMUT", "SHIFT", "ORDER", "MIRROR",
-        "SPLIT", "IDENTITY", "AFFINE", "FILTER", "TOLERANCE", "MEM", "TOTAL"}) {
+        "SPLIT", "IDENTITY", "AFFINE", "FILTER", "TOLERANCE", "MEM", "TOTAL", "SAME"}) {
     EXPECT_TRUE(names.contains(name)) << name;
   }
 }

@@ -15,8 +15,9 @@ export LC_ALL=C.UTF-8
 
 # Packages by purpose. Names are Debian 12's.
 declare -A selvage_groups=(
-  [build]="g++ cmake ninja-build pkg-config libhwy-dev"
-  [tests]="librapidcheck-dev libgtest-dev gappa libgmp-dev libopencv-core-dev libopencv-imgproc-dev
+  [build]="g++ cmake ninja-build pkg-config libhwy-dev libtbb-dev"
+  [tests]="librapidcheck-dev libgtest-dev libbenchmark-dev gappa libgmp-dev
+            libopencv-core-dev libopencv-imgproc-dev
            libpng-dev libturbojpeg0-dev libcli11-dev nlohmann-json3-dev"
   [clang]="clang-19 libclang-rt-19-dev llvm-19"
   [fuzz]="clang-19 libclang-rt-19-dev llvm-19 zip
@@ -24,6 +25,8 @@ declare -A selvage_groups=(
   [coverage]="clang-19 libclang-rt-19-dev llvm-19 lcov"
   [format]="clang-format"
   [reports]="xplanet-images gnuplot-nox libbenchmark-dev"
+  [peers]="qt6-base-dev liballegro4-dev libosmesa6-dev libsdl2-dev libpixman-1-dev libcairo2-dev
+           libagg-dev"
 )
 
 # selvage_fail STATUS MESSAGE: says the message on stderr and leaves.

@@ -275,10 +275,11 @@ TEST(Complexity, WeighsInItsOrder) {
   c.padding_px = 5;
   c.address = SELVAGE_ADDRESS_WRAP;
   c.format = SELVAGE_INDEX8;
+  c.layout = Layout::kTiled;
   c.choice = 100;
   c.vertices = {{384, -1, 65536 + 1, 32768, 11}};
-  EXPECT_EQ(complexity(c), (Complexity{1, 32, 32, 6, 1 + 8 + 16 + 1,
-                                       10 + 5 + 100 + 384 + 1 + 65537 + 32768 + 10}));
+  EXPECT_EQ(complexity(c), (Complexity{1, 32, 32, 7, 1 + 8 + 16 + 1,
+                                       10 + 5 + 2 + 100 + 384 + 1 + 65537 + 32768 + 10}));
 }
 
 }  // namespace

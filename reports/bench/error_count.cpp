@@ -1,87 +1,56 @@
 #include "reports/bench/error_count.h"
 
 #include <algorithm>
-#include <numeric>
-#include <random>
-
-#include "spec/exact.h"
+#include <cstdlib>
 
 namespace selvage::reports {
 
 namespace {
 
-struct Bounds {
-  int32_t left_px, top_px, right_px, bottom_px;  // half-open, wide enough for every covered pixel
-};
-
-Bounds bounds_of(const std::vector<selvage_vertex>& polygon, int32_t side_px) {
-  const auto [left, right] = std::minmax_element(
-      polygon.begin(), polygon.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
-  const auto [top, bottom] = std::minmax_element(
-      polygon.begin(), polygon.end(), [](const auto& a, const auto& b) { return a.y < b.y; });
-  const auto px = [&](int32_t fx8) { return std::clamp(fx8 / SELVAGE_SUBPIXELS, 0, side_px); };
-  return {px(left->x), px(top->y), px(right->x + SELVAGE_SUBPIXELS),
-          px(bottom->y + SELVAGE_SUBPIXELS)};
+// How far u is from the texel [s, s + 1).
+double distance_from(double u, int32_t s) {
+  return std::max({static_cast<double>(s) - u, u - static_cast<double>(s + 1), 0.0});
 }
 
-[[nodiscard]] uint32_t model_pixel(const spec::ScanLine& line, int32_t side_texel, int32_t x_px) {
-  const auto sample = spec::sample(line, x_px);
-  if (!sample) return kUntouched;
-  const spec::Texel texel =
-      spec::nearest_texel(*sample, side_texel, side_texel, SELVAGE_ADDRESS_CLAMP);
-  return place_of(texel.s, texel.t);
+// What the pixel tells in the carried bits, completed to the place nearest to the expected one.
+uint32_t completed(uint32_t drawn, uint32_t expected, uint32_t carried_bits) {
+  const auto rows = static_cast<int32_t>(carried_bits >> 16);  // lower bits: t modulo rows + 1
+  int32_t distance = (row_of(drawn) - row_of(expected)) & rows;
+  if (distance > rows / 2) distance -= rows + 1;
+  return place_of(column_of(drawn), row_of(expected) + distance);
+}
+
+void count_texel(ErrorCount& count, const ModelPixel& expected, uint32_t drawn, bool nearest) {
+  ++count.compared_px;
+  if (drawn == expected.colour) return;
+  const int32_t s = column_of(drawn), t = row_of(drawn);
+  const int32_t distance =
+      std::max(std::abs(s - column_of(expected.colour)), std::abs(t - row_of(expected.colour)));
+  ++count.wrong_texels;
+  count.sum_texel += static_cast<uint64_t>(distance);
+  count.largest_texel = std::max(count.largest_texel, distance);
+  if (!nearest) return;
+  count.largest_coordinate_texel = std::max(
+      {count.largest_coordinate_texel, distance_from(expected.u, s), distance_from(expected.v, t)});
 }
 
 }  // namespace
 
-std::vector<int32_t> sample_rows(int32_t height_px, int32_t count, uint64_t seed) {
-  count = std::min(count, height_px);
-  std::mt19937_64 random(seed);
-  std::vector<int32_t> rows;
-  for (int32_t i = 0; i < count; ++i) {
-    const int32_t begin = static_cast<int32_t>(int64_t{height_px} * i / count);
-    const int32_t end = static_cast<int32_t>(int64_t{height_px} * (i + 1) / count);
-    rows.push_back(begin + static_cast<int32_t>(random() % static_cast<uint64_t>(end - begin)));
-  }
-  return rows;
-}
-
-ModelRows model_rows(const Workload& load, std::vector<int32_t> rows_px,
-                     const std::function<void()>& tick) {
-  const int32_t side = load.target_side_px;
-  std::vector<Bounds> bounds;
-  for (const auto& polygon : load.polygons) bounds.push_back(bounds_of(polygon, side));
-  ModelRows model;
-  model.rows_px = std::move(rows_px);
-  for (const int32_t y : model.rows_px) {
-    std::vector<uint32_t> row(static_cast<size_t>(side), kUntouched);
-    for (size_t p = 0; p < bounds.size(); ++p) {
-      if (y < bounds[p].top_px || y >= bounds[p].bottom_px) continue;
-      const auto line = spec::scan_line(load.polygons[p], y);
-      if (!line) continue;
-      for (int32_t x = bounds[p].left_px; x < bounds[p].right_px; ++x) {
-        const uint32_t pixel = model_pixel(*line, load.texture_side_texel, x);
-        if (pixel != kUntouched) row[static_cast<size_t>(x)] = pixel;
-      }
-    }
-    model.pixels.push_back(std::move(row));
-    tick();
-  }
-  return model;
-}
-
-ErrorCount count_errors(const ModelRows& model, const Target& drawn, bool textures) {
+ErrorCount count_errors(const ModelRows& model, const Target& drawn, bool textures,
+                        selvage_filter filter, uint32_t carried_bits) {
   ErrorCount count;
   for (size_t r = 0; r < model.rows_px.size(); ++r) {
     const uint32_t* row = drawn.row(model.rows_px[r]);
     for (size_t x = 0; x < model.pixels[r].size(); ++x) {
-      const bool expected = model.pixels[r][x] != kUntouched;
-      const bool seen = row[x] != kUntouched;
+      const ModelPixel& expected = model.pixels[r][x];
+      const bool covered = expected.colour != kUntouched, seen = row[x] != kUntouched;
       ++count.judged_px;
-      count.covered_px += expected;
-      count.missing_px += expected && !seen;
-      count.extra_px += seen && !expected;
-      count.wrong_texels += textures && expected && seen && row[x] != model.pixels[r][x];
+      count.covered_px += covered;
+      count.missing_px += covered && !seen;
+      count.extra_px += seen && !covered;
+      if (textures && covered && seen)
+        count_texel(count, expected, completed(row[x], expected.colour, carried_bits),
+                    filter == SELVAGE_FILTER_NEAREST);
     }
   }
   return count;

@@ -1,39 +1,41 @@
-// Counting a drawing's errors against the exact model, on a stated sample of rows.
+// Counting a drawing's errors against the exact model.
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <optional>
-#include <vector>
 
 #include "reports/bench/image.h"
-#include "reports/bench/workloads.h"
+#include "reports/bench/model_rows.h"
 
 namespace selvage::reports {
-
-// What the model draws on the sampled rows.
-struct ModelRows {
-  std::vector<int32_t> rows_px;               // ascending
-  std::vector<std::vector<uint32_t>> pixels;  // a row each; kUntouched where nothing is drawn
-};
 
 struct ErrorCount {
   uint64_t judged_px = 0;   // pixels of the sampled rows
   uint64_t covered_px = 0;  // of these, covered by the model
-  uint64_t wrong_texels = 0, missing_px = 0, extra_px = 0;
+  uint64_t missing_px = 0, extra_px = 0;
+  std::optional<uint64_t> double_px;  // drawn by two polygons; nothing where there is only one
 
-  [[nodiscard]] uint64_t total() const { return wrong_texels + missing_px + extra_px; }
+  // Of the pixels that both draw. A texel's distance is the larger of those along u and along v.
+  // Bilinear pixels are mixtures of texels that hold their place: there the distance is that of the
+  // places, which is the distance in levels of 255.
+  uint64_t compared_px = 0, wrong_texels = 0, sum_texel = 0;
+  int32_t largest_texel = 0;
+  // The least error of u or v that explains the worst texel: the distance of the exact (u, v) from
+  // the texel that was drawn. 0 where filtered.
+  double largest_coordinate_texel = 0;
+
+  [[nodiscard]] uint64_t total() const {
+    return wrong_texels + missing_px + extra_px + double_px.value_or(0);
+  }
+  [[nodiscard]] double mean_texel() const {
+    return compared_px == 0 ? 0 : static_cast<double>(sum_texel) / static_cast<double>(compared_px);
+  }
 };
 
-// One row of each of `count` equal bands, placed within its band by the seed; all if count is not
-// below the height.
-[[nodiscard]] std::vector<int32_t> sample_rows(int32_t height_px, int32_t count, uint64_t seed);
-
-// tick is called after each row.
-[[nodiscard]] ModelRows model_rows(const Workload& load, std::vector<int32_t> rows_px,
-                                   const std::function<void()>& tick);
-
-// With textures false, texels are not compared.
-[[nodiscard]] ErrorCount count_errors(const ModelRows& model, const Target& drawn, bool textures);
+// With textures false, texels are not compared; else in the bits that the subject carries. Where
+// these leave out upper bits of t, a texel is the nearest to the exact one of those that the pixel
+// may mean. Leaves double_px alone.
+[[nodiscard]] ErrorCount count_errors(const ModelRows& model, const Target& drawn, bool textures,
+                                      selvage_filter filter, uint32_t carried_bits = 0xFFFFFFFF);
 
 }  // namespace selvage::reports

@@ -34,6 +34,11 @@ struct Texture {
   return static_cast<uint32_t>(s) | static_cast<uint32_t>(t) << 16;
 }
 
+[[nodiscard]] constexpr int32_t column_of(uint32_t place) {
+  return static_cast<int32_t>(place & 0xFFFF);
+}
+[[nodiscard]] constexpr int32_t row_of(uint32_t place) { return static_cast<int32_t>(place >> 16); }
+
 // No texel of a texture below 65536 a side.
 inline constexpr uint32_t kUntouched = 0xFFFFFFFFu;
 

@@ -2,9 +2,9 @@
 
 #include <sys/utsname.h>
 
+#include <array>
 #include <ctime>
-#include <fstream>
-#include <string>
+#include <sstream>
 #include <thread>
 
 #include "selvage.h"
@@ -13,10 +13,10 @@ namespace selvage::reports {
 
 namespace {
 
-// The value of the first line "key : value" of a file of such lines, or of KEY="value".
-std::string value_in(const char* path, const std::string& key, char separator) {
-  std::ifstream file(path);
-  for (std::string line; std::getline(file, line);) {
+// The value of the first line "key : value" of such lines, or of KEY="value".
+std::string value_in(const std::string& text, const std::string& key, char separator) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
     const size_t at = line.find(separator);
     if (at == std::string::npos || line.compare(0, key.size(), key) != 0) continue;
     const size_t begin = line.find_first_not_of(" \t\"", at + 1);
@@ -24,6 +24,36 @@ std::string value_in(const char* path, const std::string& key, char separator) {
     if (begin != std::string::npos) return line.substr(begin, end - begin + 1);
   }
   return "unknown";
+}
+
+// Those of the processor's features that a mapper's kernels may be built for.
+std::string simd_of(const std::string& cpuinfo) {
+  constexpr std::array known{"sse2",     "ssse3",       "sse4_1",  "sse4_2",   "avx",
+                             "avx2",     "fma",         "avx512f", "avx512bw", "avx512dq",
+                             "avx512vl", "avx512_vbmi", "asimd",   "sve",      "sve2"};
+  std::istringstream have(value_in(cpuinfo, "flags", ':') + " " +
+                          value_in(cpuinfo, "Features", ':'));
+  std::string found;
+  for (std::string flag; have >> flag;) {
+    for (const char* name : known) {
+      if (flag == name) found += (found.empty() ? "" : " ") + flag;
+    }
+  }
+  return found.empty() ? "unknown" : found;
+}
+
+// The mapper's kernels that this build has and this machine can run.
+std::string kernels() {
+  std::string names;
+  for (const auto& [kernel, name] :
+       {std::pair(SELVAGE_KERNEL_SCALAR, "scalar"), std::pair(SELVAGE_KERNEL_SSE4, "sse4"),
+        std::pair(SELVAGE_KERNEL_AVX2, "avx2"), std::pair(SELVAGE_KERNEL_AVX512, "avx512"),
+        std::pair(SELVAGE_KERNEL_NEON, "neon")}) {
+    if (selvage_has_kernel(kernel) == 0) continue;
+    if (!names.empty()) names += ' ';
+    names += name;
+  }
+  return names;
 }
 
 std::string now_utc() {
@@ -36,23 +66,25 @@ std::string now_utc() {
 
 }  // namespace
 
-nlohmann::ordered_json describe_machine() {
+std::vector<std::pair<std::string, std::string>> describe_machine(const SystemTexts& texts) {
   utsname system{};
   uname(&system);
   return {{"date", now_utc()},
-          {"cpu", value_in("/proc/cpuinfo", "model name", ':')},
-          {"cpu_family_model_stepping", value_in("/proc/cpuinfo", "cpu family", ':') + "/" +
-                                            value_in("/proc/cpuinfo", "model\t", ':') + "/" +
-                                            value_in("/proc/cpuinfo", "stepping", ':')},
-          {"cache", value_in("/proc/cpuinfo", "cache size", ':')},
-          {"cores", std::thread::hardware_concurrency()},
-          {"memory", value_in("/proc/meminfo", "MemTotal", ':')},
-          {"system", value_in("/etc/os-release", "PRETTY_NAME", '=')},
+          {"cpu", value_in(texts.cpuinfo, "model name", ':')},
+          {"cpu_family_model_stepping", value_in(texts.cpuinfo, "cpu family", ':') + "/" +
+                                            value_in(texts.cpuinfo, "model\t", ':') + "/" +
+                                            value_in(texts.cpuinfo, "stepping", ':')},
+          {"cpu_simd", simd_of(texts.cpuinfo)},
+          {"cache", value_in(texts.cpuinfo, "cache size", ':')},
+          {"cores", std::to_string(std::thread::hardware_concurrency())},
+          {"memory", value_in(texts.meminfo, "MemTotal", ':')},
+          {"system", value_in(texts.os_release, "PRETTY_NAME", '=')},
           {"kernel", std::string(system.sysname) + " " + system.release + " " + system.machine},
           {"compiler", SELVAGE_REPORTS_COMPILER},
           {"flags_mapper", SELVAGE_REPORTS_FLAGS},
           {"flags_others", SELVAGE_REPORTS_FLAGS " -O3"},
           {"selvage", selvage_version()},
+          {"selvage_kernels", kernels()},
           {"benchmark", "Google Benchmark " SELVAGE_REPORTS_BENCHMARK_VERSION}};
 }
 

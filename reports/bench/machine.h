@@ -1,11 +1,19 @@
-// What the measurement ran on and was built with.
+// What a measurement ran on, and what it was built with.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace selvage::reports {
 
-// CPU, cores, kernel, compiler, flags, versions of what is linked.
-[[nodiscard]] nlohmann::ordered_json describe_machine();
+// The texts of /proc/cpuinfo, /proc/meminfo and /etc/os-release; empty where there is none.
+struct SystemTexts {
+  std::string cpuinfo, meminfo, os_release;
+};
+
+// Names and values, in the order of the page.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> describe_machine(
+    const SystemTexts& texts);
 
 }  // namespace selvage::reports

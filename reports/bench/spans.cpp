@@ -53,4 +53,14 @@ EdgeList edges_of(std::span<const selvage_vertex> polygon, int32_t height_px) {
   return list;
 }
 
+uint64_t count_covered(const Workload& load) {
+  uint64_t count = 0;
+  for (const auto& polygon : load.polygons) {
+    for_each_span(polygon, load.target_side_px, load.target_side_px, [&](const Span& span) {
+      count += static_cast<uint64_t>(span.right_px - span.left_px);
+    });
+  }
+  return count;
+}
+
 }  // namespace selvage::reports

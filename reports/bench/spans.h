@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "reports/bench/workloads.h"
 #include "selvage.h"
 
 namespace selvage::reports {
@@ -78,5 +79,8 @@ void for_each_span(std::span<const selvage_vertex> polygon, int32_t width_px, in
     b->step();
   }
 }
+
+// Pixels of the target that the workload's polygons cover, one on two of them twice.
+[[nodiscard]] uint64_t count_covered(const Workload& load);
 
 }  // namespace selvage::reports

@@ -1,6 +1,7 @@
 // A mapper under measurement: something that draws a workload into a target.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -17,19 +18,35 @@ struct Subject {
   std::string configuration;  // what exactly is timed
   bool textures = true;       // false: draws no texels, so only its pixels are judged
   bool reference = false;     // must agree with the exact model or nothing is timed
+  bool judged = true;         // false: a limit that draws no picture, so nothing is judged
+  bool bilinear = false;      // can draw workloads whose filter is kBilinear; others are refused
+  bool threads = false;       // draws with several: timed by the clock, not by processor time
+  // The bits of a texel that reach the target unchanged, s and the lower bits of t; the others are
+  // not compared. A pixel format without a fourth channel carries 24.
+  uint32_t carried_bits = 0xFFFFFFFF;
+  double tolerance_texel = 0;   // a reference's texels may lie this far from the exact (u, v)
+  std::string group = "peers";  // "ours", "historic", "usual", "peers", "limits": colour in plots
 
-  // Empty if the subject can draw the workload, else why it cannot.
+  // Empty if the subject can draw the workload, else why it cannot. Filters are not asked about.
   std::function<std::string(const Workload&)> refusal;
 
   // Makes ready what depends on the workload alone and returns the drawing that is timed. The
-  // workload, the texture and the target outlive it.
+  // workload, the texture and the target outlive it. Also called for parts of a workload, to see
+  // which polygons draw a pixel.
   std::function<std::function<void()>(const Workload&, const Texture&, Target&)> prepare;
 };
 
 [[nodiscard]] Subject subject_exact();
+[[nodiscard]] std::vector<Subject> subjects_tolerant();
+[[nodiscard]] std::vector<Subject> subjects_in_layouts();
+[[nodiscard]] std::vector<Subject> subjects_historic();
 [[nodiscard]] std::vector<Subject> subjects_arithmetic();
 [[nodiscard]] Subject subject_subdivided();
+[[nodiscard]] Subject subject_memcpy();
 [[nodiscard]] Subject subject_fill();
+
+// The library that this is linked with draws through the filter.
+[[nodiscard]] bool mapper_takes(selvage_filter filter);
 
 // The mappers of other projects: one file each under reports/peers.
 struct Peers {

@@ -14,6 +14,7 @@ Subject subject_of(const stability::Arithmetic& arithmetic) {
   subject.title = "the usual way, " + subject.id;
   subject.configuration = std::string(arithmetic.statement) +
                           "; scalar, a call a polygon, nearest, clamp; set-up is timed";
+  subject.group = "usual";
   subject.refusal = [affine_only = arithmetic.affine_only](const Workload& load) {
     return std::string(affine_only && load.perspective ? "it knows no perspective" : "");
   };

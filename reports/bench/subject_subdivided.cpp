@@ -67,6 +67,7 @@ Subject subject_subdivided() {
   subject.configuration =
       "scalar, exact edges, u and v in double at every 16th pixel of a span and stepped in 16.16 "
       "between; wraps by a mask; set-up is timed";
+  subject.group = "usual";
   subject.refusal = [](const Workload& load) {
     return std::string(load.perspective ? "" : "it is a way to draw perspective");
   };

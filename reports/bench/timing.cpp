@@ -11,14 +11,20 @@ namespace {
 
 class Collector : public benchmark::BenchmarkReporter {
  public:
+  explicit Collector(const std::vector<Timed>& timed) {
+    for (const Timed& one : timed) by_the_clock_[one.name] = one.by_the_clock;
+  }
+
   bool ReportContext(const Context&) override { return true; }
 
   void ReportRuns(const std::vector<Run>& runs) override {
     for (const Run& run : runs) {
       if (run.error_occurred) throw std::runtime_error(run.run_name.str() + run.error_message);
       if (run.run_type != Run::RT_Iteration) continue;
-      times_ns_[run.run_name.function_name].push_back(run.real_accumulated_time * 1e9 /
-                                                      static_cast<double>(run.iterations));
+      const std::string& name = run.run_name.function_name;
+      const double time_s =
+          by_the_clock_.at(name) ? run.real_accumulated_time : run.cpu_accumulated_time;
+      times_ns_[name].push_back(time_s * 1e9 / static_cast<double>(run.iterations));
     }
   }
 
@@ -28,11 +34,12 @@ class Collector : public benchmark::BenchmarkReporter {
 
  private:
   std::map<std::string, std::vector<double>> times_ns_;
+  std::map<std::string, bool> by_the_clock_;
 };
 
 // Google Benchmark takes the interleaving from its command line only.
 void initialize() {
-  std::string program = "selvage_bench", interleave = "--benchmark_enable_random_interleaving=true";
+  std::string program = "selvage", interleave = "--benchmark_enable_random_interleaving=true";
   char* arguments[] = {program.data(), interleave.data(), nullptr};
   int count = 2;
   benchmark::Initialize(&count, arguments);
@@ -43,21 +50,24 @@ void initialize() {
 std::vector<std::vector<double>> measure_ns(const std::vector<Timed>& timed,
                                             const TimingOptions& options,
                                             const std::function<void()>& tick) {
+  if (timed.empty()) return {};
   initialize();
   for (const Timed& one : timed) {
-    benchmark::RegisterBenchmark(one.name.c_str(),
-                                 [&one, &tick](benchmark::State& state) {
-                                   tick();
-                                   for ([[maybe_unused]] const auto pass : state) {
-                                     one.draw();
-                                     benchmark::ClobberMemory();
-                                   }
-                                 })
-        ->Repetitions(options.repetitions)
-        ->MinTime(options.min_time_s)
-        ->UseRealTime();
+    auto* const registered =
+        benchmark::RegisterBenchmark(one.name.c_str(),
+                                     [&one, &tick](benchmark::State& state) {
+                                       tick();
+                                       for ([[maybe_unused]] const auto pass : state) {
+                                         one.draw();
+                                         benchmark::ClobberMemory();
+                                       }
+                                     })
+            ->Repetitions(options.repetitions)
+            ->MinTime(options.min_time_s)
+            ->MeasureProcessCPUTime();
+    if (one.by_the_clock) registered->UseRealTime();
   }
-  Collector collector;
+  Collector collector(timed);
   benchmark::RunSpecifiedBenchmarks(&collector);
   benchmark::ClearRegisteredBenchmarks();
   benchmark::Shutdown();

@@ -11,6 +11,7 @@ namespace selvage::reports {
 struct Timed {
   std::string name;
   std::function<void()> draw;
+  bool by_the_clock = false;  // else by the processor time of all threads of the process
 };
 
 struct TimingOptions {
@@ -18,9 +19,11 @@ struct TimingOptions {
   double min_time_s = 0.03;  // of one repetition of one drawing
 };
 
-// The real time of one draw in ns, a value a repetition, in the order of `timed`. Repetitions of
-// different drawings are interleaved at random, so that a change of the machine's speed during the
-// run widens every spread instead of favouring one drawing. tick is called as each run begins.
+// The time of one draw in ns, a value a repetition, in the order of `timed`. Processor time leaves
+// out what other programs took meanwhile; for a drawing on one thread that is all the difference to
+// the time that passed, and more threads win nothing by it. Repetitions of different drawings are
+// interleaved at random, so that a change of the machine's speed during the run widens every spread
+// instead of favouring one drawing. tick is called as each run begins.
 [[nodiscard]] std::vector<std::vector<double>> measure_ns(const std::vector<Timed>& timed,
                                                           const TimingOptions& options,
                                                           const std::function<void()>& tick);

@@ -10,6 +10,8 @@
 
 namespace selvage::reports {
 
+inline constexpr selvage_filter kBilinear = SELVAGE_FILTER_BILINEAR;
+
 struct Workload {
   std::string id;
   std::string title;
@@ -18,9 +20,18 @@ struct Workload {
   int32_t texture_side_texel = 256;
   bool perspective = false;
   std::vector<std::vector<selvage_vertex>> polygons;
+  selvage_filter filter = SELVAGE_FILTER_NEAREST;
+  std::string ordinary_id;  // of an adversarial item: the same shape with nothing hard about it
 };
 
-// The seed moves the jittered mesh only.
+// W1 to W6. The seed moves the jittered meshes only.
 [[nodiscard]] std::vector<Workload> workloads(uint64_t seed);
+
+// Maps of which every sample, or each third, lies on a boundary between two texels or next to one,
+// each behind the same shape and slopes with the samples off the boundaries.
+[[nodiscard]] std::vector<Workload> adversarial_workloads();
+
+// One square turned by 23 degrees over half of the target: W1.
+[[nodiscard]] Workload half_covering_square(int32_t texture_side_texel);
 
 }  // namespace selvage::reports

@@ -8,7 +8,7 @@
 
 #include "cli/error.h"
 #include "cli/file.h"
-#include "reports/page/measurements.h"
+#include "reports/page/plots.h"
 #include "reports/page/sections.h"
 #include "reports/page/worst_cases.h"
 
@@ -35,9 +35,8 @@ void write_text(const fs::path& path, const std::string& text) {
 }
 
 void write_plot_data(const fs::path& folder) {
-  const json bench = read_json(folder / "bench.json");
-  for (const json& work : bench.at("workloads"))
-    write_text(folder / (work.at("id").get<std::string>() + ".dat"), plot_data(work));
+  for (const PlotFile& file : plot_files(read_json(folder / "bench.json")))
+    write_text(folder / file.name, file.text);
 }
 
 void write_page(const fs::path& folder, Results results) {
@@ -63,7 +62,8 @@ int main(int argc, char** argv) {
       "Exit codes: 0 written, 2 wrong use or a file that is missing, damaged or unwritable.");
   std::string folder;
   Results results;
-  CLI::App* plots = app.add_subcommand("plots", "bench.json to one .dat a work item");
+  CLI::App* plots =
+      app.add_subcommand("plots", "bench.json to the data of each plot, for plane.gp and curve.gp");
   CLI::App* worst = app.add_subcommand(
       "worst", "stability.json to lines: a picture's name, a tab, what selvage draws it with");
   CLI::App* html = app.add_subcommand("html", "the JSON files to index.html");

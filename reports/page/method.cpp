@@ -71,14 +71,26 @@ std::string limits() {
           element(
               "li",
               "Everything runs on one core. The mapper and the arithmetics beside it are compiled "
-              "for the baseline of the architecture; OpenCV chooses its SIMD code at run "
+              "for the baseline of the architecture, and so is AGG, which is all headers; the "
+              "other "
+              "peers are the distribution's libraries, most of which choose their SIMD code at run "
               "time.") +
+          element(
+              "li",
+              "pixman and AGG are asked for pixels of 24 bits in 32, the only ones that they copy "
+              "without a look at alpha: of their texels t is compared modulo 256.") +
           element(
               "li",
               "OpenCV warps rectangles: it walks the whole bounding box, and which pixels it "
               "covers follows from texels in and out of the texture, not from edges. Its missing "
               "and extra pixels are those of a use it was not made for; its wrong texels are "
               "pixels it does cover.") +
+          element("li",
+                  "The historic profiles take whole pixels only: what they draw is the work item "
+                  "with its vertices rounded, beforehand, and their errors are mostly that.") +
+          element("li",
+                  "A pixel that a mapper draws twice for one polygon is not seen: the pictures are "
+                  "all that is asked of it.") +
           element("li",
                   "Error counts come from the sampled rows, not from every pixel, and are those of "
                   "one picture each.") +
@@ -109,7 +121,7 @@ std::string summary_section(const Results& results) {
                      promises_of(results)) +
                  element("li",
                          "<a href=#speed>Speed against error</a>, beside the usual arithmetics, "
-                         "OpenCV and a solid fill") +
+                         "the mappers of other projects, a solid fill and a memcpy") +
                  element("li", "<a href=#method>How this was made</a>, and what it does not show"));
 }
 

@@ -29,8 +29,10 @@ td.n, th.n { text-align: right; white-space: nowrap; }
 figure { margin: 0; } figcaption { font-size: .85rem; }
 img { max-width: 100%; height: auto; display: block; }
 .three img { width: 100%; background: #181c26; }
-.work { display: flex; flex-wrap: wrap; gap: 1.5rem; align-items: flex-start; }
-.plot { flex: none; width: 25rem; }
+.plot { width: 41.25rem; margin: .5rem 0; }
+.plots { display: grid; gap: 1.5rem;
+         grid-template-columns: repeat(auto-fit, minmax(min(34rem, 100%), 1fr)); }
+.plots .plot { width: 100%; }
 .stability td, .stability th.n { padding: .25rem .45rem; }
 .stability .reason { min-width: 15rem; }
 .reason small { font-weight: normal; } .reason code { font-size: .75rem; overflow-wrap: anywhere; }
@@ -38,7 +40,7 @@ img { max-width: 100%; height: auto; display: block; }
          grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); }
 .worst code { overflow-wrap: anywhere; } .worst img { background: #181818; }
 pre { background: var(--soft); padding: .8rem 1rem; overflow-x: auto; font-size: .85rem; }
-summary { cursor: pointer; }
+summary { cursor: pointer; } details { margin: .8rem 0; }
 )";
 
 }  // namespace

@@ -11,7 +11,7 @@ struct Results {
   nlohmann::ordered_json laws;       // selvage laws --json
   nlohmann::ordered_json gallery;    // selvage_gallery
   nlohmann::ordered_json stability;  // selvage stability --json
-  nlohmann::ordered_json bench;      // selvage_bench; null where nothing was measured
+  nlohmann::ordered_json bench;      // selvage bench --json; null where nothing was measured
   std::string revision;              // of the source
   std::string command;               // that made the page
   std::string unmeasured;            // why, where bench is null

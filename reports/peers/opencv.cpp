@@ -1,7 +1,7 @@
 // OpenCV warps a rectangle. Asked for a polygon it is given the polygon's bounding box as the
 // destination and BORDER_TRANSPARENT, which leaves a pixel alone whose nearest texel lies outside
 // the texture: for a polygon with the whole texture on it that is the polygon, up to its edge.
-#include "reports/peers/opencv.h"
+#include "reports/peers/peer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,13 +42,15 @@ std::function<void()> prepare(const Workload& load, const Texture& texture, Targ
   const auto& polygon = load.polygons.front();
   const cv::Rect box = bounding_box(polygon, target);
   const cv::Matx33d map = inverse_map(polygon, box);
+  const bool bilinear = load.filter == kBilinear;
+  const int element = bilinear ? CV_8UC4 : CV_32SC1;
   // OpenCV only reads the source; its matrix type has no constant view.
-  const cv::Mat source(texture.side_texel, texture.side_texel, CV_32SC1,
+  const cv::Mat source(texture.side_texel, texture.side_texel, element,
                        const_cast<uint32_t*>(texture.texels.data()),
                        static_cast<size_t>(texture.pitch_texel) * sizeof(uint32_t));
-  const cv::Mat whole(target.height_px, target.width_px, CV_32SC1, target.pixels.data());
+  const cv::Mat whole(target.height_px, target.width_px, element, target.pixels.data());
   const cv::Mat destination = whole(box);
-  constexpr int flags = cv::INTER_NEAREST | cv::WARP_INVERSE_MAP;
+  const int flags = (bilinear ? cv::INTER_LINEAR : cv::INTER_NEAREST) | cv::WARP_INVERSE_MAP;
   if (load.perspective) {
     return [=] {
       cv::warpPerspective(source, destination, map, destination.size(), flags,
@@ -63,25 +65,25 @@ std::function<void()> prepare(const Workload& load, const Texture& texture, Targ
 
 }  // namespace
 
-Subject subject_opencv() {
+Peer peer_opencv() {
   cv::setNumThreads(1);
   Subject subject;
   subject.id = "OpenCV";
   subject.title = std::string("OpenCV ") + CV_VERSION + " warpAffine / warpPerspective";
   subject.configuration =
       "INTER_NEAREST | WARP_INVERSE_MAP, BORDER_TRANSPARENT, cv::setNumThreads(1), into the "
-      "polygon's bounding box, a pixel as one 32-bit element (CV_32SC1), the matrix made "
-      "beforehand; warpPerspective for W4; it walks the whole box, the time is divided by the "
+      "polygon's bounding box, a pixel as one 32-bit element (CV_32SC1; for W5 "
+      "INTER_LINEAR and CV_8UC4), the matrix made beforehand; warpPerspective for W4; it walks the "
+      "whole box, the time is divided by the "
       "covered pixels";
+  subject.bilinear = true;
   subject.refusal = [](const Workload& load) {
     return load.polygons.size() == 1
                ? std::string()
                : std::string("it warps one rectangle; a mesh would be a call and a box a triangle");
   };
   subject.prepare = prepare;
-  return subject;
+  return {subject, cv::getBuildInformation()};
 }
-
-std::string opencv_build_information() { return cv::getBuildInformation(); }
 
 }  // namespace selvage::reports

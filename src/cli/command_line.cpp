@@ -7,6 +7,7 @@
 #include <exception>
 #include <new>
 
+#include "cli/bench_command.h"
 #include "cli/draw_command.h"
 #include "cli/error.h"
 #include "cli/laws_command.h"
@@ -29,6 +30,7 @@ constexpr const char* kProgramExamples = R"(Examples:
                --size 256x192 -o out.png
   selvage verify --cases 1000
   selvage stability --list
+  selvage bench --filter '^W1/'
   selvage laws
 'selvage COMMAND --help' tells more.
 )";
@@ -125,6 +127,10 @@ CLI::App* add_draw(CLI::App& program, DrawOptions& options) {
       ->type_name("FORMAT")
       ->capture_default_str();
   draw->add_option("-o,--output", options.output, "PNG to write")->required()->type_name("FILE");
+  draw->add_option("--threads", options.threads,
+                   "Draw with at most N threads; 0 takes all. The picture is the same")
+      ->type_name("N")
+      ->capture_default_str();
   draw->add_flag("--json", options.json, "Print size, covered pixels, time and methods as JSON");
   draw->footer(footer(kDrawExamples));
   return draw;
@@ -219,10 +225,12 @@ int parse_and_run(std::vector<std::string> arguments, const spec::Subject& subje
   DrawOptions draw_options;
   VerifyOptions verify_options;
   StabilityOptions stability_options;
+  BenchOptions bench_options;
   bool laws_json = false;
   const CLI::App* draw = add_draw(program, draw_options);
   const CLI::App* verify = add_verify(program, verify_options);
   const CLI::App* stability = add_stability(program, stability_options);
+  const CLI::App* bench = add_bench(program, bench_options);
   add_laws(program, laws_json);
   std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
   try {
@@ -238,6 +246,7 @@ int parse_and_run(std::vector<std::string> arguments, const spec::Subject& subje
   if (draw->parsed()) return run_draw(draw_options, console);
   if (verify->parsed()) return run_verify(verify_options, subject, console);
   if (stability->parsed()) return run_stability(stability_options, subject, console);
+  if (bench->parsed()) return run_bench(bench_options, console);
   return run_laws(laws_json, console);
 }
 

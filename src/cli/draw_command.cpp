@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
+#include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 
 #include "cli/error.h"
@@ -86,21 +89,43 @@ void check_png_name(const std::string& output) {
   return picture;
 }
 
-void draw_polygon(const JobPolygon& polygon, const std::vector<selvage_vertex>& vertices,
-                  const Bitmap& texture, Bitmap& target) {
-  const selvage_image image = target.image();
-  const selvage_texture source = texture.texture();
+// Polygons that follow one another and can be drawn in one call.
+[[nodiscard]] size_t end_of_call(const Job& job, size_t first) {
+  const auto differs = [&](const JobPolygon& polygon) {
+    const std::optional<selvage_rect>&clip = polygon.clip, &common = job[first].clip;
+    const bool same_clip = clip.has_value() == common.has_value() &&
+                           (!clip || std::memcmp(&*clip, &*common, sizeof *clip) == 0);
+    return !same_clip ||
+           std::memcmp(&polygon.options, &job[first].options, sizeof polygon.options) != 0;
+  };
+  const auto from = job.begin() + static_cast<ptrdiff_t>(first);
+  return static_cast<size_t>(std::find_if(from, job.end(), differs) - job.begin());
+}
+
+void draw_call(const Job& job, size_t first, std::span<const selvage_polygon> polygons,
+               const selvage_image& image, int32_t threads) {
+  std::vector<std::byte> scratch(selvage_draw_many_bytes(polygons.size()));
+  size_t failed = polygons.size();
+  const std::optional<selvage_rect>& clip = job[first].clip;
   const selvage_status status =
-      selvage_draw(&image, polygon.clip ? &*polygon.clip : nullptr, vertices.data(),
-                   vertices.size(), &source, &polygon.options);
-  if (status != SELVAGE_OK) throw UserError(selvage_status_text(status));
+      selvage_draw_many(&image, clip ? &*clip : nullptr, polygons.data(), polygons.size(),
+                        &job[first].options, threads, scratch.data(), scratch.size(), &failed);
+  if (status == SELVAGE_OK) return;
+  if (failed == polygons.size()) throw UserError(selvage_status_text(status));
+  throw UserError("polygon " + std::to_string(first + failed + 1) + ": " +
+                  selvage_status_text(status));
 }
 
 void draw_all(const Job& job, const std::vector<std::vector<selvage_vertex>>& vertices,
-              const Bitmap& texture, Bitmap& target) {
-  for (size_t i = 0; i < job.size(); ++i) {
-    about("polygon " + std::to_string(i + 1),
-          [&] { draw_polygon(job[i], vertices[i], texture, target); });
+              const Bitmap& texture, Bitmap& target, int32_t threads) {
+  const selvage_image image = target.image();
+  const selvage_texture source = texture.texture();
+  std::vector<selvage_polygon> polygons;
+  for (const auto& outline : vertices)
+    polygons.push_back({outline.data(), outline.size(), &source});
+  for (size_t first = 0, end; first < job.size(); first = end) {
+    end = end_of_call(job, first);
+    draw_call(job, first, std::span(polygons).subspan(first, end - first), image, threads);
   }
 }
 
@@ -141,10 +166,10 @@ void report(const DrawOptions& options, const Job& job, const Raster& picture, i
 
 }  // namespace
 
-int64_t draw_job_ns(const Job& job, const Bitmap& texture, Bitmap& target) {
+int64_t draw_job_ns(const Job& job, const Bitmap& texture, Bitmap& target, int32_t threads) {
   const std::vector<std::vector<selvage_vertex>> vertices = snap(job);
   const auto start = std::chrono::steady_clock::now();
-  draw_all(job, vertices, texture, target);
+  draw_all(job, vertices, texture, target, threads);
   return std::chrono::nanoseconds(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -152,11 +177,15 @@ int64_t covered_px(const Job& job, int32_t width_px, int32_t height_px) {
   const size_t area = static_cast<size_t>(width_px) * static_cast<size_t>(height_px);
   const Bitmap ones{SELVAGE_INDEX8, 1, 1, {1}};
   Bitmap mask{SELVAGE_INDEX8, width_px, height_px, std::vector<uint8_t>(area)};
-  draw_all(job, snap(job), ones, mask);
+  draw_all(job, snap(job), ones, mask, /*threads=*/0);
   return std::count(mask.bytes.begin(), mask.bytes.end(), uint8_t{1});
 }
 
 int run_draw(const DrawOptions& options, const Console& console) {
+  if (options.threads < 0) {
+    throw UserError("--threads: " + std::to_string(options.threads) +
+                    " is no number of threads; give 1 or more, or 0 for all that there are");
+  }
   check_png_name(options.output);
   check_output(options.output);
   const selvage_format format = about("--format", [&] { return parse_format(options.format); });
@@ -166,7 +195,7 @@ int run_draw(const DrawOptions& options, const Console& console) {
   Bitmap target = to_bitmap(read_background(options), format);
   const Bitmap texture = to_bitmap(read_picture(options.texture), format);
   status.show("drawing");
-  const int64_t time_ns = draw_job_ns(job, texture, target);
+  const int64_t time_ns = draw_job_ns(job, texture, target, options.threads);
   nlohmann::ordered_json drawn_by = methods(job, texture, target);
   status.show("writing " + options.output);
   const Raster picture = to_raster(std::move(target));

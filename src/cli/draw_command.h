@@ -21,11 +21,12 @@ struct DrawOptions {
   std::string clip, address, filter, profile, tolerance;  // empty: what the polygon file says
   std::string format = "rgba8888";
   std::string output;
+  int32_t threads = 0;  // at most; 0: all that there are
   bool json = false;
 };
 
-// Draws every polygon of the job, in order, and returns the time spent in selvage_draw.
-int64_t draw_job_ns(const Job& job, const Bitmap& texture, Bitmap& target);
+// Draws every polygon of the job, in order, and returns the time that it took.
+int64_t draw_job_ns(const Job& job, const Bitmap& texture, Bitmap& target, int32_t threads);
 
 // The pixels of a picture of this size that at least one polygon covers.
 [[nodiscard]] int64_t covered_px(const Job& job, int32_t width_px, int32_t height_px);

@@ -1,11 +1,10 @@
 #include "cli/stability_table.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <string_view>
 
-#include "cli/number.h"
+#include "cli/text_columns.h"
 
 namespace selvage::cli {
 namespace {
@@ -14,25 +13,11 @@ using stability::Cell;
 using stability::FamilyRow;
 using stability::Promise;
 
-constexpr size_t kColumns = 100;
-
 [[nodiscard]] std::string row(const std::vector<std::string>& fields) {
   constexpr int widths[] = {-14, 13, 8, 9, 10, 10, 9};
-  std::string line;
-  for (size_t i = 0; i < std::size(widths); ++i) {
-    char field[64];
-    std::snprintf(field, sizeof field, "%*s", widths[i], fields[i].c_str());
-    line += field;
-  }
+  std::string line = columns(std::span(fields).first(std::size(widths)), widths);
+  line.pop_back();
   return line + "  " + fields.back() + "\n";
-}
-
-// Three significant digits, and 0 for nothing but 0.
-[[nodiscard]] std::string short_number(double value) {
-  char text[32];
-  const int digits = value > 0 ? 2 - static_cast<int>(std::floor(std::log10(value))) : 0;
-  std::snprintf(text, sizeof text, "%.*f", std::clamp(digits, 0, 6), value);
-  return value > 0 && value < 1e-6 ? show(value) : text;
 }
 
 [[nodiscard]] std::string percent(double share) {
@@ -46,27 +31,6 @@ constexpr size_t kColumns = 100;
   char text[32];
   std::snprintf(text, sizeof text, "%.3f", *errors.part_of_bound);
   return *errors.part_of_bound > 1 ? "ABOVE 1" : text;
-}
-
-// Whole words on lines of kColumns, all but the first indented.
-[[nodiscard]] std::string wrapped(std::string_view text, size_t indent = 0) {
-  std::string lines;
-  size_t room = kColumns;
-  while (text.size() > room) {
-    const size_t space = text.rfind(' ', room);
-    const size_t end = space == std::string_view::npos ? room : space;
-    lines += std::string(text.substr(0, end)) + "\n" + std::string(indent, ' ');
-    text.remove_prefix(std::min(end + 1, text.size()));
-    room = kColumns - indent;
-  }
-  return lines + std::string(text) + "\n";
-}
-
-[[nodiscard]] std::string list_entry(std::string_view name, std::string_view text) {
-  constexpr size_t indent = 24;
-  std::string entry = "  " + std::string(name);
-  entry += std::string(entry.size() < indent ? indent - entry.size() : 1, ' ');
-  return wrapped(entry + std::string(text), indent);
 }
 
 [[nodiscard]] bool kept(const Cell& cell) { return cell.errors.keeps(cell.contender->promise); }
@@ -139,10 +103,10 @@ std::string stability_summary(const StabilityRun& run) {
 std::string stability_list(std::span<const stability::Contender> contenders) {
   std::string text = "Hard families:\n";
   for (const spec::HardFamily& family : spec::hard_families())
-    text += list_entry(family.name, family.reason);
+    text += list_entry("  " + std::string(family.name), family.reason);
   text += "\nArithmetics:\n";
   for (const stability::Contender& contender : contenders)
-    text += list_entry(contender.name, contender.statement);
+    text += list_entry("  " + std::string(contender.name), contender.statement);
   return text;
 }
 

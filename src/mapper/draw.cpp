@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "mapper/area_draw.h"
 #include "mapper/copy_row.h"
-#include "mapper/filter_draw.h"
 #include "mapper/image.h"
 #include "mapper/kernel.h"
 #include "mapper/plane.h"
@@ -61,7 +61,8 @@ void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surfa
 // Affine maps are drawn exactly in any case: their kernels were measured to be no slower than lanes
 // that leave near-ties undecided, for what bounds them is fetching texels.
 [[nodiscard]] bool is_tolerant(const Polygon& polygon, const selvage_options& options) {
-  return options.tolerance > 0 && !polygon.affine && lanes_fit(polygon);
+  return options.tolerance > 0 && options.filter == SELVAGE_FILTER_NEAREST && !polygon.affine &&
+         lanes_fit(polygon);
 }
 
 }  // namespace
@@ -73,10 +74,8 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
     return;
   }
   if (is_copy(polygon, options.filter)) return draw_copies(polygon, visible, surface);
-  if (options.filter != SELVAGE_FILTER_NEAREST) {
-    return draw_filtered(surface, visible, polygon, options.filter);
-  }
-  const Kernels& kernels = kernels_for(options.kernel, surface, polygon);
+  if (options.filter == SELVAGE_FILTER_AREA) return draw_area(surface, visible, polygon);
+  const Kernels& kernels = kernels_for(options.kernel, options.filter, surface, polygon);
   if (is_tolerant(polygon, options)) {
     return draw_tolerantly(surface, visible, polygon, kernels, options.tolerance);
   }

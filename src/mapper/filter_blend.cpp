@@ -4,6 +4,7 @@
 
 #include "mapper/address.h"
 #include "mapper/channels.h"
+#include "mapper/layout.h"
 
 namespace selvage::mapper {
 namespace {
@@ -13,14 +14,19 @@ struct Around {
   Channels upper_left, upper_right, lower_left, lower_right;
 };
 
-template <class Address>
+template <class Address, class Layout>
 [[nodiscard]] inline Around texels_around(FilterPoint point, const selvage_texture& texture) {
+  const auto column = [&](int32_t s) {
+    return Layout::column(Address::index(s, texture.width)) * kPixelBytes;
+  };
+  const auto row = [&](int32_t t) {
+    return static_cast<const char*>(texture.texels) +
+           Layout::row(Address::index(t, texture.height), texture.pitch / kPixelBytes) *
+               kPixelBytes;
+  };
   const int32_t s = point.u_fx8 >> kGridBits, t = point.v_fx8 >> kGridBits;
-  const ptrdiff_t left = ptrdiff_t{Address::index(s, texture.width)} * kPixelBytes;
-  const ptrdiff_t right = ptrdiff_t{Address::index(s + 1, texture.width)} * kPixelBytes;
-  const char* const texels = static_cast<const char*>(texture.texels);
-  const char* const upper = texels + Address::index(t, texture.height) * texture.pitch;
-  const char* const lower = texels + Address::index(t + 1, texture.height) * texture.pitch;
+  const ptrdiff_t left = column(s), right = column(s + 1);
+  const char *const upper = row(t), *const lower = row(t + 1);
   return {Channels::of(load_texel(upper + left)), Channels::of(load_texel(upper + right)),
           Channels::of(load_texel(lower + left)), Channels::of(load_texel(lower + right))};
 }
@@ -45,12 +51,20 @@ struct Bilinear {
   }
 };
 
-template <class Mix, class Address>
-void blend(std::span<const FilterPoint> points, const selvage_texture texture, char* pixel) {
+template <class Mix, class Address, class Layout>
+void blend_laid_out(std::span<const FilterPoint> points, const selvage_texture texture,
+                    char* pixel) {
   for (const FilterPoint point : points) {
-    store_pixel(pixel, Mix::mix(texels_around<Address>(point, texture), point));
+    store_pixel(pixel, Mix::mix(texels_around<Address, Layout>(point, texture), point));
     pixel += kPixelBytes;
   }
+}
+
+template <class Mix, class Address>
+void blend(std::span<const FilterPoint> points, const selvage_texture& texture, char* pixels) {
+  with_layout(texture.layout, [&](auto layout) {
+    blend_laid_out<Mix, Address, decltype(layout)>(points, texture, pixels);
+  });
 }
 
 [[nodiscard]] bool is_inside(FilterPoint point, const selvage_texture& texture) {

@@ -23,7 +23,7 @@ struct Box {
 
 // The four channels summed over a box, each texel of the plane as often as it is covered in
 // (1/256 texel)^2. What is beyond the texture is counted, not visited: time is proportional to the
-// texels of the texture under the box.
+// texels of the texture under the box, and constant where the texture has sums.
 using BoxSum = std::array<uint64_t, 4>;
 [[nodiscard]] BoxSum box_sum(const selvage_texture& texture, selvage_address address,
                              const Box& box);

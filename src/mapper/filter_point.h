@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "mapper/exact_row.h"
 #include "mapper/lanes.h"
 #include "mapper/span.h"
 
@@ -45,11 +46,12 @@ static_assert(kDenominatorBits - kGridBits + kTexelBits - kTexelFraction + kGrid
 }
 
 // Rare, and kept out of the loop.
-[[nodiscard, gnu::noinline]] inline FilterPoint decide_point(const SpanMap& map, int32_t px,
-                                                             FilterPoint low) {
-  const int128 d = map.denominator(px);
-  return {decide_fx8(map.u_numerator(px), d, low.u_fx8),
-          decide_fx8(map.v_numerator(px), d, low.v_fx8)};
+[[nodiscard, gnu::noinline]] inline FilterPoint decide_point(const ExactMap& map, const Span& span,
+                                                             int32_t px, FilterPoint low) {
+  const ExactRow row = map.row_from(px, span.row);
+  const auto d = static_cast<int128>(row.d.start);
+  return {decide_fx8(static_cast<int128>(row.u.start), d, low.u_fx8),
+          decide_fx8(static_cast<int128>(row.v.start), d, low.v_fx8)};
 }
 
 // The lanes at a pixel of a span, whichever they are, and how low they may be.
@@ -66,14 +68,14 @@ static_assert(kDenominatorBits - kGridBits + kTexelBits - kTexelFraction + kGrid
 
 // A pixel of a span, by its lanes and its exact map.
 template <class Lanes>
-[[nodiscard]] inline FilterPoint filter_point(const SpanMap& map, const Span& span,
+[[nodiscard]] inline FilterPoint filter_point(const ExactMap& map, const Span& span,
                                               const Lanes& lanes, int32_t px) {
   const Lane lane = lane_at(lanes, span, px);
   FilterPoint point{static_cast<int32_t>(lane.u_fx32 >> kGridFraction),
                     static_cast<int32_t>(lane.v_fx32 >> kGridFraction)};
   const uint32_t margin = margin_of(lanes);
   if (is_near_grid(lane.u_fx32, margin) || is_near_grid(lane.v_fx32, margin)) [[unlikely]] {
-    point = decide_point(map, px, point);
+    point = decide_point(map, span, px, point);
   }
   return {point.u_fx8 - kTexel_fx8 / 2, point.v_fx8 - kTexel_fx8 / 2};
 }

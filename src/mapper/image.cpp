@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "mapper/sums.h"
+
 namespace selvage::mapper {
 namespace {
 
@@ -13,8 +15,8 @@ struct Footprint {
   uintptr_t stride_bytes;  // |pitch|
   uintptr_t rows;
 
-  [[nodiscard]] uintptr_t end_byte() const {
-    return first_byte + (rows - 1) * stride_bytes + row_bytes;
+  [[nodiscard]] Memory memory() const {
+    return {first_byte, first_byte + (rows - 1) * stride_bytes + row_bytes};
   }
 };
 
@@ -22,32 +24,42 @@ struct Footprint {
   return pitch < 0 ? uintptr_t{0} - static_cast<uintptr_t>(pitch) : static_cast<uintptr_t>(pitch);
 }
 
-[[nodiscard]] Footprint footprint(const void* pixels, int32_t width, int32_t height,
-                                  ptrdiff_t pitch, selvage_format format) {
-  const auto rows = static_cast<uintptr_t>(height);
+[[nodiscard]] Footprint footprint(const void* pixels, RowsOfBytes size, ptrdiff_t pitch) {
+  const auto rows = static_cast<uintptr_t>(size.rows);
   const uintptr_t stride = magnitude(pitch);
   auto first = reinterpret_cast<uintptr_t>(pixels);
   if (pitch < 0) first -= (rows - 1) * stride;
-  return Footprint{first, static_cast<uintptr_t>(width * bytes_per_pixel(format)), stride, rows};
+  return Footprint{first, static_cast<uintptr_t>(size.row_bytes), stride, rows};
 }
 
-// |pitch| holds a row of whole pixels, and the image spans at most PTRDIFF_MAX bytes.
-[[nodiscard]] bool pitch_is_valid(int32_t width, int32_t height, ptrdiff_t pitch,
-                                  selvage_format format) {
-  const auto pixel = static_cast<uintptr_t>(bytes_per_pixel(format));
+[[nodiscard]] Footprint footprint(const selvage_image& image) {
+  return footprint(image.pixels, rows_of_bytes(image), image.pitch);
+}
+
+[[nodiscard]] Footprint footprint(const selvage_texture& texture) {
+  return footprint(texture.texels, rows_of_bytes(texture), texture.pitch);
+}
+
+// |pitch| holds a row and is a multiple of `unit`, and the image spans at most PTRDIFF_MAX bytes.
+[[nodiscard]] bool pitch_is_valid(RowsOfBytes size, ptrdiff_t pitch, ptrdiff_t unit) {
   const uintptr_t stride = magnitude(pitch);
-  const uintptr_t row = static_cast<uintptr_t>(width) * pixel;
-  if (stride < row || stride % pixel != 0) return false;
-  const auto steps = static_cast<uintptr_t>(height - 1);
+  const auto row = static_cast<uintptr_t>(size.row_bytes);
+  if (stride < row || stride % static_cast<uintptr_t>(unit) != 0) return false;
+  const auto steps = static_cast<uintptr_t>(size.rows - 1);
   return steps == 0 || stride <= (static_cast<uintptr_t>(PTRDIFF_MAX) - row) / steps;
+}
+
+// What addresses and pitches are multiples of: a texel, or a tile.
+[[nodiscard]] ptrdiff_t unit_bytes(selvage_layout layout, selvage_format format) {
+  return (layout == SELVAGE_LAYOUT_TILES ? kTileTexels : 1) * bytes_per_pixel(format);
 }
 
 [[nodiscard]] bool format_is_known(selvage_format format) {
   return SELVAGE_INDEX8 <= format && format <= SELVAGE_RGBA8888;
 }
 
-[[nodiscard]] bool is_aligned(const void* pixels, selvage_format format) {
-  return reinterpret_cast<uintptr_t>(pixels) % static_cast<uintptr_t>(bytes_per_pixel(format)) == 0;
+[[nodiscard]] bool is_aligned(const void* pixels, ptrdiff_t unit) {
+  return reinterpret_cast<uintptr_t>(pixels) % static_cast<uintptr_t>(unit) == 0;
 }
 
 // Two rectangles of one bitmap: equal strides, and column ranges that never meet.
@@ -58,20 +70,47 @@ struct Footprint {
   return a.row_bytes <= b_column && b_column + b.row_bytes <= stride;
 }
 
-[[nodiscard]] bool ranges_meet(uintptr_t a_begin, uintptr_t a_end, uintptr_t b_begin,
-                               uintptr_t b_end) {
-  return a_begin < b_end && b_begin < a_end;
+[[nodiscard]] Memory memory_of_sums(const selvage_texture& texture) {
+  const auto begin = reinterpret_cast<uintptr_t>(texture.prepared);
+  return {begin, begin + static_cast<uintptr_t>(SumsShape::of(texture).bytes())};
 }
 
 }  // namespace
+
+Memory memory_of(const void* values, size_t count, size_t bytes_per_value) {
+  const auto begin = reinterpret_cast<uintptr_t>(values);
+  const uintptr_t most = (UINTPTR_MAX - begin) / bytes_per_value;
+  return {begin, begin + std::min(uintptr_t{count}, most) * bytes_per_value};
+}
+
+Memory memory_of(const selvage_image& image) { return footprint(image).memory(); }
+
+Memory memory_of(const selvage_texture& texture) {
+  const Memory texels = footprint(texture).memory();
+  if (texture.prepared == nullptr) return texels;
+  return {texels.begin, memory_of_sums(texture).end};
+}
+
+RowsOfBytes rows_of_bytes(const selvage_image& image) {
+  return rows_of_bytes(SELVAGE_LAYOUT_ROWS, image.format, image.width, image.height);
+}
+
+RowsOfBytes rows_of_bytes(const selvage_texture& texture) {
+  return rows_of_bytes(texture.layout, texture.format, texture.width, texture.height);
+}
+
+bool layout_is_known(selvage_layout layout) {
+  return layout == SELVAGE_LAYOUT_ROWS || layout == SELVAGE_LAYOUT_TILES;
+}
 
 selvage_status check_target(const selvage_image* target) {
   if (target == nullptr || target->pixels == nullptr) return SELVAGE_ERROR_TARGET_NULL;
   const auto& [pixels, width, height, pitch, format] = *target;
   if (!format_is_known(format)) return SELVAGE_ERROR_TARGET_FORMAT;
   if (width < 1 || height < 1) return SELVAGE_ERROR_TARGET_SIZE;
-  if (!pitch_is_valid(width, height, pitch, format)) return SELVAGE_ERROR_TARGET_PITCH;
-  if (!is_aligned(pixels, format)) return SELVAGE_ERROR_TARGET_ALIGNMENT;
+  const ptrdiff_t unit = bytes_per_pixel(format);
+  if (!pitch_is_valid(rows_of_bytes(*target), pitch, unit)) return SELVAGE_ERROR_TARGET_PITCH;
+  if (!is_aligned(pixels, unit)) return SELVAGE_ERROR_TARGET_ALIGNMENT;
   return SELVAGE_OK;
 }
 
@@ -80,32 +119,32 @@ selvage_status check_texture(const selvage_texture* texture) {
   const auto& [texels, width, height, pitch, format, layout, prepared] = *texture;
   if (!format_is_known(format)) return SELVAGE_ERROR_TEXTURE_FORMAT;
   if (width < 1 || height < 1) return SELVAGE_ERROR_TEXTURE_SIZE;
-  if (!pitch_is_valid(width, height, pitch, format)) return SELVAGE_ERROR_TEXTURE_PITCH;
-  if (!is_aligned(texels, format)) return SELVAGE_ERROR_TEXTURE_ALIGNMENT;
-  if (layout != SELVAGE_LAYOUT_ROWS || prepared != nullptr) return SELVAGE_ERROR_TEXTURE_LAYOUT;
-  return SELVAGE_OK;
+  if (!layout_is_known(layout)) return SELVAGE_ERROR_TEXTURE_LAYOUT;
+  const ptrdiff_t unit = unit_bytes(layout, format);
+  const bool goes_up = layout == SELVAGE_LAYOUT_TILES && pitch < 0;
+  if (goes_up || !pitch_is_valid(rows_of_bytes(*texture), pitch, unit)) {
+    return SELVAGE_ERROR_TEXTURE_PITCH;
+  }
+  if (!is_aligned(texels, unit)) return SELVAGE_ERROR_TEXTURE_ALIGNMENT;
+  return prepared == nullptr || prepared == place_of_sums(*texture)
+             ? SELVAGE_OK
+             : SELVAGE_ERROR_TEXTURE_PREPARED;
 }
 
 selvage_status check_pair(const selvage_image& target, const selvage_texture& texture) {
   if (target.format != texture.format) return SELVAGE_ERROR_FORMAT_MISMATCH;
-  const Footprint a =
-      footprint(target.pixels, target.width, target.height, target.pitch, target.format);
-  const Footprint b =
-      footprint(texture.texels, texture.width, texture.height, texture.pitch, texture.format);
-  const bool meet = ranges_meet(a.first_byte, a.end_byte(), b.first_byte, b.end_byte());
-  return meet && !interleave(a, b) ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
+  const Footprint a = footprint(target), b = footprint(texture);
+  if (a.memory().meets(b.memory()) && !interleave(a, b)) return SELVAGE_ERROR_OVERLAP;
+  const bool sums_meet = texture.prepared != nullptr && a.memory().meets(memory_of_sums(texture));
+  return sums_meet ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
 }
 
 selvage_status check_vertices(const selvage_image& target, const selvage_vertex* vertices,
                               size_t count) {
   if (vertices == nullptr) return SELVAGE_ERROR_VERTICES_NULL;
   if (count < 3) return SELVAGE_ERROR_VERTEX_COUNT;
-  const Footprint a =
-      footprint(target.pixels, target.width, target.height, target.pitch, target.format);
-  const auto begin = reinterpret_cast<uintptr_t>(vertices);
-  const uintptr_t most = (UINTPTR_MAX - begin) / sizeof(selvage_vertex);
-  const uintptr_t end = begin + std::min(uintptr_t{count}, most) * sizeof(selvage_vertex);
-  return ranges_meet(a.first_byte, a.end_byte(), begin, end) ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
+  const Memory bytes = memory_of(vertices, count, sizeof(selvage_vertex));
+  return memory_of(target).meets(bytes) ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
 }
 
 selvage_rect visible_rect(const selvage_image& target, const selvage_rect* clip) {

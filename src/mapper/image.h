@@ -13,6 +13,45 @@ namespace selvage::mapper {
   return format == SELVAGE_INDEX8 ? 1 : format == SELVAGE_RGB565 ? 2 : 4;
 }
 
+// Addresses of bytes, [begin, end).
+struct Memory {
+  uintptr_t begin, end;
+
+  [[nodiscard]] bool meets(const Memory& other) const {
+    return begin < other.end && other.begin < end;
+  }
+};
+// Of so many values; where they would reach beyond the last address, up to there.
+[[nodiscard]] Memory memory_of(const void* values, size_t count, size_t bytes_per_value);
+// From the first pixel's byte to the last's; of a texture, to the end of its sums. The image must
+// have passed its checks.
+[[nodiscard]] Memory memory_of(const selvage_image& image);
+[[nodiscard]] Memory memory_of(const selvage_texture& texture);
+
+inline constexpr int kTileBits = 2;
+inline constexpr int32_t kTileSide_texel = 1 << kTileBits;
+inline constexpr int32_t kTileTexels = kTileSide_texel * kTileSide_texel;
+
+// So many of `unit` hold `size`.
+[[nodiscard]] constexpr int64_t units(int32_t size, int32_t unit) {
+  return (int64_t{size} + unit - 1) / unit;
+}
+
+// How a texture is stepped through: `rows` times `row_bytes`, a pitch apart.
+struct RowsOfBytes {
+  int64_t row_bytes, rows;
+};
+// Of a valid format and layout: its rows, or its rows of tiles.
+[[nodiscard]] constexpr RowsOfBytes rows_of_bytes(selvage_layout layout, selvage_format format,
+                                                  int32_t width, int32_t height) {
+  const ptrdiff_t texel = bytes_per_pixel(format);
+  if (layout == SELVAGE_LAYOUT_ROWS) return {width * texel, height};
+  return {units(width, kTileSide_texel) * kTileTexels * texel, units(height, kTileSide_texel)};
+}
+[[nodiscard]] RowsOfBytes rows_of_bytes(const selvage_image& image);
+[[nodiscard]] RowsOfBytes rows_of_bytes(const selvage_texture& texture);
+[[nodiscard]] bool layout_is_known(selvage_layout layout);
+
 // Each returns SELVAGE_OK or the error of the first rule that is broken.
 [[nodiscard]] selvage_status check_target(const selvage_image* target);
 [[nodiscard]] selvage_status check_texture(const selvage_texture* texture);

@@ -10,16 +10,20 @@ inline constexpr selvage_kernel kByPreference[] = {SELVAGE_KERNEL_AVX512, SELVAG
 
 bool is_usable(selvage_kernel kernel) {
   return kernel == SELVAGE_KERNEL_FASTEST || kernel == SELVAGE_KERNEL_SCALAR ||
-         vector_kernels(kernel) != nullptr;
+         vector_kernels(kernel, SELVAGE_FILTER_NEAREST) != nullptr;
 }
 
-const Kernels& kernels_for(selvage_kernel kernel, const Surface& surface, const Polygon& polygon) {
-  if (kernel == SELVAGE_KERNEL_SCALAR || !fits_vectors(surface, polygon)) return scalar_kernels();
-  if (kernel != SELVAGE_KERNEL_FASTEST) return *vector_kernels(kernel);
-  for (const selvage_kernel each : kByPreference) {
-    if (const Kernels* found = vector_kernels(each)) return *found;
+const Kernels& kernels_for(selvage_kernel kernel, selvage_filter filter, const Surface& surface,
+                           const Polygon& polygon) {
+  if (kernel == SELVAGE_KERNEL_SCALAR || !fits_vectors(surface, polygon)) {
+    return scalar_kernels(filter);
   }
-  return scalar_kernels();
+  if (kernel != SELVAGE_KERNEL_FASTEST) return *vector_kernels(kernel, filter);
+  const Kernels* fastest = nullptr;
+  for (const selvage_kernel each : kByPreference) {
+    if (fastest == nullptr) fastest = vector_kernels(each, filter);
+  }
+  return fastest != nullptr ? *fastest : scalar_kernels(filter);
 }
 
 }  // namespace selvage::mapper

@@ -40,24 +40,23 @@ struct ProjectiveSpans {
   ExactMap exact;
 };
 
-// The first two write the nearest texels of all pixels of the spans, and return how many pixels had
-// to be decided exactly; the third writes those of its lanes.
+// Each writes all pixels of the spans by its filter, exactly; the last, which only nearest has,
+// shows the texels of its lanes.
 struct Kernels {
-  int32_t (*draw_affine)(const AffineSpans& spans, const Surface& surface);
-  int32_t (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
-  void (*draw_stepped)(const SteppedRow& row, const Surface& surface);
+  void (*draw_affine)(const AffineSpans& spans, const Surface& surface);
+  void (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
+  void (*draw_stepped)(const SteppedRow& row, const Surface& surface) = nullptr;
 };
 
-// Any surface.
 void draw_stepped_scalar(const SteppedRow& row, const Surface& surface);
 
-// Any surface.
-[[nodiscard]] const Kernels& scalar_kernels();
+// Nearest, four and bilinear; the area filter has no kernels.
+[[nodiscard]] const Kernels& scalar_kernels(selvage_filter filter);
 
 // Those of a selvage_kernel that this machine can run, or the scalar ones, for what a vector kernel
 // cannot hold.
-[[nodiscard]] const Kernels& kernels_for(selvage_kernel kernel, const Surface& surface,
-                                         const Polygon& polygon);
+[[nodiscard]] const Kernels& kernels_for(selvage_kernel kernel, selvage_filter filter,
+                                         const Surface& surface, const Polygon& polygon);
 [[nodiscard]] bool is_usable(selvage_kernel kernel);
 
 }  // namespace selvage::mapper

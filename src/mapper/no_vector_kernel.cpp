@@ -3,6 +3,8 @@
 
 namespace selvage::mapper {
 
-const Kernels* vector_kernels(selvage_kernel /*kernel*/) { return nullptr; }
+const Kernels* vector_kernels(selvage_kernel /*kernel*/, selvage_filter /*filter*/) {
+  return nullptr;
+}
 
 }  // namespace selvage::mapper

@@ -4,27 +4,35 @@
 #include "mapper/address.h"
 #include "mapper/image.h"
 #include "mapper/kernel.h"
+#include "mapper/layout.h"
+#include "mapper/scalar_blend_kernel.h"
 #include "mapper/texel_index.h"
 
 namespace selvage::mapper {
 namespace {
 
 // Lanes and texture come by value: no store through `pixel` can change them.
-template <class Pixel, class Address, class Lanes>
-int32_t draw_texels(RowOnDemand& exact, const int32_t width_px, const Lanes lanes,
-                    const selvage_texture texture, char* pixel) {
+template <class Pixel, class Address, class Layout, class Lanes>
+void draw_laid_out(RowOnDemand& exact, const int32_t width_px, const Lanes lanes,
+                   const selvage_texture texture, char* pixel) {
   const char* texels = static_cast<const char*>(texture.texels);
-  int32_t decided = 0;
+  const ptrdiff_t pitch_texel = texture.pitch / ptrdiff_t{sizeof(Pixel)};
   for (int32_t offset_px = 0; offset_px < width_px; ++offset_px) {
     const Lane lane = lanes.at(offset_px);
     const TexelIndex texel = texel_under(lane, lanes.margin_fx32(), exact, offset_px);
-    const ptrdiff_t s = Address::index(texel.s, texture.width);
-    const ptrdiff_t t = Address::index(texel.t, texture.height);
-    std::memcpy(pixel, texels + t * texture.pitch + s * ptrdiff_t{sizeof(Pixel)}, sizeof(Pixel));
+    const ptrdiff_t place = Layout::row(Address::index(texel.t, texture.height), pitch_texel) +
+                            Layout::column(Address::index(texel.s, texture.width));
+    std::memcpy(pixel, texels + place * ptrdiff_t{sizeof(Pixel)}, sizeof(Pixel));
     pixel += sizeof(Pixel);
-    decided += is_near_tie(lane, lanes.margin_fx32()) ? 1 : 0;
   }
-  return decided;
+}
+
+template <class Pixel, class Address, class Lanes>
+void draw_texels(RowOnDemand& exact, int32_t width_px, const Lanes& lanes,
+                 const selvage_texture& texture, char* pixel) {
+  with_layout(texture.layout, [&](auto layout) {
+    draw_laid_out<Pixel, Address, decltype(layout)>(exact, width_px, lanes, texture, pixel);
+  });
 }
 
 [[nodiscard]] bool is_inside(TexelIndex texel, const selvage_texture& texture) {
@@ -43,8 +51,7 @@ template <class Lanes>
 }
 
 template <class Pixel, class Lanes>
-int32_t draw_row(const Lanes& lanes, const ExactMap& map, const Span& span,
-                 const Surface& surface) {
+void draw_row(const Lanes& lanes, const ExactMap& map, const Span& span, const Surface& surface) {
   const selvage_texture& texture = surface.texture;
   char* pixel = static_cast<char*>(surface.target.pixels) + span.row * surface.target.pitch +
                 span.left_px * ptrdiff_t{sizeof(Pixel)};
@@ -63,8 +70,7 @@ int32_t draw_row(const Lanes& lanes, const ExactMap& map, const Span& span,
 }
 
 template <class Lanes>
-int32_t draw_lanes(const Lanes& lanes, const ExactMap& map, const Span& span,
-                   const Surface& surface) {
+void draw_lanes(const Lanes& lanes, const ExactMap& map, const Span& span, const Surface& surface) {
   switch (surface.target.format) {
     case SELVAGE_INDEX8:
       return draw_row<uint8_t>(lanes, map, span, surface);
@@ -75,30 +81,35 @@ int32_t draw_lanes(const Lanes& lanes, const ExactMap& map, const Span& span,
   }
 }
 
-int32_t draw_affine(const AffineSpans& spans, const Surface& surface) {
-  int32_t decided = 0;
+void draw_affine(const AffineSpans& spans, const Surface& surface) {
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
     if (span.empty()) continue;
     const AffineLanes lanes(spans.field.at(span.left_px, span.row), spans.field.step_x,
                             spans.field.margin_fx32);
-    decided += draw_lanes(lanes, spans.exact, span, surface);
+    draw_lanes(lanes, spans.exact, span, surface);
   }
-  return decided;
 }
 
-int32_t draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
-  int32_t decided = 0;
+void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
   for (const ProjectiveSpan& each : spans.spans) {
-    decided += draw_lanes(each.lanes, spans.exact, each.span, surface);
+    draw_lanes(each.lanes, spans.exact, each.span, surface);
   }
-  return decided;
 }
 
 constexpr Kernels kScalar = {draw_affine, draw_projective, draw_stepped_scalar};
 
 }  // namespace
 
-const Kernels& scalar_kernels() { return kScalar; }
+const Kernels& scalar_kernels(selvage_filter filter) {
+  switch (filter) {
+    case SELVAGE_FILTER_FOUR:
+      return kFourScalar;
+    case SELVAGE_FILTER_BILINEAR:
+      return kBilinearScalar;
+    default:
+      return kScalar;
+  }
+}
 
 }  // namespace selvage::mapper

@@ -8,6 +8,7 @@
 #include "mapper/address.h"
 #include "mapper/image.h"
 #include "mapper/kernel.h"
+#include "mapper/layout.h"
 #include "mapper/stepped.h"
 
 namespace selvage::mapper {
@@ -65,44 +66,52 @@ class SegmentWalk {
                               kTexelFraction);
 }
 
-template <class Pixel, class Address>
+template <class Pixel, class Address, class Layout>
 void draw_part(const SegmentPart& part, const selvage_texture texture, char* row) {
   const char* texels = static_cast<const char*>(texture.texels);
+  const ptrdiff_t pitch_texel = texture.pitch / ptrdiff_t{sizeof(Pixel)};
   const Lane step = part.segment.step;
   int32_t px = part.left_px;
   for (int32_t group_px = part.group_px(); px < part.right_px; group_px += kStepGroup_px) {
     const Lane lane = part.at(group_px);
     const int32_t end_px = std::min(group_px + kStepGroup_px, part.right_px);
     for (; px < end_px; ++px) {
-      const ptrdiff_t s =
-          Address::index(texel(lane.u_fx32, step.u_fx32, px - group_px), texture.width);
-      const ptrdiff_t t =
-          Address::index(texel(lane.v_fx32, step.v_fx32, px - group_px), texture.height);
-      std::memcpy(row + px * ptrdiff_t{sizeof(Pixel)},
-                  texels + t * texture.pitch + s * ptrdiff_t{sizeof(Pixel)}, sizeof(Pixel));
+      const int32_t s = texel(lane.u_fx32, step.u_fx32, px - group_px);
+      const int32_t t = texel(lane.v_fx32, step.v_fx32, px - group_px);
+      const ptrdiff_t place = Layout::row(Address::index(t, texture.height), pitch_texel) +
+                              Layout::column(Address::index(s, texture.width));
+      std::memcpy(row + px * ptrdiff_t{sizeof(Pixel)}, texels + place * ptrdiff_t{sizeof(Pixel)},
+                  sizeof(Pixel));
     }
   }
 }
 
-template <class Pixel, class Address>
+template <class Pixel, class Address, class Layout>
 void draw_parts(const SteppedRow& of, const Surface& surface) {
   char* const row = static_cast<char*>(surface.target.pixels) + of.span.row * surface.target.pitch;
   SegmentWalk walk(of);
   for (int32_t left_px = of.span.left_px; left_px < of.span.right_px;) {
     const int32_t first_px = walk.first_px();
     const int32_t right_px = std::min(first_px + of.segment_px, of.span.right_px);
-    draw_part<Pixel, Address>({walk.next(), first_px, left_px, right_px}, surface.texture, row);
+    draw_part<Pixel, Address, Layout>({walk.next(), first_px, left_px, right_px}, surface.texture,
+                                      row);
     left_px = right_px;
   }
 }
 
+template <class Pixel, class Address>
+void draw_laid_out(const SteppedRow& of, const Surface& surface) {
+  with_layout(surface.texture.layout,
+              [&](auto layout) { draw_parts<Pixel, Address, decltype(layout)>(of, surface); });
+}
+
 template <class Pixel>
 void draw_pixels(const SteppedRow& of, const Surface& surface) {
-  if (surface.address == SELVAGE_ADDRESS_CLAMP) return draw_parts<Pixel, Clamp>(of, surface);
+  if (surface.address == SELVAGE_ADDRESS_CLAMP) return draw_laid_out<Pixel, Clamp>(of, surface);
   if (WrapMasked::fits(surface.texture.width) && WrapMasked::fits(surface.texture.height)) {
-    return draw_parts<Pixel, WrapMasked>(of, surface);
+    return draw_laid_out<Pixel, WrapMasked>(of, surface);
   }
-  draw_parts<Pixel, Wrap>(of, surface);
+  draw_laid_out<Pixel, Wrap>(of, surface);
 }
 
 }  // namespace

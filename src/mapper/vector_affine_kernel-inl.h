@@ -46,9 +46,7 @@ class AffineBatch {
  public:
   HWY_INLINE AffineBatch(const AffineSpans& spans, const Surface& surface)
       : exact_(spans.exact),
-        width_texel_(surface.texture.width),
-        height_texel_(surface.texture.height),
-        pitch_texel_(pitch_texel(surface.texture)),
+        extent_(extent_of(surface.texture)),
         lack_fx16_(kVectorTruncations_fx16 +
                    static_cast<int32_t>(spans.field.margin_fx32 >> kAnchorShift) + 1),
         offset_u_(offsets_fx16(spans.field.step_x.u_fx32)),
@@ -77,11 +75,10 @@ class AffineBatch {
 
   // The places of pixels that follow each other in a row. Counts the near-ties among those asked
   // for.
-  HWY_NOINLINE V32 decided_places(int32_t px, int32_t row, const LaneVectors& lanes, uint32_t asked,
-                                  int32_t* decided) const {
+  HWY_NOINLINE V32 decided_places(int32_t px, int32_t row, const LaneVectors& lanes,
+                                  uint32_t asked) const {
     const D32 d;
     const uint32_t near_u = near_bits(lanes.u) & asked, near_v = near_bits(lanes.v) & asked;
-    *decided += static_cast<int32_t>(hwy::PopCount(near_u | near_v));
     const ExactRow exact = exact_.row_from(px, row);
     return places_of(decide(d, texel_of(lanes.u), near_u, exact, exact.u),
                      decide(d, texel_of(lanes.v), near_v, exact, exact.v));
@@ -97,8 +94,7 @@ class AffineBatch {
                  ? low + 1
                  : low;
     };
-    return Address::Scalar::index(texel(exact.v, v_fx16), height_texel_) * pitch_texel_ +
-           Address::Scalar::index(texel(exact.u, u_fx16), width_texel_);
+    return Address::place_of_one(texel(exact.u, u_fx16), texel(exact.v, v_fx16), extent_);
   }
 
  private:
@@ -111,29 +107,21 @@ class AffineBatch {
   static HWY_INLINE hn::Mask<D32> is_changed(V32 change) {
     return hn::Ne(texel_of(change), hn::Zero(D32()));
   }
-  HWY_INLINE V32 places_of(V32 s, V32 t) const {
-    const V32 row = hn::Mul(Address::index(t, height_texel_), hn::Set(D32(), pitch_texel_));
-    return hn::Add(row, Address::index(s, width_texel_));
-  }
+  HWY_INLINE V32 places_of(V32 s, V32 t) const { return Address::place(s, t, extent_); }
 
   const ExactMap& exact_;
-  int32_t width_texel_, height_texel_, pitch_texel_;
+  Extent extent_;
   int32_t lack_fx16_;
   V32 offset_u_, offset_v_;
 };
 
-[[nodiscard]] HWY_INLINE uint32_t first_bits(int32_t count) {
-  return static_cast<uint32_t>((uint64_t{1} << count) - 1);
-}
-
 template <class Pixel, class Address>
-int32_t draw_wide(const AffineSpans& spans, const Surface& surface) {
+void draw_wide(const AffineSpans& spans, const Surface& surface) {
   const AffineBatch<Address> batch(spans, surface);
   const D32 d;
   const int64_t step_u = kLanes * spans.field.step_x.u_fx32;
   const int64_t step_v = kLanes * spans.field.step_x.v_fx32;
   HWY_ALIGN int32_t place[kLanes];
-  int32_t decided = 0;
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
     Lane lane = spans.field.at(span.left_px, span.row);
@@ -143,7 +131,7 @@ int32_t draw_wide(const AffineSpans& spans, const Surface& surface) {
       const LaneVectors lanes = batch.lanes_from(lane);
       hn::Store(batch.places(lanes), d, place);
       if (HWY_UNLIKELY(batch.any_near(lanes))) {
-        hn::Store(batch.decided_places(px, span.row, lanes, first_bits(count), &decided), d, place);
+        hn::Store(batch.decided_places(px, span.row, lanes, first_bits(count)), d, place);
       }
       if (HWY_LIKELY(count == kLanes)) {
         fetch<Pixel>(surface.texture.texels, place, kLanes, pixel);
@@ -155,18 +143,17 @@ int32_t draw_wide(const AffineSpans& spans, const Surface& surface) {
       lane.v_fx32 += step_v;
     }
   }
-  return decided;
 }
 
 // Near-ties among packed pixels [first, first + kLanes): finds each one's row by the widths.
 template <class Address>
-HWY_NOINLINE int32_t decide_packed(const AffineBatch<Address>& batch, const SpanBatch& rows,
-                                   const LaneVectors& lanes, int32_t first, int32_t* place) {
+HWY_NOINLINE void decide_packed(const AffineBatch<Address>& batch, const SpanBatch& rows,
+                                const LaneVectors& lanes, int32_t first, int32_t* place) {
   HWY_ALIGN int32_t u_fx16[kLanes], v_fx16[kLanes];
   hn::Store(lanes.u, D32(), u_fx16);
   hn::Store(lanes.v, D32(), v_fx16);
   const uint32_t near = batch.near_bits(lanes.u) | batch.near_bits(lanes.v);
-  int32_t decided = 0, row = 0, row_first = 0;
+  int32_t row = 0, row_first = 0;
   for (int32_t i = 0; near >> i != 0; ++i) {
     if ((near >> i & 1U) == 0) continue;
     while (row < rows.rows && first + i >= row_first + rows.span(row).width_px()) {
@@ -176,15 +163,13 @@ HWY_NOINLINE int32_t decide_packed(const AffineBatch<Address>& batch, const Span
     const Span span = rows.span(row);
     place[i] =
         batch.decided_place(span.left_px + first + i - row_first, span.row, u_fx16[i], v_fx16[i]);
-    ++decided;
   }
-  return decided;
 }
 
 // Spans up to kNarrow_px wide: the lanes of all are packed one after another, so that vectors are
 // full although rows are short; each row is stored under a mask.
 template <class Pixel, class Address>
-int32_t draw_narrow(const AffineSpans& spans, const Surface& surface) {
+void draw_narrow(const AffineSpans& spans, const Surface& surface) {
   constexpr int32_t kMost = kRowsPerBatch * kNarrow_px;
   const AffineBatch<Address> batch(spans, surface);
   const AffineField field = spans.field;
@@ -207,12 +192,11 @@ int32_t draw_narrow(const AffineSpans& spans, const Surface& surface) {
 
   HWY_ALIGN int32_t place[kLanes];
   HWY_ALIGN Pixel texel[kMost + kMostLanes];
-  int32_t decided = 0;
   for (int32_t first = 0; first < packed; first += kLanes) {
     const LaneVectors lanes{hn::Load(d, u_fx16 + first), hn::Load(d, v_fx16 + first)};
     hn::Store(batch.places(lanes), d, place);
     if (HWY_UNLIKELY(batch.any_near(lanes))) {
-      decided += decide_packed(batch, spans.batch, lanes, first, place);
+      decide_packed(batch, spans.batch, lanes, first, place);
     }
     fetch<Pixel>(surface.texture.texels, place, kLanes, reinterpret_cast<char*>(texel + first));
   }
@@ -222,10 +206,9 @@ int32_t draw_narrow(const AffineSpans& spans, const Surface& surface) {
     store_row<Pixel>(row, span.width_px(), first_pixel<Pixel>(surface, span));
     row += span.width_px();
   }
-  return decided;
 }
 
-int32_t draw_affine(const AffineSpans& spans, const Surface& surface) {
+void draw_affine(const AffineSpans& spans, const Surface& surface) {
   const bool narrow = spans.batch.widest_px <= kNarrow_px;
   return with_pixel(surface.target.format, [&](auto pixel) {
     return with_address(surface, [&](auto address) {

@@ -14,6 +14,7 @@
 #include "mapper/address.h"
 #include "mapper/exact_row.h"
 #include "mapper/kernel.h"
+#include "mapper/layout.h"
 #include "mapper/vector_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -61,20 +62,82 @@ struct WrapVector {
   }
 };
 
-// Calls draw with the address mode that fits.
-template <class Draw>
-HWY_INLINE int32_t with_address(const Surface& surface, const Draw& draw) {
-  const selvage_texture& texture = surface.texture;
-  if (surface.address == SELVAGE_ADDRESS_CLAMP) return draw(ClampVector());
-  if (WrapMasked::fits(texture.width) && WrapMasked::fits(texture.height)) {
-    return draw(WrapMaskedVector());
+// ---- Layouts: indices into the texture to places, in texels from its first ---------------------
+
+struct RowsVector {
+  using Scalar = Rows;
+  template <class V>
+  static HWY_INLINE V row(V t, int32_t pitch_texel) {
+    return hn::Mul(t, hn::Set(hn::DFromV<V>(), pitch_texel));
   }
-  return draw(WrapVector());
+  template <class V>
+  static HWY_INLINE V column(V s) {
+    return s;
+  }
+};
+
+struct TilesVector {
+  using Scalar = Tiles;
+  template <class V>
+  static HWY_INLINE V row(V t, int32_t pitch_texel) {
+    const hn::DFromV<V> d;
+    const V in_tile = hn::And(t, hn::Set(d, Tiles::kInTile));
+    return hn::Add(hn::Mul(hn::ShiftRight<kTileBits>(t), hn::Set(d, pitch_texel)),
+                   hn::ShiftLeft<kTileBits>(in_tile));
+  }
+  template <class V>
+  static HWY_INLINE V column(V s) {
+    const V in_tile = hn::And(s, hn::Set(hn::DFromV<V>(), Tiles::kInTile));
+    return hn::Add(hn::ShiftLeft<kTileBits>(hn::Sub(s, in_tile)), in_tile);
+  }
+};
+
+// An address mode and a layout: from texel indices to places.
+struct Extent {
+  int32_t width_texel, height_texel, pitch_texel;
+};
+
+template <class Mode, class Layout>
+struct Addressed {
+  template <class V>
+  static HWY_INLINE V row(V t, const Extent& extent) {
+    return Layout::row(Mode::index(t, extent.height_texel), extent.pitch_texel);
+  }
+  template <class V>
+  static HWY_INLINE V column(V s, const Extent& extent) {
+    return Layout::column(Mode::index(s, extent.width_texel));
+  }
+  template <class V>
+  static HWY_INLINE V place(V s, V t, const Extent& extent) {
+    return hn::Add(row(t, extent), column(s, extent));
+  }
+  static int32_t place_of_one(int32_t s, int32_t t, const Extent& extent) {
+    using One = typename Mode::Scalar;
+    using In = typename Layout::Scalar;
+    return static_cast<int32_t>(In::row(One::index(t, extent.height_texel), extent.pitch_texel) +
+                                In::column(One::index(s, extent.width_texel)));
+  }
+};
+
+// Calls draw with the address mode and the layout that fit.
+template <class Draw>
+HWY_INLINE void with_address(const Surface& surface, const Draw& draw) {
+  const selvage_texture& texture = surface.texture;
+  const auto laid_out = [&](auto mode) {
+    using Mode = decltype(mode);
+    return texture.layout == SELVAGE_LAYOUT_TILES ? draw(Addressed<Mode, TilesVector>())
+                                                  : draw(Addressed<Mode, RowsVector>());
+  };
+  if (surface.address == SELVAGE_ADDRESS_CLAMP) return laid_out(ClampVector());
+  if (WrapMasked::fits(texture.width) && WrapMasked::fits(texture.height)) {
+    return laid_out(WrapMaskedVector());
+  }
+  return laid_out(WrapVector());
 }
 
 // Calls draw with a value of the pixel's type.
 template <class Draw>
-HWY_INLINE int32_t with_pixel(selvage_format format, const Draw& draw) {
+HWY_INLINE void with_pixel(selvage_format format, const Draw& draw) {
   if (format == SELVAGE_RGBA8888) return draw(uint32_t{});
   return format == SELVAGE_RGB565 ? draw(uint16_t{}) : draw(uint8_t{});
 }
@@ -91,8 +154,11 @@ template <class D>
   return bits;
 }
 
-// The texels, 1 added to those of the near-ties that have reached the next one; those come right
-// out of numbers that are right modulo 2^16.
+[[nodiscard]] HWY_INLINE uint32_t first_bits(int32_t count) {
+  return static_cast<uint32_t>((uint64_t{1} << count) - 1);
+}
+
+// The texels, 1 added to those of the near-ties that have reached the next one.
 //
 // What decides is linear along a row wherever the next texels are, as for steps near p / q, and
 // then changes its sign but once: the first near-tie and the last decide for all.
@@ -125,8 +191,8 @@ HWY_INLINE hn::Vec<D> decide(D d, hn::Vec<D> texel, uint32_t near_bits, const Ex
 
 // ---- Texels to pixels --------------------------------------------------------------------------
 
-[[nodiscard]] HWY_INLINE int32_t pitch_texel(const selvage_texture& texture) {
-  return static_cast<int32_t>(texture.pitch / bytes_per_pixel(texture.format));
+[[nodiscard]] HWY_INLINE Extent extent_of(const selvage_texture& texture) {
+  return {texture.width, texture.height, static_cast<int32_t>(pitch_texel_of(texture))};
 }
 
 template <class Pixel>

@@ -1,6 +1,8 @@
 // The vector kernels of every SIMD target: Highway includes this file again for each.
 #include "mapper/vector_kernel.h"
 
+// Its checks, which debug and sanitizer builds switch on, would call into its library.
+#define HWY_IS_DEBUG_BUILD 0
 // What lies between SSE4, AVX2 and AVX-512 has nothing that these kernels use.
 #define HWY_DISABLED_TARGETS \
   (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
@@ -12,40 +14,57 @@
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 #include "mapper/vector_affine_kernel-inl.h"
+#include "mapper/vector_blend_kernel-inl.h"
 #include "mapper/vector_projective_kernel-inl.h"
 #include "mapper/vector_stepped_kernel-inl.h"
 
 namespace selvage::mapper::HWY_NAMESPACE {
-constexpr Kernels kKernels = {draw_affine, draw_projective, draw_stepped};
+
+constexpr Kernels kNearest = {draw_affine, draw_projective, draw_stepped};
+constexpr Kernels kFour = {draw_blended_affine<true>, draw_blended_projective<true>};
+constexpr Kernels kBilinear = {draw_blended_affine<false>, draw_blended_projective<false>};
+
+const Kernels& kernels(selvage_filter filter) {
+  switch (filter) {
+    case SELVAGE_FILTER_FOUR:
+      return kFour;
+    case SELVAGE_FILTER_BILINEAR:
+      return kBilinear;
+    default:
+      return kNearest;
+  }
+}
+
 }  // namespace selvage::mapper::HWY_NAMESPACE
 #endif
 
 #if HWY_ONCE
 namespace selvage::mapper {
 
-const Kernels* vector_kernels([[maybe_unused]] selvage_kernel kernel) {
+const Kernels* vector_kernels([[maybe_unused]] selvage_kernel kernel,
+                              [[maybe_unused]] selvage_filter filter) {
 #if HWY_TARGETS & HWY_SSE4
   if (kernel == SELVAGE_KERNEL_SSE4 && __builtin_cpu_supports("sse4.2") &&
       __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("aes")) {
-    return &N_SSE4::kKernels;
+    return &N_SSE4::kernels(filter);
   }
 #endif
 #if HWY_TARGETS & HWY_AVX2
   if (kernel == SELVAGE_KERNEL_AVX2 && __builtin_cpu_supports("avx2") &&
       __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2") &&
       __builtin_cpu_supports("f16c")) {
-    return &N_AVX2::kKernels;
+    return &N_AVX2::kernels(filter);
   }
 #endif
 #if HWY_TARGETS & HWY_AVX3
   if (kernel == SELVAGE_KERNEL_AVX512 && __builtin_cpu_supports("avx512f") &&
       __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
       __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("bmi2")) {
-    return &N_AVX3::kKernels;
+    return &N_AVX3::kernels(filter);
   }
 #endif
 #if HWY_TARGETS & HWY_NEON
-  if (kernel == SELVAGE_KERNEL_NEON) return &N_NEON::kKernels;
+  if (kernel == SELVAGE_KERNEL_NEON) return &N_NEON::kernels(filter);
 #endif
   return nullptr;
 }

@@ -6,6 +6,7 @@
 
 #include "mapper/image.h"
 #include "mapper/kernel.h"
+#include "mapper/layout.h"
 #include "mapper/number.h"
 
 namespace selvage::mapper {
@@ -26,12 +27,12 @@ inline constexpr int32_t kVectorTruncations_fx16 = 2;
 [[nodiscard]] inline bool fits_vectors(const Surface& surface, const Polygon& polygon) {
   if (!lanes_fit(polygon)) return false;
   constexpr int64_t kMost = INT32_MAX;
-  const int64_t pitch_texel = surface.texture.pitch / bytes_per_pixel(surface.texture.format);
+  const int64_t pitch_texel = pitch_texel_of(surface.texture);
   const int64_t stride_texel = pitch_texel < 0 ? -pitch_texel : pitch_texel;
-  return stride_texel <= kMost / surface.texture.height;
+  return stride_texel <= kMost / rows_of_bytes(surface.texture).rows;
 }
 
 // NULL where the build or the machine has no such kernel.
-[[nodiscard]] const Kernels* vector_kernels(selvage_kernel kernel);
+[[nodiscard]] const Kernels* vector_kernels(selvage_kernel kernel, selvage_filter filter);
 
 }  // namespace selvage::mapper

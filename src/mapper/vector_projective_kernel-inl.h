@@ -20,108 +20,96 @@ using VD = hn::Vec<DD>;
 using DHalf = hn::Rebind<int32_t, DD>;
 inline constexpr int32_t kDoubles = static_cast<int32_t>(hn::MaxLanes(DD()));
 
-template <class Address>
+// kDoubles pixels of a span: between low and low + 1 are u and v, times the scale.
+struct LowTexels {
+  hn::Vec<DHalf> s, t;
+};
+
+// Numbers are in texels times `scale`, a power of two.
 class ProjectiveRow {
  public:
-  HWY_INLINE ProjectiveRow(const ProjectiveSpan& each, const ExactMap& map, const Surface& surface)
-      : exact_(map),
-        span_(each.span),
-        width_texel_(surface.texture.width),
-        height_texel_(surface.texture.height),
-        pitch_texel_(pitch_texel(surface.texture)),
-        u_(in_texels(each.lanes.u_numerator_fx32())),
-        v_(in_texels(each.lanes.v_numerator_fx32())),
-        denominator_(each.lanes.denominator()),
-        error_texel_(static_cast<double>(each.lanes.error_fx32()) * kUnit_texel) {}
+  HWY_INLINE ProjectiveRow(const ProjectiveLanes& lanes, double scale)
+      : u_(scaled(lanes.u_numerator_fx32(), scale * kUnit_texel)),
+        v_(scaled(lanes.v_numerator_fx32(), scale * kUnit_texel)),
+        denominator_(lanes.denominator()),
+        error_(static_cast<double>(lanes.error_fx32()) * (scale * kUnit_texel)) {}
 
-  // As AffineBatch::find_places, for kDoubles pixels.
-  HWY_INLINE int32_t find_places(int32_t offset_px, int32_t count, int32_t* HWY_RESTRICT place) {
+  // Of the pixels from an offset in the span on. Bits are set in *near_u and *near_v where the next
+  // whole number may have been reached.
+  HWY_INLINE LowTexels low(int32_t offset_px, uint32_t* near_u, uint32_t* near_v) const {
     const DD d;
     const VD i = hn::Add(hn::Iota(d, 0.0), hn::Set(d, static_cast<double>(offset_px)));
     const VD w = hn::Div(hn::Set(d, 1.0), at(denominator_, i));
-    const VD u = hn::Mul(at(u_, i), w), v = hn::Mul(at(v_, i), w);
-    const VD low_u = low(u), low_v = low(v);
-    store_places(hn::DemoteTo(DHalf(), low_u), hn::DemoteTo(DHalf(), low_v), place);
-    const auto decided = hn::And(is_decided(low_u, u), is_decided(low_v, v));
-    const auto near = hn::AndNot(decided, hn::FirstN(d, static_cast<size_t>(count)));
-    if (HWY_LIKELY(hn::AllFalse(d, near))) return 0;
-    decide_places(offset_px, u, v, lane_bits(d, near), place);
-    return static_cast<int32_t>(hn::CountTrue(d, near));
+    return {low(hn::Mul(at(u_, i), w), near_u), low(hn::Mul(at(v_, i), w), near_v)};
   }
 
  private:
   static constexpr double kUnit_texel = 1.0 / (int64_t{1} << kLaneFraction);
 
   using Linear = ProjectiveLanes::Linear;
-  // A power of two less, exactly.
-  static Linear in_texels(const Linear& fx32) {
-    return {fx32.start * kUnit_texel, fx32.step * kUnit_texel};
+  static Linear scaled(const Linear& fx32, double factor) {
+    return {fx32.start * factor, fx32.step * factor};
   }
   static HWY_INLINE VD at(const Linear& line, VD i) {
     const DD d;
     return hn::MulAdd(i, hn::Set(d, line.step), hn::Set(d, line.start));
   }
-  // The texels of the two ends of where the value may be.
-  HWY_INLINE VD low(VD estimate) const {
-    return hn::Floor(hn::Sub(estimate, hn::Set(DD(), error_texel_)));
-  }
-  HWY_INLINE hn::Mask<DD> is_decided(VD low, VD estimate) const {
-    return hn::Eq(low, hn::Floor(hn::Add(estimate, hn::Set(DD(), error_texel_))));
-  }
-
-  HWY_NOINLINE void decide_places(int32_t offset_px, VD u, VD v, uint32_t asked, int32_t* place) {
+  // Floors of the two ends of where the value may be.
+  HWY_INLINE hn::Vec<DHalf> low(VD estimate, uint32_t* near) const {
     const DD d;
-    const DHalf d32;
-    const ExactRow row = exact_.row_from(span_.left_px + offset_px, span_.row);
-    const VD low_u = low(u), low_v = low(v);
-    const uint32_t near_u = ~lane_bits(d, is_decided(low_u, u)) & asked;
-    const uint32_t near_v = ~lane_bits(d, is_decided(low_v, v)) & asked;
-    store_places(decide(d32, hn::DemoteTo(d32, low_u), near_u, row, row.u),
-                 decide(d32, hn::DemoteTo(d32, low_v), near_v, row, row.v), place);
+    const VD error = hn::Set(d, error_);
+    const VD floor = hn::Floor(hn::Sub(estimate, error));
+    const auto differs = hn::Ne(floor, hn::Floor(hn::Add(estimate, error)));
+    *near = HWY_LIKELY(hn::AllFalse(d, differs)) ? 0 : lane_bits(d, differs);
+    return hn::DemoteTo(DHalf(), floor);
   }
 
-  HWY_INLINE void store_places(hn::Vec<DHalf> s, hn::Vec<DHalf> t,
-                               int32_t* HWY_RESTRICT place) const {
-    const DHalf d;
-    const auto row = hn::Mul(Address::index(t, height_texel_), hn::Set(d, pitch_texel_));
-    hn::StoreU(hn::Add(row, Address::index(s, width_texel_)), d, place);
-  }
-
-  const ExactMap& exact_;
-  const Span& span_;
-  int32_t width_texel_, height_texel_, pitch_texel_;
   Linear u_, v_, denominator_;
-  double error_texel_;
+  double error_;
 };
 
+// Where both ends have one floor, that is the texel; the exact map decides between two.
+template <class Address>
+HWY_INLINE void find_places(const ProjectiveRow& row, const ExactMap& map, const Span& span,
+                            int32_t offset_px, const Extent& extent, int32_t* HWY_RESTRICT place) {
+  const DHalf d;
+  uint32_t near_u, near_v;
+  LowTexels texel = row.low(offset_px, &near_u, &near_v);
+  const uint32_t asked = first_bits(HWY_MIN(HWY_MAX(span.width_px() - offset_px, 0), kDoubles));
+  near_u &= asked;
+  near_v &= asked;
+  if (HWY_UNLIKELY((near_u | near_v) != 0)) {
+    const ExactRow exact = map.row_from(span.left_px + offset_px, span.row);
+    texel.s = decide(d, texel.s, near_u, exact, exact.u);
+    texel.t = decide(d, texel.t, near_v, exact, exact.v);
+  }
+  hn::StoreU(Address::place(texel.s, texel.t, extent), d, place);
+}
+
 template <class Pixel, class Address>
-int32_t draw_projective_row(const ProjectiveSpan& each, const ExactMap& map,
-                            const Surface& surface) {
-  ProjectiveRow<Address> row(each, map, surface);
+void draw_projective_row(const ProjectiveSpan& each, const ExactMap& map, const Surface& surface) {
+  const ProjectiveRow row(each.lanes, 1);
+  const Extent extent = extent_of(surface.texture);
   char* pixel = first_pixel<Pixel>(surface, each.span);
   HWY_ALIGN int32_t place[kLanes];
-  int32_t decided = 0;
   for (int32_t offset_px = 0; offset_px < each.span.width_px(); offset_px += kLanes) {
-    const int32_t count = HWY_MIN(each.span.width_px() - offset_px, kLanes);
     for (int32_t done = 0; done < kLanes; done += kDoubles) {
-      decided += row.find_places(offset_px + done, HWY_MAX(count - done, 0), place + done);
+      find_places<Address>(row, map, each.span, offset_px + done, extent, place + done);
     }
+    const int32_t count = HWY_MIN(each.span.width_px() - offset_px, kLanes);
     fetch<Pixel>(surface.texture.texels, place, count, pixel);
     pixel += count * ptrdiff_t{sizeof(Pixel)};
   }
-  return decided;
 }
 
-int32_t draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
-  int32_t decided = 0;
-  for (const ProjectiveSpan& each : spans.spans) {
-    decided += with_pixel(surface.target.format, [&](auto pixel) {
-      return with_address(surface, [&](auto address) {
-        return draw_projective_row<decltype(pixel), decltype(address)>(each, spans.exact, surface);
-      });
+void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
+  with_pixel(surface.target.format, [&](auto pixel) {
+    with_address(surface, [&](auto address) {
+      for (const ProjectiveSpan& each : spans.spans) {
+        draw_projective_row<decltype(pixel), decltype(address)>(each, spans.exact, surface);
+      }
     });
-  }
-  return decided;
+  });
 }
 
 }  // namespace

@@ -49,8 +49,8 @@ class StepOffsets {
 };
 
 template <class Pixel, class Address>
-HWY_INLINE void draw_part(const SegmentPart& part, const selvage_texture& texture, int32_t pitch,
-                          char* row) {
+HWY_INLINE void draw_part(const SegmentPart& part, const selvage_texture& texture,
+                          const Extent& extent, char* row) {
   const DStep d;
   const StepOffsets u(part.segment.step.u_fx32), v(part.segment.step.v_fx32);
   const int64_t step_u = kStepGroup_px * part.segment.step.u_fx32;
@@ -61,9 +61,8 @@ HWY_INLINE void draw_part(const SegmentPart& part, const selvage_texture& textur
   int32_t skipped = part.left_px - px;
   for (; px < part.right_px; px += kStepGroup_px) {
     for (int32_t k = 0; k < kStepVectors; ++k) {
-      const VStep s = Address::index(u.texels(lane.u_fx32, k), texture.width);
-      const VStep t = Address::index(v.texels(lane.v_fx32, k), texture.height);
-      hn::Store(hn::Add(hn::Mul(t, hn::Set(d, pitch)), s), d, place + k * kStepLanes);
+      const VStep s = u.texels(lane.u_fx32, k), t = v.texels(lane.v_fx32, k);
+      hn::Store(Address::place(s, t, extent), d, place + k * kStepLanes);
     }
     const int32_t end = HWY_MIN(part.right_px - px, kStepGroup_px);
     char* const pixel = row + (px + skipped) * ptrdiff_t{sizeof(Pixel)};
@@ -167,7 +166,7 @@ class SomeSegments {
 template <class Pixel, class Address>
 void draw_parts(const SteppedRow& of, const Surface& surface) {
   const selvage_texture texture = surface.texture;
-  const int32_t pitch = pitch_texel(texture);
+  const Extent extent = extent_of(texture);
   char* const row = static_cast<char*>(surface.target.pixels) + of.span.row * surface.target.pitch;
   SomeSegments segments(of);
   const int32_t end = (of.span.right_px - 1 - of.whole.left_px) / of.segment_px + 1;
@@ -178,7 +177,8 @@ void draw_parts(const SteppedRow& of, const Surface& surface) {
     for (int32_t k = 0; k < count; ++k) {
       const int32_t first_px = of.whole.left_px + (first + k) * of.segment_px;
       const int32_t right_px = HWY_MIN(first_px + of.segment_px, of.span.right_px);
-      draw_part<Pixel, Address>({segments.at(k), first_px, left_px, right_px}, texture, pitch, row);
+      draw_part<Pixel, Address>({segments.at(k), first_px, left_px, right_px}, texture, extent,
+                                row);
       left_px = right_px;
     }
   }
@@ -186,9 +186,8 @@ void draw_parts(const SteppedRow& of, const Surface& surface) {
 
 void draw_stepped(const SteppedRow& row, const Surface& surface) {
   with_pixel(surface.target.format, [&](auto pixel) {
-    return with_address(surface, [&](auto address) {
+    with_address(surface, [&](auto address) {
       draw_parts<decltype(pixel), decltype(address)>(row, surface);
-      return 0;
     });
   });
 }

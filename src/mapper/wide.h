@@ -22,8 +22,8 @@ struct Wide {
   }
   // Modulo 2^256.
   friend Wide operator+(const Wide& a, const Wide& b) {
-    const uint128 low = a.low + b.low;
-    return {a.high + b.high + (low < a.low ? 1 : 0), low};
+    const uint128 sum = a.low + b.low;
+    return {a.high + b.high + (sum < a.low ? 1 : 0), sum};
   }
   friend Wide operator-(const Wide& a, const Wide& b) {
     return {a.high - b.high - (a.low < b.low ? 1 : 0), a.low - b.low};
@@ -34,11 +34,11 @@ struct Wide {
 [[nodiscard]] constexpr Wide product(uint128 a, uint128 b) {
   constexpr int kHalf = 64;
   const uint128 mask = ~uint64_t{0};
-  const uint128 low = (a & mask) * (b & mask);
-  const uint128 cross = (a >> kHalf) * (b & mask) + (low >> kHalf);
+  const uint128 lowest = (a & mask) * (b & mask);
+  const uint128 cross = (a >> kHalf) * (b & mask) + (lowest >> kHalf);
   const uint128 middle = (a & mask) * (b >> kHalf) + (cross & mask);
   return {(a >> kHalf) * (b >> kHalf) + (cross >> kHalf) + (middle >> kHalf),
-          (middle << kHalf) | (low & mask)};
+          (middle << kHalf) | (lowest & mask)};
 }
 
 [[nodiscard]] constexpr uint128 magnitude(int128 a) {

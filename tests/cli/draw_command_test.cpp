@@ -61,7 +61,9 @@ class Draw : public InDirectory {
                                SELVAGE_RGBA8888,
                                SELVAGE_LAYOUT_ROWS,
                                nullptr};
-  const selvage_options options{SELVAGE_PROFILE_EXACT, filter, address, 0};
+  selvage_options options{};
+  options.filter = filter;
+  options.address = address;
   EXPECT_EQ(selvage_draw(&image, clip, vertices.data(), vertices.size(), &source, &options),
             SELVAGE_OK);
   return target;
@@ -170,6 +172,42 @@ TEST_F(Draw, DrawsSeveralPolygonsInOrder) {
       {vertex(0, 0, 0, 0), vertex(120, 0, 1, 0), vertex(120, 80, 1, 1), vertex(0, 80, 0, 1)});
   EXPECT_EQ(output(),
             drawn_directly(first, texture_, nullptr, SELVAGE_ADDRESS_CLAMP, kQuadVertices));
+}
+
+TEST_F(Draw, DrawsTheSameWithAnyNumberOfThreads) {
+  options_.polygons = {"0,0,0,0 120,0,24,0 120,80,24,18 0,80,0,18", kQuad,
+                       "60,-10,0,0 110,90,24,0 20,70,24,18"};
+  options_.threads = 1;
+  run();
+  const Raster alone = output();
+  for (const int32_t threads : {0, 2, 5}) {
+    options_.threads = threads;
+    EXPECT_EQ(run(), kExitFine);
+    EXPECT_EQ(output(), alone) << threads;
+  }
+  options_.threads = -1;
+  expect_contains(error_of([&] { run(); }), "--threads: -1 is no number of threads");
+}
+
+// Clips and options that differ take calls of their own.
+TEST_F(Draw, DrawsEachPolygonOfAFileByItsOwnClipAndOptions) {
+  put("job.json", R"({"polygons": [
+      {"vertices": [[0,0,0,0],[120,0,24,0],[120,80,24,18],[0,80,0,18]], "clip": [0,0,60,80]},
+      {"vertices": [[0,0,0,0],[120,0,24,0],[120,80,24,18],[0,80,0,18]], "clip": [60,0,120,80]},
+      {"vertices": [[10,10,0,0],[110,10,90,0],[60,70,24,40]], "address": "wrap"},
+      {"vertices": [[10,70,0,0],[110,70,90,0],[60,10,24,40]]}]})");
+  options_.polygons.clear();
+  options_.polygon_file = "job.json";
+  EXPECT_EQ(run(), kExitFine);
+  const Raster whole = drawn_directly(
+      filled(120, 80, {0x20, 0x30, 0x40}), texture_, nullptr, SELVAGE_ADDRESS_CLAMP,
+      {vertex(0, 0, 0, 0), vertex(120, 0, 24, 0), vertex(120, 80, 24, 18), vertex(0, 80, 0, 18)});
+  const Raster wrapped =
+      drawn_directly(whole, texture_, nullptr, SELVAGE_ADDRESS_WRAP,
+                     {vertex(10, 10, 0, 0), vertex(110, 10, 90, 0), vertex(60, 70, 24, 40)});
+  EXPECT_EQ(output(),
+            drawn_directly(wrapped, texture_, nullptr, SELVAGE_ADDRESS_CLAMP,
+                           {vertex(10, 70, 0, 0), vertex(110, 70, 90, 0), vertex(60, 10, 24, 40)}));
 }
 
 TEST_F(Draw, DrawsInTheOtherFormats) {

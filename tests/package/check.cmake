@@ -25,6 +25,11 @@ run(${CMAKE_COMMAND} -S ${consumer} -B ${WORK}/build -G Ninja -DCMAKE_C_COMPILER
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/with_selvage)
 run(${WORK}/build/with_static)
+# Where it was installed, and oneTBB with it.
+file(GLOB_RECURSE threads_library ${prefix}/*/libselvage_threads.a)
+if(threads_library)
+  run(${WORK}/build/with_static_threads)
+endif()
 
 find_program(PKG_CONFIG pkg-config REQUIRED)
 file(GLOB_RECURSE pc ${prefix}/*/selvage.pc)

@@ -1,6 +1,8 @@
-/* A program outside the tree, in C11: draws one triangle with the installed library. */
+/* A program outside the tree, in C11: draws one triangle with the installed library, in both ways.
+ */
 #include <selvage.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 int main(void) {
@@ -19,5 +21,16 @@ int main(void) {
   int drawn = 0;
   for (size_t i = 0; i < sizeof pixels; ++i) drawn += pixels[i] == texel;
   printf("selvage %s: %s, %d pixels\n", selvage_version(), selvage_status_text(status), drawn);
-  return status == SELVAGE_OK && drawn == 28 ? 0 : 1;
+  if (status != SELVAGE_OK || drawn != 28) return 1;
+
+  uint8_t again[sizeof pixels] = {0};
+  const selvage_image second = {again, 8, 8, 8, SELVAGE_INDEX8};
+  const selvage_polygon polygon = {corners, 3, &texture};
+  const size_t bytes = selvage_draw_many_bytes(1);
+  void* const scratch = malloc(bytes);
+  if (scratch == NULL) return 1;
+  const selvage_status many =
+      selvage_draw_many(&second, NULL, &polygon, 1, NULL, 0, scratch, bytes, NULL);
+  free(scratch);
+  return many == SELVAGE_OK && memcmp(pixels, again, sizeof pixels) == 0 ? 0 : 1;
 }

@@ -1,0 +1,90 @@
+// Maps that make a mapper doubt at every pixel. All cover the whole target with one triangle that
+// reaches kFar_px = 32 766 px: a corner's coordinate changed by its least unit, 1/65536 texel,
+// moves the coordinates in the target by as little as 2^-32 texel.
+#include <string>
+
+#include "reports/bench/outlines.h"
+#include "reports/bench/workloads.h"
+
+namespace selvage::reports {
+
+namespace {
+
+constexpr int32_t kTexel_fx16 = SELVAGE_SUBTEXELS;
+constexpr int32_t kTexture_texel = 2048;
+
+// u = x + off and v = y + off, but lowered at the lower corner by `lowered` units: all samples of
+// row j are lower by lowered 2^-31 (j + 1/2). With off = 1/2 the others would be whole.
+Polygon upright(int32_t off_fx16, int32_t lowered) {
+  constexpr int32_t far_fx16 = kFar_px * kTexel_fx16;
+  return far_triangle({off_fx16, off_fx16 + far_fx16, off_fx16 - lowered},
+                      {off_fx16, off_fx16, off_fx16 + far_fx16 - lowered});
+}
+
+// Sample (i + 1/2, j + 1/2) has u = (i + j + 1) / 3 + off and v = 512 + (j - i) / 3 + off: without
+// off 5 of 9 samples have one of them on a boundary.
+Polygon thirds(int32_t off_fx16) {
+  static_assert(kFar_px % 3 == 0);
+  constexpr int32_t far_fx16 = kFar_px / 3 * kTexel_fx16;
+  const int32_t middle_fx16 = 512 * kTexel_fx16 + off_fx16;
+  return far_triangle({off_fx16, off_fx16 + far_fx16, off_fx16 + far_fx16},
+                      {middle_fx16, middle_fx16 - far_fx16, middle_fx16 + far_fx16});
+}
+
+// In perspective, q falling by half to either far corner, u the same at all samples: whole without
+// off, which an approximation of a quotient never tells from a little less. v grows along the rows.
+Polygon constant_in_depth(int32_t off_fx16) {
+  const int32_t u_fx16 = 1024 * kTexel_fx16 + off_fx16;
+  Polygon triangle =
+      far_triangle({u_fx16, u_fx16, u_fx16}, {0, kFar_px * kTexel_fx16, 512 * kTexel_fx16});
+  triangle[0].q = SELVAGE_Q_MAX;
+  triangle[1].q = triangle[2].q = SELVAGE_Q_MAX / 2;
+  return triangle;
+}
+
+Workload item(const std::string& id, const std::string& title, const std::string& description,
+              Polygon polygon) {
+  Workload load;
+  load.id = id;
+  load.title = title;
+  load.description = description;
+  load.texture_side_texel = kTexture_texel;
+  load.perspective = polygon.front().q != polygon.back().q;
+  load.polygons = {std::move(polygon)};
+  return load;
+}
+
+void add_pair(std::vector<Workload>& loads, const std::string& id, const std::string& title,
+              const std::string& description, Polygon hard, Polygon ordinary) {
+  const std::string twin = id + "-ordinary";
+  loads.push_back(item(twin, title + ": its ordinary twin",
+                       "the shape and slopes of " + id + ", its samples within the texels",
+                       std::move(ordinary)));
+  loads.push_back(item(id, title, description, std::move(hard)));
+  loads.back().ordinary_id = twin;
+}
+
+}  // namespace
+
+std::vector<Workload> adversarial_workloads() {
+  constexpr int32_t half_fx16 = kTexel_fx16 / 2, sixth_fx16 = kTexel_fx16 / 6;
+  std::vector<Workload> loads;
+  add_pair(loads, "A1", "near-ties below",
+           "an upright triangle, a texel a pixel, u and v of every sample 2^-32 to 2^-21 texel "
+           "below a boundary",
+           upright(half_fx16, 1), upright(0, 1));
+  add_pair(loads, "A2", "near-ties above",
+           "the same, u and v of every sample 2^-32 to 2^-21 texel above a boundary",
+           upright(half_fx16, -1), upright(0, -1));
+  add_pair(loads, "A3", "thirds",
+           "a triangle at 45 degrees to its texture, a third of a texel a pixel: u or v of 5 "
+           "samples in 9 is exactly on a boundary",
+           thirds(0), thirds(sixth_fx16));
+  add_pair(loads, "A4", "ties in perspective",
+           "a triangle in perspective, u of every sample exactly on one boundary, v growing along "
+           "the rows",
+           constant_in_depth(0), constant_in_depth(half_fx16));
+  return loads;
+}
+
+}  // namespace selvage::reports

@@ -1,0 +1,238 @@
+// Law SAME: neither layouts nor tiles nor threads nor kernels show in the picture.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "spec/canvas.h"
+#include "spec/law_list.h"
+#include "spec/law_tools.h"
+#include "spec/texture_memory.h"
+
+namespace selvage::spec {
+namespace {
+
+inline constexpr std::array<int32_t, 4> kThreads = {1, 2, 3, 8};
+inline constexpr std::array kKernels = {SELVAGE_KERNEL_SCALAR, SELVAGE_KERNEL_SSE4,
+                                        SELVAGE_KERNEL_AVX2, SELVAGE_KERNEL_AVX512,
+                                        SELVAGE_KERNEL_NEON};
+inline constexpr int32_t kMostRowsAdded = 100;
+inline constexpr int32_t kMostPolygons = 8;
+inline constexpr uint8_t kBackground = 0x5A;
+
+// Polygons over each other, of two textures that differ in every texel, in the order of drawing.
+class Scene {
+ public:
+  Scene(const Subject& subject, const Case& c);
+
+  [[nodiscard]] const Case& shown() const { return case_; }
+  [[nodiscard]] size_t count() const { return outlines_.size(); }
+  [[nodiscard]] Canvas blank() const {
+    return {case_.format,     case_.target_width_px, case_.target_height_px,
+            case_.padding_px, case_.flip_target,     kBackground};
+  }
+  [[nodiscard]] const selvage_rect* clip() const { return case_.has_clip ? &case_.clip : nullptr; }
+  [[nodiscard]] selvage_options options(selvage_kernel kernel = SELVAGE_KERNEL_FASTEST) const {
+    return {case_.profile, case_.filter, case_.address, 0, kernel};
+  }
+  // Views of the scene.
+  [[nodiscard]] std::vector<selvage_texture> textures() const {
+    return {textures_[0].view(), textures_[1].view()};
+  }
+  [[nodiscard]] std::vector<selvage_polygon> polygons(
+      const std::vector<selvage_texture>& textures) const;
+
+ private:
+  Case case_;
+  std::array<TextureMemory, 2> textures_;
+  std::vector<std::vector<selvage_vertex>> outlines_;
+};
+
+// The case over more rows, so that there are tiles and bands to be cut.
+[[nodiscard]] Case heightened(const Case& c, Choices& choices) {
+  Case high = c;
+  const int32_t most_px = std::min(kMaxTargetPx / c.target_width_px, 32000);
+  high.target_height_px = std::clamp(c.target_height_px + choices.pick(0, kMostRowsAdded),
+                                     c.target_height_px, std::max(c.target_height_px, most_px));
+  if (choices.pick(0, 2) == 0) high.clip.bottom = high.target_height_px;
+  return high;
+}
+
+// The texels of the one are the complement of the other's.
+[[nodiscard]] TexelAt texture_of(const Case& c, bool complement) {
+  return [format = c.format, complement](Texel texel) {
+    const uint32_t value = coordinate_texel(format, texel.s, texel.t);
+    return complement ? ~value : value;
+  };
+}
+
+// Copies of the case's outline all over the target and beyond, in whole pixels.
+[[nodiscard]] std::vector<std::vector<selvage_vertex>> copies(const Case& c, Choices& choices) {
+  std::vector<std::vector<selvage_vertex>> outlines{c.vertices};
+  const int32_t count = choices.pick(2, kMostPolygons + 1);
+  while (outlines.size() < static_cast<size_t>(count)) {
+    const int32_t dx_px = choices.pick(-c.target_width_px, c.target_width_px + 1) / 2;
+    const int32_t dy_px = choices.pick(-c.target_height_px, c.target_height_px + 1);
+    const auto copy =
+        moved(c.vertices, dx_px * SELVAGE_SUBPIXELS, int64_t{dy_px} * SELVAGE_SUBPIXELS);
+    outlines.push_back(copy ? *copy : c.vertices);
+  }
+  return outlines;
+}
+
+[[nodiscard]] Case scene_case(const Case& c) {
+  Choices choices(c.choice);
+  return heightened(c, choices);
+}
+
+Scene::Scene(const Subject& subject, const Case& c)
+    : case_(scene_case(c)),
+      textures_{TextureMemory(subject, c, texture_of(c, false), kBackground),
+                TextureMemory(subject, c, texture_of(c, true), kBackground)} {
+  Choices choices(c.choice + 1);
+  outlines_ = copies(case_, choices);
+}
+
+std::vector<selvage_polygon> Scene::polygons(const std::vector<selvage_texture>& textures) const {
+  std::vector<selvage_polygon> all;
+  for (const auto& outline : outlines_) {
+    all.push_back({outline.data(), outline.size(), &textures[all.size() % 2]});
+  }
+  return all;
+}
+
+struct Drawn {
+  Canvas canvas;
+  selvage_status status = SELVAGE_OK;
+};
+
+// One polygon after another; the first error ends it.
+[[nodiscard]] selvage_status draw_each(const Subject& subject, const Scene& scene, Canvas* canvas,
+                                       const selvage_rect* clip,
+                                       selvage_kernel kernel = SELVAGE_KERNEL_FASTEST) {
+  const selvage_image image = canvas->image();
+  const selvage_options options = scene.options(kernel);
+  const auto textures = scene.textures();
+  for (const selvage_polygon& p : scene.polygons(textures)) {
+    const selvage_status status =
+        subject.draw(&image, clip, p.vertices, p.count, p.texture, &options);
+    if (status != SELVAGE_OK) return status;
+  }
+  return SELVAGE_OK;
+}
+
+[[nodiscard]] Drawn draw_in_turn(const Subject& subject, const Scene& scene,
+                                 selvage_kernel kernel = SELVAGE_KERNEL_FASTEST) {
+  Drawn drawn{scene.blank()};
+  drawn.status = draw_each(subject, scene, &drawn.canvas, scene.clip(), kernel);
+  return drawn;
+}
+
+// Through clip rectangles that tile what is visible, in any order.
+[[nodiscard]] Drawn draw_in_tiles(const Subject& subject, const Scene& scene) {
+  const Case& c = scene.shown();
+  Choices choices(c.choice + 2);
+  selvage_rect whole = {0, 0, c.target_width_px, c.target_height_px};
+  if (c.has_clip) {
+    whole = {std::max(whole.left, c.clip.left), std::max(whole.top, c.clip.top),
+             std::min(whole.right, c.clip.right), std::min(whole.bottom, c.clip.bottom)};
+  }
+  const int32_t height_px = choices.pick(c.target_height_px / 4, c.target_height_px) + 1;
+  const int32_t width_px = choices.pick(c.target_width_px / 3, c.target_width_px) + 1;
+  std::vector<selvage_rect> tiles;
+  for (int32_t top = whole.top; top < whole.bottom; top += height_px) {
+    for (int32_t left = whole.left; left < whole.right; left += width_px) {
+      tiles.push_back({left, top, std::min(left + width_px, whole.right),
+                       std::min(top + height_px, whole.bottom)});
+    }
+  }
+  Drawn drawn{scene.blank()};
+  while (!tiles.empty() && drawn.status == SELVAGE_OK) {
+    std::swap(tiles[static_cast<size_t>(choices.pick(0, static_cast<int32_t>(tiles.size())))],
+              tiles.back());
+    drawn.status = draw_each(subject, scene, &drawn.canvas, &tiles.back());
+    tiles.pop_back();
+  }
+  return drawn;
+}
+
+[[nodiscard]] Drawn draw_together(const Subject& subject, const Scene& scene, int32_t threads) {
+  Drawn drawn{scene.blank()};
+  const selvage_image image = drawn.canvas.image();
+  const selvage_options options = scene.options();
+  const auto textures = scene.textures();
+  const auto polygons = scene.polygons(textures);
+  drawn.status =
+      subject.draw_many(&image, scene.clip(), polygons.data(), polygons.size(), &options, threads);
+  return drawn;
+}
+
+[[nodiscard]] Violation difference(const Scene& scene, const std::string& what,
+                                   const Drawn& in_turn, const Drawn& other) {
+  const Case& c = scene.shown();
+  const auto tell = [&](const Canvas& canvas, int32_t x, int32_t y) {
+    return "value " + std::to_string(canvas.pixel(x, y));
+  };
+  Violation violation{.law = "SAME", .what = what, .shown = c};
+  for (int32_t y = 0; y < c.target_height_px; ++y) {
+    for (int32_t x = 0; x < c.target_width_px; ++x) {
+      if (in_turn.canvas.pixel(x, y) == other.canvas.pixel(x, y)) continue;
+      violation.x_px = x;
+      violation.y_px = y;
+      violation.allowed = tell(in_turn.canvas, x, y) + ", as one after another";
+      violation.drawn = tell(other.canvas, x, y);
+      return violation;
+    }
+  }
+  violation.allowed = "the bytes beside the pixels as they were";
+  violation.drawn = "others";
+  return violation;
+}
+
+// Every byte, those beside the pixels included.
+[[nodiscard]] Judgement judge(const Scene& scene, const std::string& what, const Drawn& in_turn,
+                              const Drawn& other) {
+  const Case& c = scene.shown();
+  Judgement judgement = {.judged_px = static_cast<uint64_t>(c.target_width_px) *
+                                      static_cast<uint64_t>(c.target_height_px)};
+  if (other.status != in_turn.status) {
+    judgement.violation =
+        violation_of_call("SAME", what, c, "status " + std::to_string(in_turn.status),
+                          "status " + std::to_string(other.status));
+  } else if (!(other.canvas == in_turn.canvas)) {
+    judgement.violation = difference(scene, what, in_turn, other);
+  }
+  return judgement;
+}
+
+}  // namespace
+
+Judgement check_same(const Subject& subject, const Case& c) {
+  Judgement judgement;
+  if (!is_valid(c)) return judgement;
+  if (add(&judgement, check_same_layouts(subject, c))) return judgement;
+  const Scene scene(subject, c);
+  const Drawn in_turn = draw_in_turn(subject, scene);
+  const std::string tiles = std::to_string(scene.count()) + " polygons, each drawn tile by tile";
+  if (add(&judgement, judge(scene, tiles, in_turn, draw_in_tiles(subject, scene)))) {
+    return judgement;
+  }
+  for (const selvage_kernel kernel : kKernels) {
+    const Drawn by_kernel = draw_in_turn(subject, scene, kernel);
+    if (by_kernel.status == SELVAGE_ERROR_KERNEL) continue;  // not one for this machine
+    const std::string what = std::to_string(scene.count()) + " polygons, drawn by kernel " +
+                             std::to_string(kernel) + " of selvage_kernel";
+    if (add(&judgement, judge(scene, what, in_turn, by_kernel))) return judgement;
+  }
+  if (!subject.draw_many) return judgement;
+  for (const int32_t threads : kThreads) {
+    const std::string what = std::to_string(scene.count()) + " polygons in one call, " +
+                             std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+    const Drawn together = draw_together(subject, scene, threads);
+    if (add(&judgement, judge(scene, what, in_turn, together))) return judgement;
+  }
+  return judgement;
+}
+
+}  // namespace selvage::spec

@@ -1,0 +1,60 @@
+#include "spec/texture_memory.h"
+
+#include <algorithm>
+
+namespace selvage::spec {
+namespace {
+
+inline constexpr size_t kGuardBytes = SELVAGE_PREPARED_ALIGNMENT;
+
+[[nodiscard]] Canvas given_rows(const Case& c, const TexelAt& texel_at, uint8_t outside) {
+  Canvas rows(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px, c.flip_texture,
+              outside);
+  for (int32_t t = 0; t < c.texture_height_texel; ++t) {
+    for (int32_t s = 0; s < c.texture_width_texel; ++s) rows.set_pixel(s, t, texel_at({s, t}));
+  }
+  return rows;
+}
+
+}  // namespace
+
+Layout layout_of(const Subject& subject, const Case& c) {
+  if (!subject.prepare) return Layout::kGiven;
+  const bool tiled = c.layout == Layout::kTiled && c.profile != SELVAGE_PROFILE_EXACT;
+  return tiled ? Layout::kPadded : c.layout;
+}
+
+TextureMemory::TextureMemory(const Subject& subject, const Case& c, const TexelAt& texel_at,
+                             uint8_t outside)
+    : given_(given_rows(c, texel_at, outside)), view_(given_.texture()) {
+  const Layout layout = layout_of(subject, c);
+  if (layout == Layout::kGiven) return;
+  prepare(*subject.prepare, layout == Layout::kTiled ? SELVAGE_LAYOUT_TILES : SELVAGE_LAYOUT_ROWS,
+          c.filter == SELVAGE_FILTER_AREA && can_be_filtered(c), outside);
+}
+
+void TextureMemory::prepare(const Prepare& prepare, selvage_layout layout, bool with_sums,
+                            uint8_t outside) {
+  const selvage_texture source = view_;
+  const size_t bytes = prepare.bytes(&source, layout, with_sums ? 1 : 0);
+  if (bytes == SIZE_MAX) {
+    status_ = prepare.prepare(&source, layout, with_sums ? 1 : 0, nullptr, 0, &view_);
+    return;
+  }
+  memory_.assign(bytes + 2 * kGuardBytes + SELVAGE_PREPARED_ALIGNMENT, outside);
+  const size_t misaligned =
+      reinterpret_cast<uintptr_t>(memory_.data()) % SELVAGE_PREPARED_ALIGNMENT;
+  const size_t start = kGuardBytes + SELVAGE_PREPARED_ALIGNMENT - misaligned;
+  const Canvas before = given_;
+  status_ =
+      prepare.prepare(&source, layout, with_sums ? 1 : 0, memory_.data() + start, bytes, &view_);
+  const auto is_outside = [&](uint8_t byte) { return byte == outside; };
+  const auto first = memory_.begin() + static_cast<ptrdiff_t>(start);
+  if (!std::all_of(memory_.begin(), first, is_outside) ||
+      !std::all_of(first + static_cast<ptrdiff_t>(bytes), memory_.end(), is_outside)) {
+    fault_ = "preparing the texture wrote beside the memory it was given";
+  }
+  if (!(given_ == before)) fault_ = "preparing the texture wrote to its source";
+}
+
+}  // namespace selvage::spec

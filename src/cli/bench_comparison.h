@@ -1,0 +1,41 @@
+// Times of a run beside those of an earlier one.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "reports/bench/measurement.h"
+
+namespace selvage::cli {
+
+struct Baseline {
+  std::string source;                                       // the file
+  std::string cpu, date, compiler;                          // "unknown" where it does not say
+  std::map<std::string, std::map<std::string, double>> ns;  // by item and subject: the medians
+};
+
+// From the JSON of `selvage bench`, whole or brief. A UserError says what is wrong with it.
+[[nodiscard]] Baseline parse_baseline(const std::string& source, const std::string& text);
+
+struct ComparedTime {
+  std::string item, subject;
+  double now_ns, then_ns;
+  [[nodiscard]] double ratio() const { return now_ns / then_ns; }
+};
+
+struct Comparison {
+  Baseline baseline;
+  std::string cpu;                  // of this run
+  std::vector<ComparedTime> times;  // what both have, in the order of this run
+  size_t only_now = 0;              // measured here, absent from the baseline
+};
+
+[[nodiscard]] Comparison compare(const std::vector<reports::ItemResult>& results,
+                                 const std::string& cpu, Baseline baseline);
+
+// A row a subject, a column an item, the ratios now / baseline; at most 100 columns.
+[[nodiscard]] std::string comparison_table(const Comparison& comparison);
+
+}  // namespace selvage::cli

@@ -1,0 +1,173 @@
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "cli/bench_report.h"
+
+namespace selvage::cli {
+namespace {
+
+using nlohmann::ordered_json;
+using reports::Cell;
+using reports::ErrorCount;
+using reports::ItemResult;
+
+template <typename Number>
+[[nodiscard]] ordered_json maybe(const std::optional<Number>& number) {
+  return number ? ordered_json(*number) : ordered_json();
+}
+
+void add_errors(ordered_json& values, const ErrorCount& errors, bool textures) {
+  const auto of_texels = [&](ordered_json number) { return textures ? number : ordered_json(); };
+  values["judged_px"] = errors.judged_px;
+  values["covered_px"] = errors.covered_px;
+  values["wrong_texels"] = of_texels(errors.wrong_texels);
+  values["missing_px"] = errors.missing_px;
+  values["extra_px"] = errors.extra_px;
+  values["double_px"] = maybe(errors.double_px);
+  values["largest_texel"] = of_texels(errors.largest_texel);
+  values["mean_texel"] = of_texels(errors.mean_texel());
+  values["largest_coordinate_texel"] = of_texels(errors.largest_coordinate_texel);
+}
+
+[[nodiscard]] ordered_json cell_json(const ItemResult& item, const Cell& cell,
+                                     const ItemResult* ordinary) {
+  ordered_json values{{"id", cell.subject->id}};
+  if (!cell.refusal.empty()) {
+    values["refusal"] = cell.refusal;
+    return values;
+  }
+  values["ns_per_px"] = {{"median", cell.ns_per_px.median},
+                         {"lower_quartile", cell.ns_per_px.lower_quartile},
+                         {"upper_quartile", cell.ns_per_px.upper_quartile}};
+  values["ratio_to_fill"] = maybe(reports::ratio(&cell, item.measured("fill")));
+  values["ratio_to_exact"] = maybe(reports::ratio(&cell, item.measured("exact")));
+  if (ordinary != nullptr)
+    values["ratio_to_ordinary"] =
+        maybe(reports::ratio(&cell, ordinary->measured(cell.subject->id)));
+  if (cell.errors) {
+    add_errors(values, *cell.errors, cell.subject->textures);
+  } else {
+    for (const char* key : {"judged_px", "covered_px", "wrong_texels", "missing_px", "extra_px",
+                            "double_px", "largest_texel", "mean_texel", "largest_coordinate_texel"})
+      values[key] = nullptr;
+  }
+  return values;
+}
+
+[[nodiscard]] ordered_json cells_json(const BenchReport& report, const ItemResult& item) {
+  const ItemResult* ordinary = nullptr;
+  for (const ItemResult& other : report.results) {
+    if (!item.load->ordinary_id.empty() && other.load->id == item.load->ordinary_id)
+      ordinary = &other;
+  }
+  ordered_json cells = ordered_json::array();
+  for (const Cell& cell : item.cells) cells.push_back(cell_json(item, cell, ordinary));
+  return cells;
+}
+
+[[nodiscard]] ordered_json workload_json(const BenchReport& report, const ItemResult& item) {
+  const reports::Workload& load = *item.load;
+  const std::string side = std::to_string(load.target_side_px);
+  return {{"id", load.id},
+          {"title", load.title},
+          {"description", load.description},
+          {"ordinary", load.ordinary_id.empty() ? ordered_json() : ordered_json(load.ordinary_id)},
+          {"polygons", load.polygons.size()},
+          {"target_px", side + " x " + side},
+          {"covered_px", item.covered_px},
+          {"results", cells_json(report, item)}};
+}
+
+[[nodiscard]] ordered_json curve_json(const BenchReport& report,
+                                      const reports::PlannedCurve& planned) {
+  ordered_json points = ordered_json::array();
+  for (size_t i = 0; i < planned.xs.size(); ++i) {
+    const ItemResult& item = report.results[planned.items[i]];
+    points.push_back({{"x", planned.xs[i]},
+                      {"id", item.load->id},
+                      {"polygons", item.load->polygons.size()},
+                      {"covered_px", item.covered_px},
+                      {"results", cells_json(report, item)}});
+  }
+  return {{"id", planned.curve.id},
+          {"title", planned.curve.title},
+          {"description", planned.curve.description},
+          {"axis", planned.curve.axis},
+          {"points", std::move(points)}};
+}
+
+[[nodiscard]] ordered_json comparison_json(const Comparison& comparison) {
+  ordered_json times = ordered_json::array();
+  for (const ComparedTime& time : comparison.times) {
+    times.push_back({{"item", time.item},
+                     {"subject", time.subject},
+                     {"now_ns", time.now_ns},
+                     {"then_ns", time.then_ns},
+                     {"ratio", time.ratio()}});
+  }
+  return {{"baseline", comparison.baseline.source},
+          {"date", comparison.baseline.date},
+          {"cpu", comparison.baseline.cpu},
+          {"compiler", comparison.baseline.compiler},
+          {"new", comparison.only_now},
+          {"times", std::move(times)}};
+}
+
+[[nodiscard]] ordered_json heading(const BenchReport& report) {
+  ordered_json machine;
+  for (const auto& [key, value] : report.machine) machine[key] = value;
+  return {{"machine", std::move(machine)},
+          {"seed", report.settings.seed},
+          {"rows", report.settings.rows},
+          {"repetitions", report.settings.timing.repetitions},
+          {"min_time_s", report.settings.timing.min_time_s}};
+}
+
+[[nodiscard]] std::string text_of(const ordered_json& values) {
+  return values.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string bench_json(const BenchReport& report) {
+  ordered_json document = heading(report);
+  document["filter"] = report.filter.empty() ? ordered_json() : ordered_json(report.filter);
+  for (const char* key : {"subjects", "workloads", "curves"}) document[key] = ordered_json::array();
+  for (const reports::Subject& subject : report.plan->subjects) {
+    document["subjects"].push_back({{"id", subject.id},
+                                    {"title", subject.title},
+                                    {"group", subject.group},
+                                    {"configuration", subject.configuration}});
+  }
+  for (size_t i = 0; i < report.plan->work_items; ++i)
+    document["workloads"].push_back(workload_json(report, report.results[i]));
+  for (const reports::PlannedCurve& planned : report.plan->curves)
+    document["curves"].push_back(curve_json(report, planned));
+  document["unavailable"] = report.plan->unavailable;
+  document["build_information"] = report.plan->build_information;
+  document["comparison"] = report.comparison ? comparison_json(*report.comparison) : ordered_json();
+  return text_of(document);
+}
+
+// One line an item: a file that a person can read, and a change of which shows what changed.
+std::string bench_brief_json(const BenchReport& report) {
+  std::string text = text_of(heading(report));
+  text.erase(text.rfind("\n}"));
+  text += ",\n \"medians_ns_per_px\": {";
+  for (size_t i = 0; i < report.plan->work_items; ++i) {
+    const ItemResult& item = report.results[i];
+    text += std::string(i == 0 ? "" : ",") + "\n  " + ordered_json(item.load->id).dump() + ": {";
+    std::string separator;
+    for (const Cell& cell : item.cells) {
+      if (!cell.refusal.empty()) continue;
+      char median[32];
+      std::snprintf(median, sizeof median, "%.4g", cell.ns_per_px.median);
+      text += separator + ordered_json(cell.subject->id).dump() + ": " + median;
+      separator = ", ";
+    }
+    text += "}";
+  }
+  return text + "\n }\n}\n";
+}
+
+}  // namespace selvage::cli

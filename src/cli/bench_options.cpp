@@ -1,0 +1,63 @@
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+
+#include "cli/bench_command.h"
+
+namespace selvage::cli {
+namespace {
+
+constexpr const char* kFooter = R"(Examples:
+  selvage bench --list                          what there is to measure
+  selvage bench --filter '^W[1-6]/'             the work items, without the adversarial ones
+  selvage bench --filter '/(exact|fill)$'       two subjects on everything
+  selvage bench --compare reports/baseline.json
+  selvage bench --curves --json --output bench.json
+  selvage bench --brief --output reports/baseline.json    records that baseline
+
+Each drawing is first held against the exact model on sampled rows, then all are timed, interleaved
+at random. Times are in ns per covered pixel, the median and the quartiles: of the processor on one
+thread, of the clock for what draws with several.
+
+Exit codes: 0 measured, however slow; 1 a drawing that must be exact, or within its tolerance, is
+not, and nothing was timed; 2 wrong use, a file that cannot be read or written, or a build without
+Google Benchmark (libbenchmark-dev).)";
+
+}  // namespace
+
+CLI::App* add_bench(CLI::App& program, BenchOptions& options) {
+  CLI::App* bench =
+      program.add_subcommand("bench", "Measure speed against error, beside other mappers");
+  bench
+      ->add_option("--filter", options.filter,
+                   "Measure only what this regular expression (ECMAScript) is found in: names are "
+                   "ITEM/SUBJECT")
+      ->type_name("REGEX");
+  bench
+      ->add_option("--compare", options.compare,
+                   "Print the ratios of the times to those of this earlier output")
+      ->type_name("FILE");
+  bench->add_option("--seed", options.seed, "Moves the meshes and the sampled rows")
+      ->type_name("S")
+      ->capture_default_str();
+  bench->add_option("--rows", options.rows, "Rows of each target held against the exact model")
+      ->type_name("N")
+      ->capture_default_str();
+  bench->add_option("--repetitions", options.repetitions, "Timings of each drawing")
+      ->type_name("N")
+      ->capture_default_str();
+  bench->add_option("--min-time", options.min_time, "Seconds of one timing")
+      ->type_name("T")
+      ->capture_default_str();
+  bench->add_flag(
+      "--curves", options.curves,
+      "Measure cost against polygon size, texture size, scale and off-screen share too");
+  bench->add_option("-o,--output", options.output, "Write the JSON to a file")->type_name("FILE");
+  bench->add_flag("--json", options.json, "Print the JSON instead of the tables");
+  bench->add_flag("--brief", options.brief, "As JSON, the machine and the medians only");
+  bench->add_flag("--list", options.list, "List the items and the subjects instead");
+  bench->footer(kFooter);
+  return bench;
+}
+
+}  // namespace selvage::cli

@@ -1,0 +1,19 @@
+// Workers: the only room that knows of threads. share_out.h is what the others call.
+#pragma once
+
+#include <cstdint>
+
+namespace selvage::many {
+
+// As many as `threads` asks for, 0 being as many as the machine runs at a time; 1 in a build
+// without oneTBB.
+[[nodiscard]] int32_t worker_count(int32_t threads);
+
+using Work = void (*)(void* context);
+
+// Calls work(context), on the caller's thread and at the same time on up to `workers` - 1 others,
+// as far as the machine has them. Returns when all calls have; there is at least one. They see what
+// the caller wrote before, and the caller what they wrote. Work must not throw.
+void run_workers(int32_t workers, Work work, void* context);
+
+}  // namespace selvage::many

@@ -1,0 +1,51 @@
+#include "reports/bench/error_count.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace selvage::reports {
+namespace {
+
+constexpr uint32_t kThreeBytes = 0x00FFFFFF;
+
+// One pixel, which the model gives the texel (s, t) = (3, 256).
+ErrorCount judge(uint32_t drawn, uint32_t carried_bits) {
+  ModelRows model;
+  model.rows_px = {0};
+  model.pixels = {{{place_of(3, 256), 3.5, 256.5}}};
+  Target target(1, 1);
+  target.pixels[0] = drawn;
+  return count_errors(model, target, true, SELVAGE_FILTER_NEAREST, carried_bits);
+}
+
+TEST(ErrorCount, AllBitsTellTheTexel) {
+  EXPECT_EQ(judge(place_of(3, 256), 0xFFFFFFFF).total(), 0u);
+  const ErrorCount far = judge(place_of(3, 0), 0xFFFFFFFF);
+  EXPECT_EQ(far.wrong_texels, 1u);
+  EXPECT_EQ(far.largest_texel, 256);
+  EXPECT_EQ(judge(place_of(0, 256), 0xFFFFFFFF).largest_texel, 3);
+}
+
+TEST(ErrorCount, BitsThatAreNotCarriedAreNotCompared) {
+  EXPECT_EQ(judge(place_of(3, 256) | 0xFF000000, kThreeBytes).total(), 0u);
+  EXPECT_EQ(judge(place_of(3, 0), kThreeBytes).total(), 0u);  // t modulo 256
+  EXPECT_EQ(judge(place_of(3, 256) | 0xFF000000, 0xFFFFFFFF).wrong_texels, 1u);
+}
+
+TEST(ErrorCount, TheNearestOfTheTexelsThatAPixelMayMeanIsMeant) {
+  for (const int32_t t : {253, 255, 257, 300}) {
+    const ErrorCount near = judge((place_of(3, t) & kThreeBytes) | 0xFF000000, kThreeBytes);
+    EXPECT_EQ(near.wrong_texels, 1u) << t;
+    EXPECT_EQ(near.largest_texel, std::abs(t - 256)) << t;
+  }
+  EXPECT_EQ(judge(place_of(7, 256) | 0xFF000000, kThreeBytes).largest_texel, 4);
+}
+
+TEST(ErrorCount, AnUntouchedPixelIsMissingInAnyBits) {
+  EXPECT_EQ(judge(kUntouched, kThreeBytes).missing_px, 1u);
+  EXPECT_EQ(judge(kUntouched, 0xFFFFFFFF).missing_px, 1u);
+}
+
+}  // namespace
+}  // namespace selvage::reports

@@ -1,0 +1,186 @@
+// The work items are what they say they are.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "reports/bench/curves.h"
+#include "reports/bench/spans.h"
+#include "reports/bench/statistics.h"
+#include "support.h"
+
+namespace selvage::reports::test {
+namespace {
+
+bool everything(std::string_view, std::string_view) { return true; }
+
+const Workload& find(const std::vector<Workload>& loads, const std::string& id) {
+  for (const Workload& load : loads) {
+    if (load.id == id) return load;
+  }
+  throw std::runtime_error("no item " + id);
+}
+
+ModelRows some_rows(const Workload& load, int32_t count) {
+  return model_rows(load, sample_rows(load.target_side_px, count, 3), [] {});
+}
+
+double share_of_target(const Workload& load) {
+  return static_cast<double>(count_covered(load)) / (1024.0 * 1024.0);
+}
+
+TEST(Items, AreThoseOfTheTable) {
+  const auto loads = workloads(1);
+  std::vector<std::string> ids;
+  for (const Workload& load : loads) ids.push_back(load.id);
+  EXPECT_EQ(ids,
+            (std::vector<std::string>{"W1", "W1-2048", "W2", "W3", "W3-20000", "W4", "W5", "W6"}));
+  EXPECT_NEAR(share_of_target(find(loads, "W1")), 0.5, 0.001);
+  EXPECT_EQ(find(loads, "W1-2048").polygons.front().front().x,
+            find(loads, "W1").polygons.front().front().x);
+  EXPECT_EQ(find(loads, "W2").texture_side_texel, 2048);
+  EXPECT_NEAR(share_of_target(find(loads, "W2")), 0.25, 0.001) << "512 px, 2048 texels: 4 x";
+  EXPECT_EQ(find(loads, "W3").polygons.size(), 2000u);
+  EXPECT_EQ(find(loads, "W3-20000").polygons.size(), 20000u);
+  EXPECT_TRUE(find(loads, "W4").perspective);
+  EXPECT_EQ(find(loads, "W5").filter, kBilinear);
+  EXPECT_EQ(share_of_target(find(loads, "W6")), 1.0);
+}
+
+TEST(Items, MoveTheirMeshesWithTheSeed) {
+  EXPECT_EQ(find(workloads(1), "W3").polygons[7][1].x, find(workloads(1), "W3").polygons[7][1].x);
+  EXPECT_NE(find(workloads(1), "W3").polygons[7][1].x, find(workloads(2), "W3").polygons[7][1].x);
+}
+
+// The least distance of a number from an integer above it, or from one at or below it.
+double above(double x) { return x - std::floor(x); }
+double below(double x) { return std::ceil(x) - x; }
+
+TEST(Items, AreNearTiesWhereTheySaySo) {
+  const auto loads = adversarial_workloads();
+  const double most = std::ldexp(1, -21) * 1.01, least = std::ldexp(1, -32) * 0.99;
+  for (const auto& row : some_rows(find(loads, "A1"), 8).pixels) {
+    for (const ModelPixel& pixel : row) {
+      for (const double x : {pixel.u, pixel.v})
+        ASSERT_TRUE(below(x) <= most && below(x) >= least) << below(x);
+    }
+  }
+  for (const auto& row : some_rows(find(loads, "A2"), 8).pixels) {
+    for (const ModelPixel& pixel : row) {
+      for (const double x : {pixel.u, pixel.v})
+        ASSERT_TRUE(above(x) <= most && above(x) >= least) << above(x);
+    }
+  }
+  for (const auto& row : some_rows(find(loads, "A4"), 8).pixels) {
+    for (const ModelPixel& pixel : row) ASSERT_EQ(pixel.u, 1024);
+  }
+}
+
+TEST(Items, HaveTiesAtThirds) {
+  const Workload load = find(adversarial_workloads(), "A3");
+  size_t ties = 0, all = 0;
+  for (const auto& row : some_rows(load, 32).pixels) {
+    for (const ModelPixel& pixel : row) {
+      ++all;
+      ties += above(pixel.u) == 0 || above(pixel.v) == 0;
+    }
+  }
+  EXPECT_NEAR(static_cast<double>(ties) / static_cast<double>(all), 5.0 / 9, 0.07);
+}
+
+TEST(Items, HaveTwinsWithoutNearTies) {
+  const auto loads = adversarial_workloads();
+  size_t twins = 0;
+  for (const Workload& load : loads) {
+    if (load.ordinary_id.empty()) continue;
+    ++twins;
+    const Workload& twin = find(loads, load.ordinary_id);
+    EXPECT_EQ(twin.polygons.front().back().y, load.polygons.front().back().y);
+    EXPECT_EQ(count_covered(twin), count_covered(load));
+    for (const auto& row : some_rows(twin, 4).pixels) {
+      for (const ModelPixel& pixel : row)
+        ASSERT_TRUE(above(pixel.u) > 0.1 && below(pixel.u) > 0.1) << twin.id << ' ' << pixel.u;
+    }
+  }
+  EXPECT_EQ(twins, 4u);
+}
+
+// On the ramp of the texture's places a bilinear colour is u - 1/2, in weights of 1/256 and
+// rounded.
+TEST(Items, HaveAModelOfBilinear) {
+  Workload load = small_workload({rectangle(2, 3, 20, 22, 0.25)});
+  load.filter = kBilinear;
+  size_t seen = 0;
+  for (const auto& row : some_rows(load, 32).pixels) {
+    for (const ModelPixel& pixel : row) {
+      if (pixel.colour == kUntouched) continue;
+      ++seen;
+      EXPECT_EQ(column_of(pixel.colour), std::floor(std::floor(256 * (pixel.u - 0.5)) / 256 + 0.5));
+      EXPECT_EQ(row_of(pixel.colour), std::floor(std::floor(256 * (pixel.v - 0.5)) / 256 + 0.5));
+    }
+  }
+  EXPECT_EQ(seen, 18u * 19u);
+}
+
+TEST(Items, OfCurvesHaveTheSizesTheySay) {
+  const Curve sizes = curve_polygon_size();
+  EXPECT_EQ(sizes.xs.front(), 1);
+  EXPECT_EQ(sizes.xs.back(), 1 << 20);
+  for (const double area : sizes.xs) {
+    const Workload load = sizes.load_at(area);
+    const double mean =
+        static_cast<double>(count_covered(load)) / static_cast<double>(load.polygons.size());
+    EXPECT_NEAR(mean / area, 1, 0.05) << area;
+  }
+  const Curve off_screen = curve_off_screen();
+  for (const double ratio : off_screen.xs) {
+    if (ratio == 1) continue;
+    const Workload load = off_screen.load_at(ratio);
+    EXPECT_EQ(share_of_target(load), 1.0);
+    const double dx = load.polygons[0][1].x - load.polygons[0][0].x;
+    const double dy = load.polygons[0][1].y - load.polygons[0][0].y;
+    EXPECT_NEAR((dx * dx + dy * dy) / (256.0 * 256 * 1024 * 1024), ratio, ratio / 1000);
+  }
+  EXPECT_EQ(curve_texture_size().load_at(8192).texture_side_texel, 8192);
+  EXPECT_EQ(curve_scale().load_at(16).polygons[0][1].u, 4096 * 65536);
+}
+
+TEST(Plan, HasEachItemOnceAndSaysWhatThereIsNot) {
+  const Plan plan = make_plan(1, true, everything);
+  std::set<std::string> ids;
+  for (const Item& item : plan.items) EXPECT_TRUE(ids.insert(item.load.id).second) << item.load.id;
+  const bool bilinear = mapper_takes(kBilinear);
+  EXPECT_EQ(ids.contains("W5"), bilinear);
+  const bool said =
+      std::any_of(plan.unavailable.begin(), plan.unavailable.end(),
+                  [](const std::string& sentence) { return sentence.rfind("W5 ", 0) == 0; });
+  EXPECT_NE(said, bilinear);
+  EXPECT_EQ(plan.work_items, 7u + (bilinear ? 1 : 0) + 8);
+  EXPECT_EQ(plan.curves.size(), curves().size());
+  EXPECT_EQ(plan.subjects.front().id, "exact");
+  EXPECT_EQ(plan.subjects.back().id, "fill");
+}
+
+TEST(Plan, TakesWhatIsWantedOnly) {
+  const Plan plan = make_plan(1, true, [](std::string_view item, std::string_view subject) {
+    return (item == "W4" || item == "scale=2") && subject != "exact";
+  });
+  ASSERT_EQ(plan.items.size(), 2u);
+  EXPECT_EQ(plan.work_items, 1u);
+  ASSERT_EQ(plan.curves.size(), 1u);
+  EXPECT_EQ(plan.curves[0].xs, std::vector<double>{2});
+  EXPECT_EQ(plan.items[plan.curves[0].items[0]].load.id, "scale=2");
+  for (const Subject& subject : plan.subjects) EXPECT_NE(subject.id, "exact");
+}
+
+TEST(Spread, IsMedianAndQuartiles) {
+  const Spread spread = spread_of({5, 1, 4, 2, 3});
+  EXPECT_EQ(spread.median, 3);
+  EXPECT_EQ(spread.lower_quartile, 2);
+  EXPECT_EQ(spread.upper_quartile, 4);
+  EXPECT_EQ(spread_of({1, 2}).median, 1.5);
+}
+
+}  // namespace
+}  // namespace selvage::reports::test
