@@ -20,7 +20,8 @@ Workload turned(double degrees) {
                              std::pair(target_px, target_px), std::pair(0, target_px)}) {
     const double dx = x - target_px / 2, dy = y - target_px / 2;
     const auto coordinate = [](double texel) {
-      return static_cast<int32_t>(std::lround((texture_texel / 2 + texel) * SELVAGE_SUBTEXELS));
+      return static_cast<int32_t>(
+          std::lround((texture_texel / 2 + texel) * int32_t{SELVAGE_SUBTEXELS}));
     };
     polygon.push_back({x * SELVAGE_SUBPIXELS, y * SELVAGE_SUBPIXELS,
                        coordinate(cosine * dx - sine * dy), coordinate(sine * dx + cosine * dy),
@@ -36,7 +37,8 @@ Curve curve_direction() {
   curve.id = "direction";
   curve.title = "Cost against direction, by layout";
   curve.description =
-      "a target of 1024 x 1024 px, one texel of a texture of 2048 x 2048 a pixel, along its rows at "
+      "a target of 1024 x 1024 px, one texel of a texture of 2048 x 2048 a pixel, along its rows "
+      "at "
       "0 degrees and down its columns at 90; from rows at a pitch of 8192 bytes, and from what "
       "selvage_prepare makes of them";
   curve.axis = "degrees between the target's rows and the texture's";
