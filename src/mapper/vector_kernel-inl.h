@@ -158,8 +158,7 @@ template <class D>
   return static_cast<uint32_t>((uint64_t{1} << count) - 1);
 }
 
-// The texels, 1 added to those of the near-ties that have reached the next one; those come right
-// out of numbers that are right modulo 2^16.
+// The texels, 1 added to those of the near-ties that have reached the next one.
 //
 // What decides is linear along a row wherever the next texels are, as for steps near p / q, and
 // then changes its sign but once: the first near-tie and the last decide for all.
