@@ -182,7 +182,7 @@ TEST(CaseCodec, LowersTheHeightOfWhatIsTooLarge) {
 // The fourth value that two bits have means the first again.
 TEST(CaseCodec, ReadsEveryLayout) {
   const std::vector<uint8_t> sizes(9, 0);
-  for (const uint8_t bits : {0, 1, 2, 3}) {
+  for (const int bits : {0, 1, 2, 3}) {
     std::vector<uint8_t> bytes = sizes;
     bytes.push_back(static_cast<uint8_t>(bits << 6));
     EXPECT_EQ(static_cast<int>(decode(bytes).layout), bits % 3);

@@ -21,7 +21,7 @@ Workload turned(double degrees) {
     const double dx = x - target_px / 2, dy = y - target_px / 2;
     const auto coordinate = [](double texel) {
       return static_cast<int32_t>(
-          std::lround((texture_texel / 2 + texel) * double{SELVAGE_SUBTEXELS}));
+          std::lround((texture_texel / 2 + texel) * int32_t{SELVAGE_SUBTEXELS}));
     };
     polygon.push_back({x * SELVAGE_SUBPIXELS, y * SELVAGE_SUBPIXELS,
                        coordinate(cosine * dx - sine * dy), coordinate(sine * dx + cosine * dy),

@@ -45,8 +45,8 @@ LayOut prepared_in(selvage_layout layout) {
     auto laid_out = std::make_shared<LaidOut>();
     const selvage_texture source = texture.view();
     const size_t bytes = selvage_prepare_bytes(&source, layout, 0);
-    const selvage_status status = selvage_prepare(&source, layout, 0, laid_out->reserve(bytes),
-                                                  bytes, &laid_out->view);
+    const selvage_status status =
+        selvage_prepare(&source, layout, 0, laid_out->reserve(bytes), bytes, &laid_out->view);
     if (status != SELVAGE_OK)
       throw std::runtime_error(std::string("selvage_prepare: ") + selvage_status_text(status));
     return laid_out;

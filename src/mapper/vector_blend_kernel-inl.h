@@ -274,14 +274,18 @@ HWY_INLINE void draw_blended(const Points& points, const Span& span, const Surfa
   }
 }
 
-template <bool kFour>
-void draw_blended_affine(const AffineSpans& spans, const Surface& surface) {
+// One body for both filters: it is large, and there is one for each address mode and layout.
+HWY_NOINLINE void blend_affine(const AffineSpans& spans, const Surface& surface, bool four) {
   with_address(surface, [&](auto address) {
     const AffinePoints points(spans);
     for (int32_t i = 0; i < spans.batch.rows; ++i) {
-      draw_blended<decltype(address)>(points, spans.batch.span(i), surface, kFour);
+      draw_blended<decltype(address)>(points, spans.batch.span(i), surface, four);
     }
   });
+}
+template <bool kFour>
+void draw_blended_affine(const AffineSpans& spans, const Surface& surface) {
+  blend_affine(spans, surface, kFour);
 }
 
 // Where lanes may lack more than a step of the grid, one decision is not enough.
@@ -289,19 +293,24 @@ void draw_blended_affine(const AffineSpans& spans, const Surface& surface) {
   return lanes.margin_fx32() < uint32_t{1} << kGridFraction;
 }
 
-template <bool kFour>
-void draw_blended_projective(const ProjectiveSpans& spans, const Surface& surface) {
-  const auto& scalar = scalar_kernels(kFour ? SELVAGE_FILTER_FOUR : SELVAGE_FILTER_BILINEAR);
+HWY_NOINLINE void blend_projective(const ProjectiveSpans& spans, const Surface& surface,
+                                   bool four) {
+  const auto& scalar = scalar_kernels(four ? SELVAGE_FILTER_FOUR : SELVAGE_FILTER_BILINEAR);
   with_address(surface, [&](auto address) {
     for (const ProjectiveSpan& each : spans.spans) {
       if (are_fine(each.lanes)) {
         const ProjectivePoints points(each, spans.exact);
-        draw_blended<decltype(address)>(points, each.span, surface, kFour);
+        draw_blended<decltype(address)>(points, each.span, surface, four);
       } else {
         scalar.draw_projective({{&each, 1}, spans.exact}, surface);
       }
     }
   });
+}
+
+template <bool kFour>
+void draw_blended_projective(const ProjectiveSpans& spans, const Surface& surface) {
+  blend_projective(spans, surface, kFour);
 }
 
 }  // namespace
