@@ -20,7 +20,7 @@ struct Subject {
   bool reference = false;     // must agree with the exact model or nothing is timed
   bool judged = true;         // false: a limit that draws no picture, so nothing is judged
   bool bilinear = false;      // can draw workloads whose filter is kBilinear; others are refused
-  bool threads = false;       // draws with several: timed by the clock, not by processor time
+  bool threads = false;       // timed by the clock, not by processor time: what draws with several
   // The bits of a texel that reach the target unchanged, s and the lower bits of t; the others are
   // not compared. A pixel format without a fourth channel carries 24.
   uint32_t carried_bits = 0xFFFFFFFF;
@@ -37,6 +37,7 @@ struct Subject {
 };
 
 [[nodiscard]] Subject subject_exact();
+[[nodiscard]] Subject subject_exact_many(int32_t threads);
 [[nodiscard]] std::vector<Subject> subjects_tolerant();
 [[nodiscard]] std::vector<Subject> subjects_historic();
 [[nodiscard]] std::vector<Subject> subjects_arithmetic();

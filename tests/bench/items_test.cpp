@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <stdexcept>
+#include <thread>
 
 #include "reports/bench/curves.h"
 #include "reports/bench/spans.h"
@@ -144,6 +146,19 @@ TEST(Items, OfCurvesHaveTheSizesTheySay) {
   }
   EXPECT_EQ(curve_texture_size().load_at(8192).texture_side_texel, 8192);
   EXPECT_EQ(curve_scale().load_at(16).polygons[0][1].u, 4096 * 65536);
+}
+
+TEST(Items, OfTheCurveOfThreadsAreTheWorkItemsUpToTwiceTheCores) {
+  for (const char* id : {"W1", "W3"}) {
+    const Curve curve = curve_threads(id);
+    EXPECT_EQ(curve.id, std::string("threads-") + id);
+    EXPECT_EQ(curve.xs.front(), 1);
+    EXPECT_EQ(curve.xs.back(), 2 * std::max(std::thread::hardware_concurrency(), 1u));
+    EXPECT_TRUE(std::is_sorted(curve.xs.begin(), curve.xs.end()));
+    EXPECT_EQ(curve.load_at(2).polygons.size(), find(workloads(1), id).polygons.size());
+    for (const Series& series : curve.series) EXPECT_TRUE(series.subject_at(2).threads);
+  }
+  EXPECT_THROW((void)curve_threads("W9"), std::logic_error);
 }
 
 TEST(Plan, HasEachItemOnceAndSaysWhatThereIsNot) {
