@@ -22,9 +22,27 @@ void add(Catalogue* catalogue, std::string_view name, std::string_view bug, Spoi
   }
 }
 
+// One kernel of the mapper's draws other bytes than the others: all pixels one further left.
+void add_kernel_that_differs(Catalogue* catalogue) {
+  spec::Subject subject = spec::built_in();
+  subject.draw = [](const selvage_image* target, const selvage_rect* clip,
+                    const selvage_vertex* vertices, size_t count, const selvage_texture* texture,
+                    const selvage_options* options) {
+    std::vector<selvage_vertex> moved(vertices, vertices + (vertices != nullptr ? count : 0));
+    if (options == nullptr || options->kernel != SELVAGE_KERNEL_SCALAR || moved.empty()) {
+      return selvage_draw(target, clip, vertices, count, texture, options);
+    }
+    for (selvage_vertex& v : moved) v.x = std::max<int32_t>(v.x - SELVAGE_SUBPIXELS, SELVAGE_X_MIN);
+    return selvage_draw(target, clip, moved.data(), count, texture, options);
+  };
+  subject.name = "one_kernel_differs";
+  catalogue->add("SAME", "one kernel draws a pixel off", std::move(subject));
+}
+
 }  // namespace
 
 void add_wrong_many(Catalogue* catalogue) {
+  add_kernel_that_differs(catalogue);
   add(catalogue, "order_reversed_in_bands", "a band draws its polygons last to first",
       [](ManyRecipe& r) { r.order = [](auto& polygons) { std::ranges::reverse(polygons); }; });
   add(catalogue, "bands_lose_a_row", "the last row of a band is taken for the next one's",

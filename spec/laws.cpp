@@ -31,7 +31,8 @@ constexpr std::array kLaws = {
     Law{"MEM", "nothing but the target's visible pixels is written", check_mem},
     Law{"TOTAL", "every input gets a picture or a named error, and an error draws nothing",
         check_total},
-    Law{"SAME", "every order of tiles and every number of threads draws the same bytes",
+    Law{"SAME",
+        "every order of tiles, every number of threads and every kernel draws the same bytes",
         check_same},
 #ifdef SELVAGE_WITH_OPENCV
     Law{"ORACLE", "the mapper agrees with OpenCV wherever OpenCV is decided", check_oracle},

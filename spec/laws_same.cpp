@@ -1,4 +1,4 @@
-// Law SAME: neither tiles nor threads show in the picture.
+// Law SAME: neither tiles nor threads nor kernels show in the picture.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -13,6 +13,9 @@ namespace selvage::spec {
 namespace {
 
 inline constexpr std::array<int32_t, 4> kThreads = {1, 2, 3, 8};
+inline constexpr std::array kKernels = {SELVAGE_KERNEL_SCALAR, SELVAGE_KERNEL_SSE4,
+                                        SELVAGE_KERNEL_AVX2, SELVAGE_KERNEL_AVX512,
+                                        SELVAGE_KERNEL_NEON};
 inline constexpr int32_t kMostRowsAdded = 100;
 inline constexpr int32_t kMostPolygons = 8;
 inline constexpr uint8_t kBackground = 0x5A;
@@ -29,8 +32,8 @@ class Scene {
             case_.padding_px, case_.flip_target,     kBackground};
   }
   [[nodiscard]] const selvage_rect* clip() const { return case_.has_clip ? &case_.clip : nullptr; }
-  [[nodiscard]] selvage_options options() const {
-    return {case_.profile, SELVAGE_FILTER_NEAREST, case_.address, 0};
+  [[nodiscard]] selvage_options options(selvage_kernel kernel = SELVAGE_KERNEL_FASTEST) const {
+    return {case_.profile, case_.filter, case_.address, 0, kernel};
   }
   // Views of the scene.
   [[nodiscard]] std::vector<selvage_texture> textures() const {
@@ -108,9 +111,10 @@ struct Drawn {
 
 // One polygon after another; the first error ends it.
 [[nodiscard]] selvage_status draw_each(const Subject& subject, const Scene& scene, Canvas* canvas,
-                                       const selvage_rect* clip) {
+                                       const selvage_rect* clip,
+                                       selvage_kernel kernel = SELVAGE_KERNEL_FASTEST) {
   const selvage_image image = canvas->image();
-  const selvage_options options = scene.options();
+  const selvage_options options = scene.options(kernel);
   const auto textures = scene.textures();
   for (const selvage_polygon& p : scene.polygons(textures)) {
     const selvage_status status =
@@ -120,9 +124,10 @@ struct Drawn {
   return SELVAGE_OK;
 }
 
-[[nodiscard]] Drawn draw_in_turn(const Subject& subject, const Scene& scene) {
+[[nodiscard]] Drawn draw_in_turn(const Subject& subject, const Scene& scene,
+                                 selvage_kernel kernel = SELVAGE_KERNEL_FASTEST) {
   Drawn drawn{scene.blank()};
-  drawn.status = draw_each(subject, scene, &drawn.canvas, scene.clip());
+  drawn.status = draw_each(subject, scene, &drawn.canvas, scene.clip(), kernel);
   return drawn;
 }
 
@@ -213,6 +218,13 @@ Judgement check_same(const Subject& subject, const Case& c) {
   const std::string tiles = std::to_string(scene.count()) + " polygons, each drawn tile by tile";
   if (add(&judgement, judge(scene, tiles, in_turn, draw_in_tiles(subject, scene)))) {
     return judgement;
+  }
+  for (const selvage_kernel kernel : kKernels) {
+    const Drawn by_kernel = draw_in_turn(subject, scene, kernel);
+    if (by_kernel.status == SELVAGE_ERROR_KERNEL) continue;  // not one for this machine
+    const std::string what = std::to_string(scene.count()) + " polygons, drawn by kernel " +
+                             std::to_string(kernel) + " of selvage_kernel";
+    if (add(&judgement, judge(scene, what, in_turn, by_kernel))) return judgement;
   }
   if (!subject.draw_many) return judgement;
   for (const int32_t threads : kThreads) {

@@ -17,7 +17,12 @@ namespace {
 }  // namespace
 
 Subject built_in(selvage_profile profile) {
-  return {"selvage " + std::string(selvage_version()), selvage_draw, profile, draw_many};
+  Subject subject;
+  subject.name = "selvage " + std::string(selvage_version());
+  subject.draw = selvage_draw;
+  subject.profile = profile;
+  subject.draw_many = draw_many;
+  return subject;
 }
 
 }  // namespace selvage::spec

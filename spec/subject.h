@@ -20,9 +20,10 @@ struct Subject {
                                size_t, const selvage_texture*, const selvage_options*)>
       draw;
   selvage_profile profile = SELVAGE_PROFILE_EXACT;  // the one it is held to
-  bool nearest_only = false;  // it has no other filter: verify() draws with nearest alone, and
-                              // others must get SELVAGE_ERROR_FILTER
-  DrawMany draw_many{};                             // may be empty: then nothing is said of it
+  // It has no other filter: verify() draws with nearest alone, and others must get
+  // SELVAGE_ERROR_FILTER.
+  bool nearest_only = false;
+  DrawMany draw_many{};  // may be empty: then nothing is said of it
 };
 
 // The mapper that this program is linked with.

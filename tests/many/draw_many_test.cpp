@@ -74,7 +74,7 @@ TEST(DrawMany, LeavesItsArgumentsAlone) {
 TEST(DrawMany, HasACppFaceThatPassesAllOn) {
   const List list(40, /*seed=*/5);
   const selvage_rect clip{20, 20, 90, 200};
-  const selvage_options options{0, 0, SELVAGE_ADDRESS_WRAP, 0};
+  const selvage_options options{0, 0, SELVAGE_ADDRESS_WRAP, 0, 0};
   Target target;
   Scratch scratch(list.polygons.size());
   const std::span<std::byte> memory{scratch.memory.data(), scratch.bytes};
