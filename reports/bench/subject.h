@@ -21,8 +21,8 @@ struct Subject {
   bool judged = true;         // false: a limit that draws no picture, so nothing is judged
   bool bilinear = false;      // can draw workloads whose filter is kBilinear; others are refused
   bool threads = false;       // timed by the clock, not by processor time: what draws with several
-  // The bits of a texel that reach the target unchanged, s and the lower bits of t; the others are
-  // not compared. A pixel format without a fourth channel carries 24.
+  // The bits of a texel that reach the target, s and the lower bits of t, or whole channels; the
+  // others are not compared. A pixel format without a fourth channel carries 24.
   uint32_t carried_bits = 0xFFFFFFFF;
   double tolerance_texel = 0;   // a reference's texels may lie this far from the exact (u, v)
   std::string group = "peers";  // "ours", "historic", "usual", "peers", "limits": colour in plots
@@ -48,7 +48,8 @@ struct Subject {
 // The library that this is linked with draws through the filter.
 [[nodiscard]] bool mapper_takes(selvage_filter filter);
 
-// The mappers of other projects: one file each under reports/peers.
+// The mappers of other projects, one file each under reports/peers: those of the collection that
+// the program links (reports/peers/CMakeLists.txt).
 struct Peers {
   std::vector<Subject> subjects;
   std::vector<std::string> absent;                       // a sentence each
