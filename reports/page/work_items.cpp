@@ -49,7 +49,7 @@ std::string table(const json& work) {
   std::string rows =
       "<tr><th>subject<th class=n>ns/px<th class=n>quartiles<th class=n>&divide; fill"
       "<th class=n>&divide; exact<th class=n>" +
-      std::string(filtered ? "colours off by &gt; 1 level" : "wrong texels") +
+      std::string(filtered ? "wrong colours" : "wrong texels") +
       "<th class=n>missing<th class=n>extra<th class=n>double<th class=n>largest" + unit +
       "<th class=n>mean" + unit + "</tr>\n";
   for (const json& result : work.at("results")) rows += row(result, filtered);
