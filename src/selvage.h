@@ -167,8 +167,8 @@ enum {
   SELVAGE_METHOD_NONE = 0, /* no pixel is drawn */
   SELVAGE_METHOD_COPY = 1, /* exact: texel centres on pixel centres, rows are copied */
   SELVAGE_METHOD_AFFINE_FOR_PERSPECTIVE = 2, /* u and v straight from end to end of a row */
-  SELVAGE_METHOD_SUBDIVIDED = 3, /* u and v divided every segment_px pixels, straight between */
-  SELVAGE_METHOD_EXACT_AFFINE = 4,      /* exact, whatever the tolerance: it costs no more */
+  SELVAGE_METHOD_SUBDIVIDED = 3,   /* u and v divided every segment_px pixels, straight between */
+  SELVAGE_METHOD_EXACT_AFFINE = 4, /* exact, whatever the tolerance: it costs no more */
   SELVAGE_METHOD_EXACT_PERSPECTIVE = 5, /* exact: a division a pixel */
   SELVAGE_METHOD_FILTER = 6,            /* exact: a filter other than nearest */
   SELVAGE_METHOD_HISTORIC = 7           /* by the profile's own arithmetic */

@@ -16,8 +16,8 @@ std::vector<Series> usual_series() {
 }
 
 std::vector<Curve> curves() {
-  return {curve_polygon_size(), curve_texture_size(), curve_scale(), curve_off_screen(),
-          curve_direction()};
+  return {curve_polygon_size(), curve_texture_size(), curve_scale(),      curve_off_screen(),
+          curve_direction(),    curve_threads("W1"),  curve_threads("W3")};
 }
 
 }  // namespace selvage::reports

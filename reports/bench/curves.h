@@ -34,6 +34,7 @@ struct Curve {
 [[nodiscard]] Curve curve_scale();
 [[nodiscard]] Curve curve_off_screen();
 [[nodiscard]] Curve curve_direction();
+[[nodiscard]] Curve curve_threads(const std::string& item);  // of W1 .. W6
 
 [[nodiscard]] std::vector<Curve> curves();
 

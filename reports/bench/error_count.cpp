@@ -20,8 +20,7 @@ uint32_t completed(uint32_t drawn, uint32_t expected, uint32_t carried_bits) {
   return place_of(column_of(drawn), row_of(expected) + distance);
 }
 
-void count_texel(ErrorCount& count, const ModelPixel& expected, uint32_t drawn, bool nearest) {
-  ++count.compared_px;
+void count_texel(ErrorCount& count, const ModelPixel& expected, uint32_t drawn) {
   if (drawn == expected.colour) return;
   const int32_t s = column_of(drawn), t = row_of(drawn);
   const int32_t distance =
@@ -29,9 +28,22 @@ void count_texel(ErrorCount& count, const ModelPixel& expected, uint32_t drawn, 
   ++count.wrong_texels;
   count.sum_texel += static_cast<uint64_t>(distance);
   count.largest_texel = std::max(count.largest_texel, distance);
-  if (!nearest) return;
   count.largest_coordinate_texel = std::max(
       {count.largest_coordinate_texel, distance_from(expected.u, s), distance_from(expected.v, t)});
+}
+
+void count_colour(ErrorCount& count, uint32_t expected, uint32_t drawn, uint32_t carried_bits) {
+  int32_t worst_level = 0;
+  for (const uint32_t channel : {0u, 8u, 16u, 24u}) {
+    const auto level = [&](uint32_t colour) {
+      return static_cast<int32_t>((colour & carried_bits) >> channel & 0xFF);
+    };
+    worst_level = std::max(worst_level, std::abs(level(drawn) - level(expected)));
+  }
+  count.unequal_colours += worst_level > 0;
+  count.wrong_colours += worst_level > kRounding_level;
+  count.sum_level += static_cast<uint64_t>(worst_level);
+  count.largest_level = std::max(count.largest_level, worst_level);
 }
 
 }  // namespace
@@ -48,9 +60,12 @@ ErrorCount count_errors(const ModelRows& model, const Target& drawn, bool textur
       count.covered_px += covered;
       count.missing_px += covered && !seen;
       count.extra_px += seen && !covered;
-      if (textures && covered && seen)
-        count_texel(count, expected, completed(row[x], expected.colour, carried_bits),
-                    filter == SELVAGE_FILTER_NEAREST);
+      if (!textures || !covered || !seen) continue;
+      ++count.compared_px;
+      if (filter == SELVAGE_FILTER_NEAREST)
+        count_texel(count, expected, completed(row[x], expected.colour, carried_bits));
+      else
+        count_colour(count, expected.colour, row[x], carried_bits);
     }
   }
   return count;

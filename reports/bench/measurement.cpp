@@ -17,13 +17,15 @@ constexpr double kRounding_texel = 1.0 / (1 << 30);
 // them.
 struct Images {
   std::map<int32_t, Target> targets;
-  std::map<int32_t, Texture> textures;
+  std::map<std::pair<int32_t, Texels>, Texture> textures;
 
   Target& target(int32_t side_px) {
     return targets.try_emplace(side_px, side_px, side_px).first->second;
   }
-  const Texture& texture(int32_t side_texel) {
-    return textures.try_emplace(side_texel, side_texel).first->second;
+  const Texture& texture(const Workload& load) {
+    const int32_t side = load.texture_side_texel;
+    const Texels kind = texels_for(load.filter);
+    return textures.try_emplace({side, kind}, side, kind).first->second;
   }
 };
 
@@ -47,14 +49,18 @@ bool is_right(const Subject& subject, const ErrorCount& errors) {
 
 void demand_right(const Workload& load, const Subject& subject, const ErrorCount& errors) {
   if (!subject.reference || is_right(subject, errors)) return;
-  throw WrongAnswer(
-      load.id + ": '" + subject.id + "' is not what it must be, on " +
-      std::to_string(errors.judged_px) + " pixels judged: " + std::to_string(errors.wrong_texels) +
-      " texels differ from the exact model's, by " +
-      std::to_string(errors.largest_coordinate_texel) + " texel at most; " +
-      std::to_string(errors.missing_px) + " missing, " + std::to_string(errors.extra_px) +
-      " extra, " + std::to_string(errors.double_px.value_or(0)) +
-      " drawn twice. Nothing was timed.");
+  const std::string difference =
+      load.filter == SELVAGE_FILTER_NEAREST
+          ? std::to_string(errors.wrong_texels) + " texels differ from the exact model's, by " +
+                std::to_string(errors.largest_coordinate_texel) + " texel at most; "
+          : std::to_string(errors.unequal_colours) + " colours differ from the exact model's, by " +
+                std::to_string(errors.largest_level) + " of 255 at most; ";
+  throw WrongAnswer(load.id + ": '" + subject.id + "' is not what it must be, on " +
+                    std::to_string(errors.judged_px) + " pixels judged: " + difference +
+                    std::to_string(errors.missing_px) + " missing, " +
+                    std::to_string(errors.extra_px) + " extra, " +
+                    std::to_string(errors.double_px.value_or(0)) +
+                    " drawn twice. Nothing was timed.");
 }
 
 // What the cells of one item are judged by.
@@ -80,7 +86,7 @@ void judge_item(const Item& item, ItemResult& result, Images& images, const Benc
                 const std::function<void()>& row_done, std::vector<Drawing>& drawings) {
   const Workload& load = item.load;
   Target& target = images.target(load.target_side_px);
-  const Texture& texture = images.texture(load.texture_side_texel);
+  const Texture& texture = images.texture(load);
   const Judge judge{
       load, texture, target,
       model_rows(load, sample_rows(target.height_px, settings.rows, settings.seed), row_done),

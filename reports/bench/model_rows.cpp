@@ -30,7 +30,7 @@ uint32_t bilinear_colour(const spec::Sample& sample, int32_t side_texel) {
                            SELVAGE_ADDRESS_CLAMP);
   };
   return spec::weighted_mean(taps(sample.u), taps(sample.v),
-                             [](const spec::Texel& texel) { return place_of(texel.s, texel.t); });
+                             [](const spec::Texel& texel) { return noise_of(texel.s, texel.t); });
 }
 
 uint32_t nearest_colour(const spec::Sample& sample, int32_t side_texel) {

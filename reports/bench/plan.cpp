@@ -8,7 +8,7 @@ namespace selvage::reports {
 namespace {
 
 std::vector<Subject> all_subjects(std::vector<Subject> peers) {
-  std::vector<Subject> all{subject_exact()};
+  std::vector<Subject> all{subject_exact(), subject_exact_many(1)};
   const auto add = [&](std::vector<Subject> more) {
     for (Subject& subject : more) all.push_back(std::move(subject));
   };

@@ -20,9 +20,9 @@ struct Subject {
   bool reference = false;     // must agree with the exact model or nothing is timed
   bool judged = true;         // false: a limit that draws no picture, so nothing is judged
   bool bilinear = false;      // can draw workloads whose filter is kBilinear; others are refused
-  bool threads = false;       // draws with several: timed by the clock, not by processor time
-  // The bits of a texel that reach the target unchanged, s and the lower bits of t; the others are
-  // not compared. A pixel format without a fourth channel carries 24.
+  bool threads = false;       // timed by the clock, not by processor time: what draws with several
+  // The bits of a texel that reach the target, s and the lower bits of t, or whole channels; the
+  // others are not compared. A pixel format without a fourth channel carries 24.
   uint32_t carried_bits = 0xFFFFFFFF;
   double tolerance_texel = 0;   // a reference's texels may lie this far from the exact (u, v)
   std::string group = "peers";  // "ours", "historic", "usual", "peers", "limits": colour in plots
@@ -37,6 +37,7 @@ struct Subject {
 };
 
 [[nodiscard]] Subject subject_exact();
+[[nodiscard]] Subject subject_exact_many(int32_t threads);
 [[nodiscard]] std::vector<Subject> subjects_tolerant();
 [[nodiscard]] std::vector<Subject> subjects_in_layouts();
 [[nodiscard]] std::vector<Subject> subjects_historic();
@@ -48,7 +49,8 @@ struct Subject {
 // The library that this is linked with draws through the filter.
 [[nodiscard]] bool mapper_takes(selvage_filter filter);
 
-// The mappers of other projects: one file each under reports/peers.
+// The mappers of other projects, one file each under reports/peers: those of the collection that
+// the program links (reports/peers/CMakeLists.txt).
 struct Peers {
   std::vector<Subject> subjects;
   std::vector<std::string> absent;                       // a sentence each

@@ -70,7 +70,7 @@ Workload bilinear_square() {
   Workload load = half_covering_square(256);
   load.id = "W5";
   load.title = "bilinear, rotated quad, 256 x 256";
-  load.description = "the square of W1, filtered bilinearly";
+  load.description = "the square of W1, filtered bilinearly; the texture is noise";
   load.filter = kBilinear;
   return load;
 }

@@ -67,8 +67,10 @@ std::string introduction(const json& bench) {
           "other programs do not change by taking turns. Errors are counted against the "
           "exact model on " +
           bench.at("rows").dump() +
-          " rows of each target, one in each equal band, placed by the seed: wrong texels, and "
-          "pixels missing, extra, or drawn by two polygons; % and ppm (millionths) are all of "
+          " rows of each target, one in each equal band, placed by the seed: wrong texels (where "
+          "they are filtered, colours off by more than a "
+          "level of 255), and pixels missing, extra, or drawn by two polygons; % and ppm "
+          "(millionths) are all of "
           "these by the covered pixels. Had the exact mapper differed from the model in one pixel "
           "of them, or "
           "one with a tolerance by more than that, nothing would have been timed. All mappers read "

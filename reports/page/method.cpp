@@ -70,7 +70,8 @@ std::string limits() {
           "quartiles show how much they moved. A ratio within the quartiles is no difference.") +
           element(
               "li",
-              "Everything runs on one core. The mapper and the arithmetics beside it are compiled "
+              "Everything runs on one core, but for the curves against threads. The mapper and the "
+              "arithmetics beside it are compiled "
               "for the baseline of the architecture, and so is AGG, which is all headers; the "
               "other "
               "peers are the distribution's libraries, most of which choose their SIMD code at run "
@@ -78,7 +79,9 @@ std::string limits() {
           element(
               "li",
               "pixman and AGG are asked for pixels of 24 bits in 32, the only ones that they copy "
-              "without a look at alpha: of their texels t is compared modulo 256.") +
+              "without a look at alpha: of their texels t is compared modulo 256, of their "
+              "filtered "
+              "colours three channels.") +
           element(
               "li",
               "OpenCV warps rectangles: it walks the whole bounding box, and which pixels it "

@@ -158,12 +158,13 @@ const json* result_of(const json& item, const std::string& subject) {
 }
 
 bool has_errors(const json& result) {
-  return !result.contains("refusal") && !result.at("wrong_texels").is_null();
+  return !result.contains("refusal") &&
+         !(result.at("wrong_texels").is_null() && result.at("wrong_colours").is_null());
 }
 
 double errors_per_million(const json& result) {
   double errors = 0;
-  for (const char* key : {"wrong_texels", "missing_px", "extra_px", "double_px"}) {
+  for (const char* key : {"wrong_texels", "wrong_colours", "missing_px", "extra_px", "double_px"}) {
     if (!result.at(key).is_null()) errors += result[key].get<double>();
   }
   return errors * 1e6 / result.at("covered_px").get<double>();

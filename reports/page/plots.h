@@ -16,7 +16,8 @@ struct PlotFile {
 // bench`.
 [[nodiscard]] std::vector<PlotFile> plot_files(const nlohmann::ordered_json& bench);
 
-// Wrong texels, and missing, extra and twice drawn pixels, per million covered pixels.
+// Wrong texels or filtered colours, and missing, extra and twice drawn pixels, per million covered
+// pixels.
 [[nodiscard]] double errors_per_million(const nlohmann::ordered_json& result);
 
 // What a subject measured on a work item or a curve's point; null where it was not.

@@ -23,7 +23,7 @@ std::string count_cell(const json& result, const char* key) {
   return cell(result.at(key).is_null() ? "&ndash;" : grouped(result[key].get<uint64_t>()));
 }
 
-std::string row(const json& result) {
+std::string row(const json& result, bool filtered) {
   const std::string name = element("th", escaped(result.at("id").get<std::string>()), "scope=row");
   if (result.contains("refusal")) {
     return element(
@@ -35,19 +35,24 @@ std::string row(const json& result) {
                       cell(rounded(time.at("lower_quartile").get<double>()) + " to " +
                            rounded(time.at("upper_quartile").get<double>()));
   for (const char* key : {"ratio_to_fill", "ratio_to_exact"}) cells += ratio_cell(result, key);
-  for (const char* key : {"wrong_texels", "missing_px", "extra_px", "double_px", "largest_texel"})
+  for (const char* key : {filtered ? "wrong_colours" : "wrong_texels", "missing_px", "extra_px",
+                          "double_px", filtered ? "largest_level" : "largest_texel"})
     cells += count_cell(result, key);
-  const json& mean = result.at("mean_texel");
+  const json& mean = result.at(filtered ? "mean_level" : "mean_texel");
   cells += cell(mean.is_null() ? "&ndash;" : mean == 0.0 ? "0" : rounded(mean.get<double>()));
   return element("tr", name + cells);
 }
 
 std::string table(const json& work) {
+  const bool filtered = work.at("filter") != "nearest";
+  const std::string unit = filtered ? ", levels" : ", texels";
   std::string rows =
       "<tr><th>subject<th class=n>ns/px<th class=n>quartiles<th class=n>&divide; fill"
-      "<th class=n>&divide; exact<th class=n>wrong texels<th class=n>missing<th class=n>extra"
-      "<th class=n>double<th class=n>largest<th class=n>mean</tr>\n";
-  for (const json& result : work.at("results")) rows += row(result);
+      "<th class=n>&divide; exact<th class=n>" +
+      std::string(filtered ? "wrong colours" : "wrong texels") +
+      "<th class=n>missing<th class=n>extra<th class=n>double<th class=n>largest" + unit +
+      "<th class=n>mean" + unit + "</tr>\n";
+  for (const json& result : work.at("results")) rows += row(result, filtered);
   return element("div", element("table", rows), "class=wide");
 }
 
@@ -98,8 +103,11 @@ std::string work_items_part(const json& bench) {
          element("div", planes, "class=plots") +
          element("p",
                  "And as tables. Largest and mean are the distance of a drawn texel from the right "
-                 "one, in whole texels; double are pixels that two polygons draw, found by drawing "
-                 "polygons that are near each other one after the other on empty targets.") +
+                 "one, in whole texels; of a filtered colour that of its worst channel, in levels "
+                 "of 255, and only colours that are off by more than one level count as wrong: "
+                 "other mappers weigh texels by other formulas. Double are pixels that two "
+                 "polygons draw, found by drawing polygons that are near each other one after the "
+                 "other on empty targets.") +
          tables;
 }
 

@@ -115,7 +115,8 @@ Peer peer_agg() {
   subject.title = "Anti-Grain Geometry";
   subject.configuration =
       "rasterizer_scanline_aa with gamma_threshold(0.5) and scanline_bin, so no antialiasing; "
-      "span_image_filter_rgb_nn, image_accessor_clone (clamp), span_interpolator_linear, in "
+      "span_image_filter_rgb_nn (W5: _bilinear), image_accessor_clone (clamp), "
+      "span_interpolator_linear, in "
       "perspective span_interpolator_persp_exact; pixfmt_rgbx32 to pixfmt_rgbx32 (24 of 32 bits "
       "survive), a call a polygon, one thread; built with -O3; buffers and rasterizer are made "
       "beforehand";

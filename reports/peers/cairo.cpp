@@ -70,7 +70,8 @@ Peer peer_cairo() {
   subject.title = "Cairo " CAIRO_VERSION_STRING ", image backend";
   subject.configuration =
       "cairo_fill, a path and a call a polygon, CAIRO_FORMAT_ARGB32 to CAIRO_FORMAT_ARGB32, "
-      "CAIRO_OPERATOR_SOURCE (a copy), CAIRO_ANTIALIAS_NONE, CAIRO_FILTER_NEAREST, "
+      "CAIRO_OPERATOR_SOURCE (a copy), CAIRO_ANTIALIAS_NONE, CAIRO_FILTER_NEAREST "
+      "(W5: CAIRO_FILTER_BILINEAR), "
       "CAIRO_EXTEND_PAD, one thread; the pattern's matrix from the vertices is timed; surfaces, "
       "pattern and context are made beforehand";
   subject.bilinear = true;

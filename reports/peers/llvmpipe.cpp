@@ -129,7 +129,8 @@ Peer peer_llvmpipe() {
   subject.id = "llvmpipe";
   subject.title = "Mesa llvmpipe through OSMesa";
   subject.configuration =
-      "OSMESA_RGBA into our memory, GL_RGBA8 texture, GL_NEAREST, GL_CLAMP_TO_EDGE, GL_REPLACE, no "
+      "OSMESA_RGBA into our memory, GL_RGBA8 texture, GL_NEAREST (W5: GL_LINEAR), "
+      "GL_CLAMP_TO_EDGE, GL_REPLACE, no "
       "depth, blending or dithering, LP_NUM_THREADS=0 (rasterises in the calling thread); client "
       "arrays filled from the vertices and one glDrawArrays(GL_TRIANGLES) for all polygons, then "
       "glFinish, which copies the whole picture to our memory, all timed; context and texture are "

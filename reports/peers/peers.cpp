@@ -24,6 +24,7 @@ Peers peers() {
   else                                          \
     miss(all, name, package)
   SELVAGE_ADD(SELVAGE_PEER_OPENCV, peer_opencv, "OpenCV", "libopencv-imgproc-dev");
+#if SELVAGE_PEERS_ALL
   SELVAGE_ADD(SELVAGE_PEER_QT, peer_qt, "Qt", "qt6-base-dev");
   SELVAGE_ADD(SELVAGE_PEER_ALLEGRO, peer_allegro, "Allegro", "liballegro4-dev");
   SELVAGE_ADD(SELVAGE_PEER_LLVMPIPE, peer_llvmpipe, "llvmpipe", "libosmesa6-dev");
@@ -31,6 +32,11 @@ Peers peers() {
   SELVAGE_ADD(SELVAGE_PEER_PIXMAN, peer_pixman, "pixman", "libpixman-1-dev");
   SELVAGE_ADD(SELVAGE_PEER_CAIRO, peer_cairo, "Cairo", "libcairo2-dev");
   SELVAGE_ADD(SELVAGE_PEER_AGG, peer_agg, "AGG", "libagg-dev");
+#else
+  all.absent.emplace_back(
+      "Qt, Allegro, llvmpipe, SDL, pixman, Cairo, AGG: this program does not link them; "
+      "reports/run measures those that are installed, with selvage_with_peers");
+#endif
 #undef SELVAGE_ADD
   return all;
 }

@@ -122,7 +122,8 @@ Peer peer_pixman() {
   subject.id = "pixman";
   subject.title = "pixman " PIXMAN_VERSION_STRING;
   subject.configuration =
-      "x8r8g8b8 (24 of 32 bits survive) to x8r8g8b8, PIXMAN_FILTER_NEAREST, PIXMAN_REPEAT_PAD, one "
+      "x8r8g8b8 (24 of 32 bits survive) to x8r8g8b8, PIXMAN_FILTER_NEAREST (W5: "
+      "PIXMAN_FILTER_BILINEAR), PIXMAN_REPEAT_PAD, one "
       "thread; a single polygon: pixman_add_triangles into an a1 image, its "
       "pixman_region32_init_from_image as the target's clip, PIXMAN_OP_SRC; a mesh: "
       "pixman_composite_triangles, PIXMAN_OP_OVER through an a1 mask, a call a triangle; the "

@@ -76,7 +76,8 @@ Peer peer_qt() {
   subject.id = "Qt";
   subject.title = "Qt " QT_VERSION_STR " raster engine";
   subject.configuration =
-      "Format_RGB32 to Format_RGB32 over our memory, no antialiasing, SmoothPixmapTransform off, "
+      "Format_RGB32 to Format_RGB32 over our memory, no antialiasing, SmoothPixmapTransform off "
+      "(on for W5), "
       "one thread, no display; a quad with the whole texture: drawImage through a QTransform; any "
       "other polygon: drawConvexPolygon, a call a polygon, with the texture as a QBrush and its "
       "transform; transforms from the vertices and the QPainter are timed";

@@ -16,17 +16,28 @@ template <typename Number>
   return number ? ordered_json(*number) : ordered_json();
 }
 
-void add_errors(ordered_json& values, const ErrorCount& errors, bool textures) {
-  const auto of_texels = [&](ordered_json number) { return textures ? number : ordered_json(); };
-  values["judged_px"] = errors.judged_px;
-  values["covered_px"] = errors.covered_px;
-  values["wrong_texels"] = of_texels(errors.wrong_texels);
-  values["missing_px"] = errors.missing_px;
-  values["extra_px"] = errors.extra_px;
-  values["double_px"] = maybe(errors.double_px);
-  values["largest_texel"] = of_texels(errors.largest_texel);
-  values["mean_texel"] = of_texels(errors.mean_texel());
-  values["largest_coordinate_texel"] = of_texels(errors.largest_coordinate_texel);
+// Of what a picture is judged by, in the order of the file; null where there is nothing to judge.
+void add_errors(ordered_json& values, const std::optional<ErrorCount>& judged, bool textures,
+                bool filtered) {
+  const ErrorCount errors = judged.value_or(ErrorCount{});
+  const auto add = [&](const char* key, bool known, const ordered_json& value) {
+    values[key] = known ? value : ordered_json();
+  };
+  const bool any = judged.has_value(), texels = any && textures && !filtered,
+             colours = any && textures && filtered;
+  add("judged_px", any, errors.judged_px);
+  add("covered_px", any, errors.covered_px);
+  add("wrong_texels", texels, errors.wrong_texels);
+  add("wrong_colours", colours, errors.wrong_colours);
+  add("unequal_colours", colours, errors.unequal_colours);
+  add("missing_px", any, errors.missing_px);
+  add("extra_px", any, errors.extra_px);
+  add("double_px", any, maybe(errors.double_px));
+  add("largest_texel", texels, errors.largest_texel);
+  add("mean_texel", texels, errors.mean_texel());
+  add("largest_coordinate_texel", texels, errors.largest_coordinate_texel);
+  add("largest_level", colours, errors.largest_level);
+  add("mean_level", colours, errors.mean_level());
 }
 
 [[nodiscard]] ordered_json cell_json(const ItemResult& item, const Cell& cell,
@@ -44,13 +55,8 @@ void add_errors(ordered_json& values, const ErrorCount& errors, bool textures) {
   if (ordinary != nullptr)
     values["ratio_to_ordinary"] =
         maybe(reports::ratio(&cell, ordinary->measured(cell.subject->id)));
-  if (cell.errors) {
-    add_errors(values, *cell.errors, cell.subject->textures);
-  } else {
-    for (const char* key : {"judged_px", "covered_px", "wrong_texels", "missing_px", "extra_px",
-                            "double_px", "largest_texel", "mean_texel", "largest_coordinate_texel"})
-      values[key] = nullptr;
-  }
+  add_errors(values, cell.errors, cell.subject->textures,
+             item.load->filter != SELVAGE_FILTER_NEAREST);
   return values;
 }
 
@@ -72,6 +78,7 @@ void add_errors(ordered_json& values, const ErrorCount& errors, bool textures) {
           {"title", load.title},
           {"description", load.description},
           {"ordinary", load.ordinary_id.empty() ? ordered_json() : ordered_json(load.ordinary_id)},
+          {"filter", load.filter == SELVAGE_FILTER_NEAREST ? "nearest" : "bilinear"},
           {"polygons", load.polygons.size()},
           {"target_px", side + " x " + side},
           {"covered_px", item.covered_px},

@@ -51,7 +51,7 @@ CLI::App* add_bench(CLI::App& program, BenchOptions& options) {
       ->capture_default_str();
   bench->add_flag(
       "--curves", options.curves,
-      "Measure cost against polygon size, texture size, scale and off-screen share too");
+      "Measure cost against polygon size, texture size, scale, off-screen share and threads too");
   bench->add_option("-o,--output", options.output, "Write the JSON to a file")->type_name("FILE");
   bench->add_flag("--json", options.json, "Print the JSON instead of the tables");
   bench->add_flag("--brief", options.brief, "As JSON, the machine and the medians only");

@@ -39,15 +39,23 @@ template <typename Number>
   const auto add = [&](bool known, const std::string& text) {
     fields.push_back(known ? text : "-");
   };
+  const bool filtered = item.load->filter != SELVAGE_FILTER_NEAREST;
   const ErrorCount errors = cell.errors.value_or(ErrorCount{});
   const bool judged = cell.errors.has_value(), textures = judged && cell.subject->textures;
-  add(textures, std::to_string(errors.wrong_texels));
+  add(textures, std::to_string(filtered ? errors.wrong_colours : errors.wrong_texels));
   add(judged, std::to_string(errors.missing_px));
   add(judged, std::to_string(errors.extra_px));
   fields.push_back(shown(errors.double_px));
-  add(textures, std::to_string(errors.largest_texel));
-  add(textures, short_number(errors.mean_texel()));
+  add(textures, std::to_string(filtered ? errors.largest_level : errors.largest_texel));
+  add(textures, short_number(filtered ? errors.mean_level() : errors.mean_texel()));
   return row(fields);
+}
+
+[[nodiscard]] std::string unit_of_errors(const reports::Workload& load) {
+  if (load.filter == SELVAGE_FILTER_NEAREST) return {};
+  return ". Filtered: wrong is a colour whose worst channel is off by more than " +
+         std::to_string(reports::kRounding_level) +
+         " level of 255; largest and mean are of that channel, in levels";
 }
 
 [[nodiscard]] std::string block(const ItemResult& item, uint64_t judged_px) {
@@ -56,7 +64,7 @@ template <typename Number>
       std::to_string(load.polygons.size()) + (load.polygons.size() == 1 ? " polygon" : " polygons");
   std::string text = wrapped(load.id + ": " + load.title + ". " + polygons + ", " +
                              std::to_string(item.covered_px) + " pixels covered, " +
-                             std::to_string(judged_px) + " pixels judged") +
+                             std::to_string(judged_px) + " pixels judged" + unit_of_errors(load)) +
                      row({"subject", "ns/px", "quartiles", "/ fill", "/ exact", "wrong", "missing",
                           "extra", "double", "largest", "mean"});
   for (const Cell& cell : item.cells) text += row(item, cell);

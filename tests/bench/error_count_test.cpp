@@ -47,5 +47,43 @@ TEST(ErrorCount, AnUntouchedPixelIsMissingInAnyBits) {
   EXPECT_EQ(judge(kUntouched, 0xFFFFFFFF).missing_px, 1u);
 }
 
+// One filtered pixel of the colour 0xFF203040.
+ErrorCount judge_filtered(uint32_t drawn, uint32_t carried_bits = 0xFFFFFFFF) {
+  ModelRows model;
+  model.rows_px = {0};
+  model.pixels = {{{0xFF203040, 3.5, 256.5}}};
+  Target target(1, 1);
+  target.pixels[0] = drawn;
+  return count_errors(model, target, true, kBilinear, carried_bits);
+}
+
+TEST(ErrorCount, AFilteredColourIsAsFarOffAsItsWorstChannel) {
+  const ErrorCount far = judge_filtered(0xFF23283F);
+  EXPECT_EQ(far.largest_level, 8);
+  EXPECT_EQ(far.mean_level(), 8);
+  EXPECT_EQ(far.wrong_colours, 1u);
+  EXPECT_EQ(far.unequal_colours, 1u);
+  EXPECT_EQ(far.wrong_texels, 0u) << "no texel was drawn";
+  EXPECT_EQ(far.total(), 1u);
+}
+
+TEST(ErrorCount, ALevelIsRoundingButNotEqual) {
+  for (const uint32_t drawn : {0xFF213040u, 0xFF1F2F41u}) {
+    const ErrorCount near = judge_filtered(drawn);
+    EXPECT_EQ(near.wrong_colours, 0u);
+    EXPECT_EQ(near.unequal_colours, 1u);
+    EXPECT_EQ(near.largest_level, 1);
+    EXPECT_EQ(near.total(), 1u) << "what must be exact is not";
+  }
+  EXPECT_EQ(judge_filtered(0xFF223040).wrong_colours, 1u);
+  EXPECT_EQ(judge_filtered(0xFF203040).total(), 0u);
+}
+
+TEST(ErrorCount, ChannelsThatAreNotCarriedAreNotCompared) {
+  EXPECT_EQ(judge_filtered(0x00203040, kThreeBytes).total(), 0u);
+  EXPECT_EQ(judge_filtered(0x00203040).largest_level, 255);
+  EXPECT_EQ(judge_filtered(0x00203044, kThreeBytes).largest_level, 4);
+}
+
 }  // namespace
 }  // namespace selvage::reports

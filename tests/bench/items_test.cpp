@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <stdexcept>
+#include <thread>
 
 #include "reports/bench/curves.h"
 #include "reports/bench/spans.h"
@@ -106,21 +108,54 @@ TEST(Items, HaveTwinsWithoutNearTies) {
   EXPECT_EQ(twins, 4u);
 }
 
-// On the ramp of the texture's places a bilinear colour is u - 1/2, in weights of 1/256 and
-// rounded.
+// The formula of spec/README.md, written out: weights of 1/256, halves rounded up.
+int32_t bilinear_level(double u, double v, uint32_t channel) {
+  const auto fu = static_cast<int32_t>(std::floor(256 * (u - 0.5)));
+  const auto fv = static_cast<int32_t>(std::floor(256 * (v - 0.5)));
+  const auto level = [&](int32_t s, int32_t t) {
+    return static_cast<int32_t>(noise_of(s, t) >> channel & 0xFF);
+  };
+  const int32_t s = fu >> 8, t = fv >> 8, right = fu & 255, below = fv & 255;
+  return (((256 - right) * level(s, t) + right * level(s + 1, t)) * (256 - below) +
+          ((256 - right) * level(s, t + 1) + right * level(s + 1, t + 1)) * below + 32768) >>
+         16;
+}
+
 TEST(Items, HaveAModelOfBilinear) {
-  Workload load = small_workload({rectangle(2, 3, 20, 22, 0.25)});
+  Workload load = small_workload({rectangle(2, 3, 20, 22, 0.3)});
   load.filter = kBilinear;
   size_t seen = 0;
   for (const auto& row : some_rows(load, 32).pixels) {
     for (const ModelPixel& pixel : row) {
       if (pixel.colour == kUntouched) continue;
       ++seen;
-      EXPECT_EQ(column_of(pixel.colour), std::floor(std::floor(256 * (pixel.u - 0.5)) / 256 + 0.5));
-      EXPECT_EQ(row_of(pixel.colour), std::floor(std::floor(256 * (pixel.v - 0.5)) / 256 + 0.5));
+      for (const uint32_t channel : {0u, 8u, 16u})
+        EXPECT_EQ(pixel.colour >> channel & 0xFF, bilinear_level(pixel.u, pixel.v, channel));
+      EXPECT_EQ(pixel.colour >> 24, 0xFFu);
     }
   }
   EXPECT_EQ(seen, 18u * 19u);
+}
+
+TEST(Items, FilteredHaveANoisyTexture) {
+  const Texture noise(64, texels_for(kBilinear));
+  double sum = 0, sum_of_steps = 0;
+  for (int32_t t = 0; t < 64; ++t) {
+    for (int32_t s = 0; s < 64; ++s) {
+      const uint32_t texel = noise.texels[static_cast<size_t>(t * noise.pitch_texel + s)];
+      EXPECT_EQ(texel, noise_of(s, t));
+      EXPECT_EQ(texel >> 24, 0xFFu);
+      for (const uint32_t channel : {0u, 8u, 16u}) {
+        const auto level = [&](uint32_t of) { return static_cast<int32_t>(of >> channel & 0xFF); };
+        EXPECT_LE(level(texel), 254);
+        sum += level(texel);
+        sum_of_steps += std::abs(level(texel) - level(noise_of(s + 1, t)));
+      }
+    }
+  }
+  // Even and independent levels: the mean is half of the range, that of the steps a third.
+  EXPECT_NEAR(sum / (3 * 64 * 64), 127, 5);
+  EXPECT_NEAR(sum_of_steps / (3 * 64 * 64), 85, 5);
 }
 
 TEST(Items, OfCurvesHaveTheSizesTheySay) {
@@ -144,6 +179,19 @@ TEST(Items, OfCurvesHaveTheSizesTheySay) {
   }
   EXPECT_EQ(curve_texture_size().load_at(8192).texture_side_texel, 8192);
   EXPECT_EQ(curve_scale().load_at(16).polygons[0][1].u, 4096 * 65536);
+}
+
+TEST(Items, OfTheCurveOfThreadsAreTheWorkItemsUpToTwiceTheCores) {
+  for (const char* id : {"W1", "W3"}) {
+    const Curve curve = curve_threads(id);
+    EXPECT_EQ(curve.id, std::string("threads-") + id);
+    EXPECT_EQ(curve.xs.front(), 1);
+    EXPECT_EQ(curve.xs.back(), 2 * std::max(std::thread::hardware_concurrency(), 1u));
+    EXPECT_TRUE(std::is_sorted(curve.xs.begin(), curve.xs.end()));
+    EXPECT_EQ(curve.load_at(2).polygons.size(), find(workloads(1), id).polygons.size());
+    for (const Series& series : curve.series) EXPECT_TRUE(series.subject_at(2).threads);
+  }
+  EXPECT_THROW((void)curve_threads("W9"), std::logic_error);
 }
 
 TEST(Plan, HasEachItemOnceAndSaysWhatThereIsNot) {

@@ -18,11 +18,11 @@ std::vector<ItemResult> measured(const Plan& plan) {
 }
 
 TEST(Judging, CountsNoErrorsOfAnExactDrawing) {
-  const Plan plan =
-      plan_of(small_workload({rectangle(2, 3, 10, 12)}), {subject_exact(), box_subject("b", 0, 0)});
+  const Plan plan = plan_of(small_workload({rectangle(2, 3, 10, 12)}),
+                            {subject_exact(), box_subject("b", 0, 0), subject_exact_many(1)});
   const auto results = measured(plan);
   EXPECT_EQ(results[0].covered_px, 72u);
-  for (size_t subject : {0, 1}) {
+  for (size_t subject : {0, 1, 2}) {
     const ErrorCount& errors = errors_of(results, subject);
     EXPECT_EQ(errors.total(), 0u);
     EXPECT_EQ(errors.judged_px, 32u * 32u);
@@ -56,12 +56,14 @@ TEST(Judging, CountsPixelsMissingAndExtra) {
 
 TEST(Judging, CountsPixelsThatTwoPolygonsDraw) {
   const auto tiles = small_workload({rectangle(2, 2, 6, 8), rectangle(6, 2, 9, 8)});
-  const Plan plan = plan_of(tiles, {box_subject("wide", 1, 0), subject_exact(), subject_fill()});
+  const Plan plan = plan_of(
+      tiles, {box_subject("wide", 1, 0), subject_exact(), subject_fill(), subject_exact_many(3)});
   const auto results = measured(plan);
   EXPECT_EQ(errors_of(results, 0).double_px, 6u) << "the first column of the second tile";
   EXPECT_EQ(errors_of(results, 0).extra_px, 6u) << "right of the second tile";
   EXPECT_EQ(errors_of(results, 1).double_px, 0u);
   EXPECT_EQ(errors_of(results, 2).double_px, 0u);
+  EXPECT_EQ(errors_of(results, 3).total(), 0u);
 }
 
 TEST(Judging, DrawsPolygonsApartThatAreNear) {

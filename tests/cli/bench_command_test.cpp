@@ -109,6 +109,26 @@ TEST_F(Bench, ReportsInJson) {
   EXPECT_EQ(work["results"][3]["wrong_texels"], nullptr);
 }
 
+TEST_F(Bench, ReportsFilteredColoursInLevels) {
+  options_.filter = "^W[15]/exact$";
+  EXPECT_EQ(run(), kExitFine) << err();
+  expect_contains(out(), "Filtered: wrong is a colour whose worst channel is off by more than 1");
+  options_.json = true;
+  EXPECT_EQ(run(), kExitFine) << err();
+  const nlohmann::json values = json();
+  ASSERT_EQ(values["workloads"].size(), 2u);
+  for (const nlohmann::json& work : values["workloads"]) {
+    const bool filtered = work["filter"] == "bilinear";
+    EXPECT_EQ(filtered, work["id"] == "W5");
+    const nlohmann::json& exact = work["results"][0];
+    const nlohmann::json none, zero = 0;
+    for (const char* key : {"wrong_colours", "unequal_colours", "largest_level", "mean_level"})
+      EXPECT_EQ(exact[key], filtered ? zero : none) << key;
+    for (const char* key : {"wrong_texels", "largest_texel", "mean_texel"})
+      EXPECT_EQ(exact[key], filtered ? none : zero) << key;
+  }
+}
+
 TEST_F(Bench, ReportsAdversarialItemsByTheirTwins) {
   options_.filter = "^A1.*/fill$";
   options_.json = true;

@@ -1,0 +1,83 @@
+#include "work.h"
+
+#include <cmath>
+#include <random>
+
+namespace selvage::budget {
+
+namespace {
+
+constexpr uint64_t kSeed = 1;
+constexpr int32_t kMostTriangles = 2000;
+constexpr int32_t kTexture_fx16 = kTextureSide_texel * SELVAGE_SUBTEXELS;
+constexpr int32_t kQ = 1 << 20;
+constexpr double kSubpixels = SELVAGE_SUBPIXELS;
+
+// The vertices of a grid of square cells over the target, row by row; the inner ones are moved by
+// up to 0.3 cells each way, the texture coordinates stay.
+std::vector<selvage_vertex> jittered_grid(int32_t cells, int32_t cell_fx8) {
+  constexpr int32_t off_fx8 = 83;  // off the pixel grid
+  std::mt19937_64 random(kSeed);
+  const int32_t reach_fx8 = cell_fx8 * 3 / 10;
+  const auto jitter_fx8 = [&](int32_t i) {
+    const auto jitter =
+        static_cast<int32_t>(random() % static_cast<uint64_t>(2 * reach_fx8 + 1)) - reach_fx8;
+    return i > 0 && i < cells ? jitter : 0;
+  };
+  std::vector<selvage_vertex> grid;
+  for (int32_t j = 0; j <= cells; ++j) {
+    for (int32_t i = 0; i <= cells; ++i)
+      grid.push_back({off_fx8 + i * cell_fx8 + jitter_fx8(i),
+                      off_fx8 + j * cell_fx8 + jitter_fx8(j), kTexture_fx16 / cells * i,
+                      kTexture_fx16 / cells * j, 1});
+  }
+  return grid;
+}
+
+// Two triangles a cell, from the top, as many as there are but 2000 at most.
+Work mesh(double area_px) {
+  const auto cell_fx8 = static_cast<int32_t>(std::lround(std::sqrt(2 * area_px) * kSubpixels));
+  const int32_t cells = (kTargetWidth_px - 1) * SELVAGE_SUBPIXELS / cell_fx8;
+  const std::vector<selvage_vertex> grid = jittered_grid(cells, cell_fx8);
+  Work work{"triangle", {}, kTargetWidth_px, SELVAGE_FILTER_NEAREST};
+  for (int32_t cell = 0; cell < cells * cells && 2 * cell < kMostTriangles; ++cell) {
+    const auto at = static_cast<size_t>(cell / cells * (cells + 1) + cell % cells);
+    const size_t below = at + static_cast<size_t>(cells) + 1;
+    work.triangles.push_back({grid[at], grid[at + 1], grid[below]});
+    work.triangles.push_back({grid[at + 1], grid[below + 1], grid[below]});
+  }
+  return work;
+}
+
+struct Corner {
+  int32_t u_texel, v_texel, q;
+};
+
+// A triangle that reaches beyond the target's left, right and lower side and covers it whole, by a
+// span of 1024 px a row. No sample lies outside the texture.
+Work spans(const Corner& right, const Corner& below, selvage_filter filter) {
+  constexpr int32_t px = SELVAGE_SUBPIXELS, texel = SELVAGE_SUBTEXELS, height_px = 64;
+  constexpr int32_t left_px = -64, right_px = 4096, bottom_px = 2 * height_px;
+  return {
+      "px",
+      {{{{left_px * px, 0, 10 * texel, 10 * texel, kQ},
+         {right_px * px, 0, right.u_texel * texel, right.v_texel * texel, right.q},
+         {left_px * px, bottom_px * px, below.u_texel * texel, below.v_texel * texel, below.q}}}},
+      height_px,
+      filter};
+}
+
+}  // namespace
+
+std::optional<Work> work_of(std::string_view kind) {
+  if (kind == "mesh-52") return mesh(52);
+  if (kind == "mesh-484") return mesh(484);
+  constexpr Corner right{829, 410, kQ}, near{400, 200, 2 * kQ};
+  constexpr Corner below{40, 60, kQ}, near_below{40, 60, kQ + kQ / 2};
+  if (kind == "affine") return spans(right, below, SELVAGE_FILTER_NEAREST);
+  if (kind == "perspective") return spans(near, near_below, SELVAGE_FILTER_NEAREST);
+  if (kind == "bilinear") return spans(right, below, SELVAGE_FILTER_BILINEAR);
+  return std::nullopt;
+}
+
+}  // namespace selvage::budget
