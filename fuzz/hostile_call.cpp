@@ -99,7 +99,10 @@ void Call::place_sums() {
   const size_t with = selvage_prepare_bytes(&texture, layout, 1);
   if (with == SIZE_MAX) return;
   const size_t without = selvage_prepare_bytes(&texture, layout, 0);
-  sums_offset = shape_of(s, layout).rows * s.pitch;
+  constexpr int32_t kMostBytes = 1 << 22;
+  const Wide offset = shape_of(s, layout).rows * magnitude(s.pitch);
+  if (offset + static_cast<Wide>(with - without) > kMostBytes) return;
+  sums_offset = static_cast<int64_t>(offset);
   texture_extent.bytes = sums_offset + static_cast<int64_t>(with - without);
 }
 
