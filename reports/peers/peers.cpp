@@ -4,12 +4,13 @@ namespace selvage::reports {
 
 namespace {
 
-void add(Peers& all, Peer peer) {
+// Which of the two are called depends on what was found.
+[[maybe_unused]] void add(Peers& all, Peer peer) {
   all.build_information[peer.subject.id] = std::move(peer.build_information);
   all.subjects.push_back(std::move(peer.subject));
 }
 
-void miss(Peers& all, const std::string& name, const std::string& package) {
+[[maybe_unused]] void miss(Peers& all, const std::string& name, const std::string& package) {
   all.absent.push_back(name + ": " + package + " was not there when this was configured");
 }
 

@@ -22,7 +22,7 @@ TEST(Judging, CountsNoErrorsOfAnExactDrawing) {
                             {subject_exact(), box_subject("b", 0, 0), subject_exact_many(1)});
   const auto results = measured(plan);
   EXPECT_EQ(results[0].covered_px, 72u);
-  for (size_t subject : {0, 1, 2}) {
+  for (const size_t subject : {0u, 1u, 2u}) {
     const ErrorCount& errors = errors_of(results, subject);
     EXPECT_EQ(errors.total(), 0u);
     EXPECT_EQ(errors.judged_px, 32u * 32u);
