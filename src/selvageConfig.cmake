@@ -9,11 +9,11 @@ if(TBB_FOUND)
   include("${CMAKE_CURRENT_LIST_DIR}/selvageThreadsTargets.cmake" OPTIONAL)
 endif()
 
-# A project in C alone is linked by the C compiler, which has to be told of the C++ runtime.
+# A project in C alone is linked by the C compiler, which has to be told of what C++ brings along.
 if(NOT CMAKE_CXX_COMPILER_LOADED)
   foreach(library selvage::static selvage::static_threads)
     if(TARGET ${library})
-      set_property(TARGET ${library} APPEND PROPERTY INTERFACE_LINK_LIBRARIES stdc++)
+      set_property(TARGET ${library} APPEND PROPERTY INTERFACE_LINK_LIBRARIES stdc++ m)
     endif()
   endforeach()
 endif()
