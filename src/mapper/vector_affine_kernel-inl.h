@@ -73,8 +73,7 @@ class AffineBatch {
     return lane_bits(D32(), is_changed(change(lane_fx16)));
   }
 
-  // The places of pixels that follow each other in a row. Counts the near-ties among those asked
-  // for.
+  // The places of pixels that follow each other in a row, near-ties and all, where asked for.
   HWY_NOINLINE V32 decided_places(int32_t px, int32_t row, const LaneVectors& lanes,
                                   uint32_t asked) const {
     const D32 d;
@@ -125,7 +124,7 @@ void draw_wide(const AffineSpans& spans, const Surface& surface) {
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
     Lane lane = spans.field.at(span.left_px, span.row);
-    char* pixel = first_pixel<Pixel>(surface, span);
+    char* pixel = first_pixel(surface, span);
     for (int32_t px = span.left_px; px < span.right_px; px += kLanes) {
       const int32_t count = HWY_MIN(span.right_px - px, kLanes);
       const LaneVectors lanes = batch.lanes_from(lane);
@@ -134,9 +133,9 @@ void draw_wide(const AffineSpans& spans, const Surface& surface) {
         hn::Store(batch.decided_places(px, span.row, lanes, first_bits(count)), d, place);
       }
       if (HWY_LIKELY(count == kLanes)) {
-        fetch<Pixel>(surface.texture.texels, place, kLanes, pixel);
+        fetch_as<Pixel>(surface.texture.texels, place, kLanes, pixel);
       } else {
-        fetch<Pixel>(surface.texture.texels, place, count, pixel);
+        fetch_as<Pixel>(surface.texture.texels, place, count, pixel);
       }
       pixel += kLanes * ptrdiff_t{sizeof(Pixel)};
       lane.u_fx32 += step_u;
@@ -166,9 +165,18 @@ HWY_NOINLINE void decide_packed(const AffineBatch<Address>& batch, const SpanBat
   }
 }
 
+template <class Pixel>
+HWY_INLINE void store_rows(const Pixel* texels, const SpanBatch& batch, const Surface& surface) {
+  for (int32_t i = 0; i < batch.rows; ++i) {
+    const Span span = batch.span(i);
+    store_row<Pixel>(texels, span.width_px(), first_pixel(surface, span));
+    texels += span.width_px();
+  }
+}
+
 // Spans up to kNarrow_px wide: the lanes of all are packed one after another, so that vectors are
 // full although rows are short; each row is stored under a mask.
-template <class Pixel, class Address>
+template <class Address>
 void draw_narrow(const AffineSpans& spans, const Surface& surface) {
   constexpr int32_t kMost = kRowsPerBatch * kNarrow_px;
   const AffineBatch<Address> batch(spans, surface);
@@ -191,32 +199,29 @@ void draw_narrow(const AffineSpans& spans, const Surface& surface) {
   hn::StoreU(hn::Zero(d), d, v_fx16 + packed);
 
   HWY_ALIGN int32_t place[kLanes];
-  HWY_ALIGN Pixel texel[kMost + kMostLanes];
+  HWY_ALIGN char texels[(kMost + kMostLanes) * sizeof(uint32_t)];
+  const ptrdiff_t bytes = bytes_per_pixel(surface.target.format);
   for (int32_t first = 0; first < packed; first += kLanes) {
     const LaneVectors lanes{hn::Load(d, u_fx16 + first), hn::Load(d, v_fx16 + first)};
     hn::Store(batch.places(lanes), d, place);
     if (HWY_UNLIKELY(batch.any_near(lanes))) {
       decide_packed(batch, spans.batch, lanes, first, place);
     }
-    fetch<Pixel>(surface.texture.texels, place, kLanes, reinterpret_cast<char*>(texel + first));
+    fetch(surface.texture, place, kLanes, texels + first * bytes);
   }
-  const Pixel* row = texel;
-  for (int32_t i = 0; i < spans.batch.rows; ++i) {
-    const Span span = spans.batch.span(i);
-    store_row<Pixel>(row, span.width_px(), first_pixel<Pixel>(surface, span));
-    row += span.width_px();
-  }
+  with_pixel(surface.target.format, [&](auto pixel) {
+    store_rows(reinterpret_cast<const decltype(pixel)*>(texels), spans.batch, surface);
+  });
 }
 
+// The pixel's type is known to the loop that most time is spent in.
 void draw_affine(const AffineSpans& spans, const Surface& surface) {
   const bool narrow = spans.batch.widest_px <= kNarrow_px;
-  return with_pixel(surface.target.format, [&](auto pixel) {
-    return with_address(surface, [&](auto address) {
-      using Pixel = decltype(pixel);
-      using Address = decltype(address);
-      return narrow ? draw_narrow<Pixel, Address>(spans, surface)
-                    : draw_wide<Pixel, Address>(spans, surface);
-    });
+  with_address(surface, [&](auto address) {
+    using Address = decltype(address);
+    if (narrow) return draw_narrow<Address>(spans, surface);
+    with_pixel(surface.target.format,
+               [&](auto pixel) { draw_wide<decltype(pixel), Address>(spans, surface); });
   });
 }
 

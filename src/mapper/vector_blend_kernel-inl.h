@@ -260,7 +260,7 @@ HWY_INLINE void draw_blended(const Points& points, const Span& span, const Surfa
                              bool four) {
   Neighbours around;
   HWY_ALIGN uint8_t tail[kLanes * sizeof(uint32_t)];
-  char* pixel = first_pixel<uint32_t>(surface, span);
+  char* pixel = first_pixel(surface, span);
   for (int32_t px = span.left_px; px < span.right_px; px += kLanes) {
     const PointVectors at = points.at(span, px);
     fetch_around<Address>(at, surface.texture, &around);
@@ -274,7 +274,7 @@ HWY_INLINE void draw_blended(const Points& points, const Span& span, const Surfa
   }
 }
 
-// One body for both filters: it is large, and there is one for each address mode and layout.
+// One body for both filters: it is large, and there is one for each address mode.
 HWY_NOINLINE void blend_affine(const AffineSpans& spans, const Surface& surface, bool four) {
   with_address(surface, [&](auto address) {
     const AffinePoints points(spans);

@@ -65,7 +65,6 @@ struct WrapVector {
 // ---- Layouts: indices into the texture to places, in texels from its first ---------------------
 
 struct RowsVector {
-  using Scalar = Rows;
   template <class V>
   static HWY_INLINE V row(V t, int32_t pitch_texel) {
     return hn::Mul(t, hn::Set(hn::DFromV<V>(), pitch_texel));
@@ -77,7 +76,6 @@ struct RowsVector {
 };
 
 struct TilesVector {
-  using Scalar = Tiles;
   template <class V>
   static HWY_INLINE V row(V t, int32_t pitch_texel) {
     const hn::DFromV<V> d;
@@ -92,20 +90,25 @@ struct TilesVector {
   }
 };
 
-// An address mode and a layout: from texel indices to places.
 struct Extent {
   int32_t width_texel, height_texel, pitch_texel;
+  bool tiled;
 };
 
-template <class Mode, class Layout>
+// An address mode, and whichever layout: from texel indices to places. The layout is asked for
+// again and again, which costs little, so that there is one kernel for both.
+template <class Mode>
 struct Addressed {
   template <class V>
   static HWY_INLINE V row(V t, const Extent& extent) {
-    return Layout::row(Mode::index(t, extent.height_texel), extent.pitch_texel);
+    const V inside = Mode::index(t, extent.height_texel);
+    return HWY_UNLIKELY(extent.tiled) ? TilesVector::row(inside, extent.pitch_texel)
+                                      : RowsVector::row(inside, extent.pitch_texel);
   }
   template <class V>
   static HWY_INLINE V column(V s, const Extent& extent) {
-    return Layout::column(Mode::index(s, extent.width_texel));
+    const V inside = Mode::index(s, extent.width_texel);
+    return HWY_UNLIKELY(extent.tiled) ? TilesVector::column(inside) : RowsVector::column(inside);
   }
   template <class V>
   static HWY_INLINE V place(V s, V t, const Extent& extent) {
@@ -113,26 +116,23 @@ struct Addressed {
   }
   static int32_t place_of_one(int32_t s, int32_t t, const Extent& extent) {
     using One = typename Mode::Scalar;
-    using In = typename Layout::Scalar;
-    return static_cast<int32_t>(In::row(One::index(t, extent.height_texel), extent.pitch_texel) +
-                                In::column(One::index(s, extent.width_texel)));
+    const int32_t row = One::index(t, extent.height_texel);
+    const int32_t column = One::index(s, extent.width_texel);
+    return static_cast<int32_t>(extent.tiled
+                                    ? Tiles::row(row, extent.pitch_texel) + Tiles::column(column)
+                                    : Rows::row(row, extent.pitch_texel) + Rows::column(column));
   }
 };
 
-// Calls draw with the address mode and the layout that fit.
+// Calls draw with the address mode that fits.
 template <class Draw>
 HWY_INLINE void with_address(const Surface& surface, const Draw& draw) {
   const selvage_texture& texture = surface.texture;
-  const auto laid_out = [&](auto mode) {
-    using Mode = decltype(mode);
-    return texture.layout == SELVAGE_LAYOUT_TILES ? draw(Addressed<Mode, TilesVector>())
-                                                  : draw(Addressed<Mode, RowsVector>());
-  };
-  if (surface.address == SELVAGE_ADDRESS_CLAMP) return laid_out(ClampVector());
+  if (surface.address == SELVAGE_ADDRESS_CLAMP) return draw(Addressed<ClampVector>());
   if (WrapMasked::fits(texture.width) && WrapMasked::fits(texture.height)) {
-    return laid_out(WrapMaskedVector());
+    return draw(Addressed<WrapMaskedVector>());
   }
-  return laid_out(WrapVector());
+  return draw(Addressed<WrapVector>());
 }
 
 // Calls draw with a value of the pixel's type.
@@ -192,25 +192,31 @@ HWY_INLINE hn::Vec<D> decide(D d, hn::Vec<D> texel, uint32_t near_bits, const Ex
 // ---- Texels to pixels --------------------------------------------------------------------------
 
 [[nodiscard]] HWY_INLINE Extent extent_of(const selvage_texture& texture) {
-  return {texture.width, texture.height, static_cast<int32_t>(pitch_texel_of(texture))};
+  return {texture.width, texture.height, static_cast<int32_t>(pitch_texel_of(texture)),
+          texture.layout == SELVAGE_LAYOUT_TILES};
 }
 
-template <class Pixel>
 [[nodiscard]] HWY_INLINE char* first_pixel(const Surface& surface, const Span& span) {
   return static_cast<char*>(surface.target.pixels) + span.row * surface.target.pitch +
-         span.left_px * ptrdiff_t{sizeof(Pixel)};
+         span.left_px * bytes_per_pixel(surface.target.format);
 }
 
 // By scalar loads: gathers were slower where both were measured (AMD Zen).
 template <class Pixel>
-HWY_INLINE void fetch(const void* texels, const int32_t* HWY_RESTRICT place, int32_t count,
-                      char* HWY_RESTRICT pixel) {
+HWY_INLINE void fetch_as(const void* texels, const int32_t* HWY_RESTRICT place, int32_t count,
+                         char* HWY_RESTRICT pixel) {
 #pragma GCC unroll 4
   for (int32_t i = 0; i < count; ++i) {
     std::memcpy(pixel + i * ptrdiff_t{sizeof(Pixel)},
                 static_cast<const char*>(texels) + place[i] * ptrdiff_t{sizeof(Pixel)},
                 sizeof(Pixel));
   }
+}
+
+HWY_INLINE void fetch(const selvage_texture& texture, const int32_t* HWY_RESTRICT place,
+                      int32_t count, char* HWY_RESTRICT pixel) {
+  with_pixel(texture.format,
+             [&](auto value) { fetch_as<decltype(value)>(texture.texels, place, count, pixel); });
 }
 
 // Stores the first pixels of a row up to kNarrow_px wide.

@@ -86,29 +86,27 @@ HWY_INLINE void find_places(const ProjectiveRow& row, const ExactMap& map, const
   hn::StoreU(Address::place(texel.s, texel.t, extent), d, place);
 }
 
-template <class Pixel, class Address>
+template <class Address>
 void draw_projective_row(const ProjectiveSpan& each, const ExactMap& map, const Surface& surface) {
   const ProjectiveRow row(each.lanes, 1);
   const Extent extent = extent_of(surface.texture);
-  char* pixel = first_pixel<Pixel>(surface, each.span);
+  char* pixel = first_pixel(surface, each.span);
   HWY_ALIGN int32_t place[kLanes];
   for (int32_t offset_px = 0; offset_px < each.span.width_px(); offset_px += kLanes) {
     for (int32_t done = 0; done < kLanes; done += kDoubles) {
       find_places<Address>(row, map, each.span, offset_px + done, extent, place + done);
     }
     const int32_t count = HWY_MIN(each.span.width_px() - offset_px, kLanes);
-    fetch<Pixel>(surface.texture.texels, place, count, pixel);
-    pixel += count * ptrdiff_t{sizeof(Pixel)};
+    fetch(surface.texture, place, count, pixel);
+    pixel += count * bytes_per_pixel(surface.target.format);
   }
 }
 
 void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
-  with_pixel(surface.target.format, [&](auto pixel) {
-    with_address(surface, [&](auto address) {
-      for (const ProjectiveSpan& each : spans.spans) {
-        draw_projective_row<decltype(pixel), decltype(address)>(each, spans.exact, surface);
-      }
-    });
+  with_address(surface, [&](auto address) {
+    for (const ProjectiveSpan& each : spans.spans) {
+      draw_projective_row<decltype(address)>(each, spans.exact, surface);
+    }
   });
 }
 

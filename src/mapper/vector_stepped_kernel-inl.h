@@ -48,7 +48,7 @@ class StepOffsets {
   VStep offset_fx16_[kStepVectors];
 };
 
-template <class Pixel, class Address>
+template <class Address>
 HWY_INLINE void draw_part(const SegmentPart& part, const selvage_texture& texture,
                           const Extent& extent, char* row) {
   const DStep d;
@@ -65,11 +65,11 @@ HWY_INLINE void draw_part(const SegmentPart& part, const selvage_texture& textur
       hn::Store(Address::place(s, t, extent), d, place + k * kStepLanes);
     }
     const int32_t end = HWY_MIN(part.right_px - px, kStepGroup_px);
-    char* const pixel = row + (px + skipped) * ptrdiff_t{sizeof(Pixel)};
+    char* const pixel = row + (px + skipped) * bytes_per_pixel(texture.format);
     if (HWY_LIKELY(end - skipped == kStepGroup_px)) {
-      fetch<Pixel>(texture.texels, place, kStepGroup_px, pixel);
+      fetch(texture, place, kStepGroup_px, pixel);
     } else {
-      fetch<Pixel>(texture.texels, place + skipped, end - skipped, pixel);
+      fetch(texture, place + skipped, end - skipped, pixel);
     }
     skipped = 0;
     lane.u_fx32 += step_u;
@@ -163,7 +163,7 @@ class SomeSegments {
   HWY_ALIGN int32_t start_v_[kMost], whole_v_[kMost], part_v_[kMost];
 };
 
-template <class Pixel, class Address>
+template <class Address>
 void draw_parts(const SteppedRow& of, const Surface& surface) {
   const selvage_texture texture = surface.texture;
   const Extent extent = extent_of(texture);
@@ -177,19 +177,14 @@ void draw_parts(const SteppedRow& of, const Surface& surface) {
     for (int32_t k = 0; k < count; ++k) {
       const int32_t first_px = of.whole.left_px + (first + k) * of.segment_px;
       const int32_t right_px = HWY_MIN(first_px + of.segment_px, of.span.right_px);
-      draw_part<Pixel, Address>({segments.at(k), first_px, left_px, right_px}, texture, extent,
-                                row);
+      draw_part<Address>({segments.at(k), first_px, left_px, right_px}, texture, extent, row);
       left_px = right_px;
     }
   }
 }
 
 void draw_stepped(const SteppedRow& row, const Surface& surface) {
-  with_pixel(surface.target.format, [&](auto pixel) {
-    with_address(surface, [&](auto address) {
-      draw_parts<decltype(pixel), decltype(address)>(row, surface);
-    });
-  });
+  with_address(surface, [&](auto address) { draw_parts<decltype(address)>(row, surface); });
 }
 
 }  // namespace
