@@ -82,7 +82,8 @@ TEST(Kernel, WritesItsSpanAndNothingElse) {
   const spec::TextureMemory texture(
       spec::built_in(), c,
       [](spec::Texel at) {
-        return static_cast<uint32_t>(at.s * 40503 + at.t * 7919) * 2654435761U;
+        const auto s = static_cast<uint32_t>(at.s), t = static_cast<uint32_t>(at.t);
+        return (s * 40503U + t * 7919U) * 2654435761U;
       },
       0xEE);
   spec::Canvas target(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target,
