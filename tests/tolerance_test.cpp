@@ -26,7 +26,7 @@ inline constexpr std::array kKernels = {SELVAGE_KERNEL_SCALAR, SELVAGE_KERNEL_SS
 
 [[nodiscard]] Picture drawn(const Case& c, int32_t tolerance,
                             selvage_kernel kernel = SELVAGE_KERNEL_FASTEST) {
-  const spec::Subject subject{
+  spec::Subject subject{
       "within a tolerance",
       [=](const selvage_image* target, const selvage_rect* clip, const selvage_vertex* vertices,
           size_t count, const selvage_texture* texture, const selvage_options* options) {
@@ -35,6 +35,7 @@ inline constexpr std::array kKernels = {SELVAGE_KERNEL_SCALAR, SELVAGE_KERNEL_SS
         changed.kernel = kernel;
         return selvage_draw(target, clip, vertices, count, texture, &changed);
       }};
+  subject.prepare = spec::built_in().prepare;
   return spec::draw(subject, c);
 }
 
@@ -173,6 +174,30 @@ TEST_P(Tolerant, AllKernelsDrawTheSame) {
     if (selvage_has_kernel(kernel) == 0) continue;
     EXPECT_EQ(drawn(c, tolerance_, kernel).pixels, scalar.pixels) << "kernel " << kernel;
     EXPECT_EQ(chosen(c, tolerance_, kernel).bound, chosen(c, tolerance_).bound);
+  }
+}
+
+TEST(Stepped, AllKernelsDrawTheSameFromWhateverTexture) {
+  for (const selvage_format format : {SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888}) {
+    for (const selvage_address address : {SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP}) {
+      for (const int32_t side : {128, 100}) {
+        for (const int32_t layout : {0, 2}) {
+          Case c = quad(400, 1 << 20, (1 << 20) + (1 << 17));
+          c.format = format;
+          c.address = address;
+          c.layout = layout;
+          c.texture_width_texel = c.texture_height_texel = side;
+          ASSERT_GT(chosen(c, SELVAGE_SUBTEXELS).bound, 0);
+          const Picture scalar = drawn(c, SELVAGE_SUBTEXELS, SELVAGE_KERNEL_SCALAR);
+          ASSERT_EQ(scalar.status, SELVAGE_OK);
+          for (const selvage_kernel kernel : kKernels) {
+            if (selvage_has_kernel(kernel) == 0) continue;
+            EXPECT_EQ(drawn(c, SELVAGE_SUBTEXELS, kernel).pixels, scalar.pixels)
+                << "kernel " << kernel << ", format " << format << ", layout " << layout;
+          }
+        }
+      }
+    }
   }
 }
 

@@ -58,11 +58,9 @@ int32_t Footprint::side_fx8(const Linear& n, const Linear& d) {
   const auto denominator = static_cast<uint128>(d.value);
   while (least < most) {
     const int32_t middle = least + (most - least) / 2;
-    if (product(denominator * static_cast<uint128>(middle), denominator) >= sum) {
-      most = middle;
-    } else {
-      least = middle + 1;
-    }
+    const bool enough = product(denominator * static_cast<uint128>(middle), denominator) >= sum;
+    most = enough ? middle : most;
+    least = enough ? least : middle + 1;
   }
   return least;
 }
