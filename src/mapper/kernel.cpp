@@ -4,7 +4,7 @@
 
 namespace selvage::mapper {
 
-// Widest first: measured (AMD Zen 5), the fastest for meshes and perspective; the long affine spans
+// Widest first: measured (AMD EPYC), the fastest for meshes and perspective; the long affine spans
 // of AVX2 are faster than those of AVX-512 there by a sixth.
 inline constexpr selvage_kernel kByPreference[] = {SELVAGE_KERNEL_AVX512, SELVAGE_KERNEL_AVX2,
                                                    SELVAGE_KERNEL_SSE4, SELVAGE_KERNEL_NEON};
