@@ -16,6 +16,7 @@
 #include <algorithm>
 
 #include "mapper/vector_kernel-inl.h"
+#include "mapper/vector_window-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -27,12 +28,18 @@ inline constexpr int kAnchorShift = kLaneFraction - kTexelFraction;
   return static_cast<int32_t>(lane_fx32 >> kAnchorShift);
 }
 
-// floor(i step) for lane i: the step's whole units, and what its fraction adds.
+// The lane of a vector that has the least value, and from which the others are counted.
+[[nodiscard]] HWY_INLINE int32_t anchor_lane(int64_t step_fx32) {
+  return step_fx32 < 0 ? kLanes - 1 : 0;
+}
+
+// floor(i step) for lane i counted from the anchor: whole units, and what the fraction adds.
 [[nodiscard]] HWY_INLINE V32 offsets_fx16(int64_t step_fx32) {
   const D32 d;
-  const V32 i = hn::Iota(d, 0);
-  const V32 whole = hn::Mul(i, hn::Set(d, floor_fx16(step_fx32)));
-  const V32 fraction = hn::Mul(i, hn::Set(d, static_cast<int32_t>(step_fx32 & 0xFFFF)));
+  const V32 i = hn::Abs(hn::Sub(hn::Iota(d, 0), hn::Set(d, anchor_lane(step_fx32))));
+  const int64_t rise_fx32 = step_fx32 < 0 ? -step_fx32 : step_fx32;
+  const V32 whole = hn::Mul(i, hn::Set(d, floor_fx16(rise_fx32)));
+  const V32 fraction = hn::Mul(i, hn::Set(d, static_cast<int32_t>(rise_fx32 & 0xFFFF)));
   return hn::Add(whole, hn::ShiftRight<kAnchorShift>(fraction));
 }
 
@@ -49,14 +56,19 @@ class AffineBatch {
         extent_(extent_of(surface.texture)),
         lack_fx16_(kVectorTruncations_fx16 +
                    static_cast<int32_t>(spans.field.margin_fx32 >> kAnchorShift) + 1),
+        to_anchor_{anchor_lane(spans.field.step_x.u_fx32) * spans.field.step_x.u_fx32,
+                   anchor_lane(spans.field.step_x.v_fx32) * spans.field.step_x.v_fx32},
         offset_u_(offsets_fx16(spans.field.step_x.u_fx32)),
         offset_v_(offsets_fx16(spans.field.step_x.v_fx32)) {}
 
-  // Of kLanes pixels, given the 32.32 lane of the first.
-  HWY_INLINE LaneVectors lanes_from(Lane lane) const {
+  // Of the kLanes pixels of which the 32.32 lane of the first is given: the least.
+  HWY_INLINE Lane anchor(Lane first) const {
+    return {first.u_fx32 + to_anchor_.u_fx32, first.v_fx32 + to_anchor_.v_fx32};
+  }
+  HWY_INLINE LaneVectors lanes_from(Lane anchor) const {
     const D32 d;
-    return {hn::Add(hn::Set(d, floor_fx16(lane.u_fx32)), offset_u_),
-            hn::Add(hn::Set(d, floor_fx16(lane.v_fx32)), offset_v_)};
+    return {hn::Add(hn::Set(d, floor_fx16(anchor.u_fx32)), offset_u_),
+            hn::Add(hn::Set(d, floor_fx16(anchor.v_fx32)), offset_v_)};
   }
 
   // Places in the texture, in texels from its first; those of lanes that mean nothing are valid
@@ -65,9 +77,16 @@ class AffineBatch {
     return places_of(texel_of(lanes.u), texel_of(lanes.v));
   }
 
+  // Texels by their distance from the origin of a window, which is given as such an index.
+  HWY_INLINE V32 window_index(const LaneVectors& lanes, int32_t origin) const {
+    const V32 s = Address::window_texel(texel_of(lanes.u), extent_.width_texel);
+    const V32 t = Address::window_texel(texel_of(lanes.v), extent_.height_texel);
+    return hn::Sub(hn::Add(hn::ShiftLeft<kWindowColumnBits>(t), s), hn::Set(D32(), origin));
+  }
+
   // Whether adding all that a lane may lack changes some texel.
   [[nodiscard]] HWY_INLINE bool any_near(const LaneVectors& lanes) const {
-    return !hn::AllFalse(D32(), is_changed(hn::Or(change(lanes.u), change(lanes.v))));
+    return any_bits(hn::Or(change(lanes.u), change(lanes.v)), ~0xFFFF);
   }
   [[nodiscard]] HWY_INLINE uint32_t near_bits(V32 lane_fx16) const {
     return lane_bits(D32(), is_changed(change(lane_fx16)));
@@ -111,37 +130,104 @@ class AffineBatch {
   const ExactMap& exact_;
   Extent extent_;
   int32_t lack_fx16_;
+  Lane to_anchor_;
   V32 offset_u_, offset_v_;
 };
 
+// Pixels that follow each other in a row, a load each, near-ties and all: what the loops below
+// leave to it does not keep their variables in memory.
 template <class Pixel, class Address>
-void draw_wide(const AffineSpans& spans, const Surface& surface) {
-  const AffineBatch<Address> batch(spans, surface);
-  const D32 d;
-  const int64_t step_u = kLanes * spans.field.step_x.u_fx32;
-  const int64_t step_v = kLanes * spans.field.step_x.v_fx32;
+HWY_NOINLINE void draw_decided(const AffineBatch<Address>& batch, const Surface& surface,
+                               const Span& rest, V32 u_fx16, V32 v_fx16) {
   HWY_ALIGN int32_t place[kLanes];
+  const int32_t count = HWY_MIN(rest.width_px(), kLanes);
+  hn::Store(
+      batch.decided_places(rest.left_px, rest.row, LaneVectors{u_fx16, v_fx16}, first_bits(count)),
+      D32(), place);
+  fetch_as<Pixel>(surface.texture.texels, place, count, first_pixel(surface, rest));
+}
+
+// Calls draw(px, anchor) for each vector of pixels of a span, and others(px, anchor) for those of
+// which draw returns false: so the loop around draw has no calls, and keeps all in registers.
+template <class Address, class Draw, class Others>
+HWY_INLINE void for_each_vector(const AffineBatch<Address>& batch, const AffineField& field,
+                                const Span& span, const Draw& draw, const Others& others) {
+  const int64_t step_u = kLanes * field.step_x.u_fx32, step_v = kLanes * field.step_x.v_fx32;
+  Lane anchor = batch.anchor(field.at(span.left_px, span.row));
+  for (int32_t px = span.left_px; px < span.right_px; px += kLanes) {
+    while (HWY_LIKELY(draw(px, anchor))) {
+      px += kLanes;
+      anchor.u_fx32 += step_u;
+      anchor.v_fx32 += step_v;
+      if (px >= span.right_px) return;
+    }
+    others(px, anchor);
+    anchor.u_fx32 += step_u;
+    anchor.v_fx32 += step_v;
+  }
+}
+
+[[nodiscard]] HWY_INLINE int32_t floor_texel(int64_t lane_fx32) {
+  return static_cast<int32_t>(lane_fx32 >> kLaneFraction);
+}
+
+// Texels from windows of so many rows, but for what does not lie in one.
+template <class Pixel, class Address>
+void draw_by_windows(const AffineSpans& spans, const Surface& surface, int32_t rows) {
+  const AffineBatch<Address> batch(spans, surface), of_others(batch);
+  const AffineField field = spans.field;
+  const Extent extent = extent_of(surface.texture);
+  const auto* const texels = static_cast<const Pixel*>(surface.texture.texels);
+  const int32_t last_column = extent.width_texel - kLanes, last_row = extent.height_texel - rows;
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
-    Lane lane = spans.field.at(span.left_px, span.row);
-    char* pixel = first_pixel(surface, span);
-    for (int32_t px = span.left_px; px < span.right_px; px += kLanes) {
-      const int32_t count = HWY_MIN(span.right_px - px, kLanes);
-      const LaneVectors lanes = batch.lanes_from(lane);
-      hn::Store(batch.places(lanes), d, place);
-      if (HWY_UNLIKELY(batch.any_near(lanes))) {
-        hn::Store(batch.decided_places(px, span.row, lanes, first_bits(count)), d, place);
-      }
-      if (HWY_LIKELY(count == kLanes)) {
-        fetch_as<Pixel>(surface.texture.texels, place, kLanes, pixel);
-      } else {
-        fetch_as<Pixel>(surface.texture.texels, place, count, pixel);
-      }
-      pixel += kLanes * ptrdiff_t{sizeof(Pixel)};
-      lane.u_fx32 += step_u;
-      lane.v_fx32 += step_v;
-    }
+    Pixel* const pixels = reinterpret_cast<Pixel*>(first_pixel(surface, {span.row, 0, 0}));
+    const auto others = [&](int32_t px, Lane anchor) HWY_ATTR {
+      const LaneVectors lanes = of_others.lanes_from(anchor);
+      draw_decided<Pixel>(of_others, surface, {span.row, px, span.right_px}, lanes.u, lanes.v);
+    };
+    for_each_vector(batch, field, span, [&](int32_t px, Lane anchor) HWY_ATTR {
+      const LaneVectors lanes = batch.lanes_from(anchor);
+      const Origin s =
+          Address::origin(floor_texel(anchor.u_fx32), last_column, extent.width_texel);
+      const Origin t = Address::origin(floor_texel(anchor.v_fx32), last_row, extent.height_texel);
+      if (batch.any_near(lanes) || s.index > last_column || t.index > last_row) return false;
+      const V32 index = batch.window_index(lanes, (t.texel << kWindowColumnBits) + s.texel);
+      const Pixel* const window = texels + t.index * ptrdiff_t{extent.pitch_texel} + s.index;
+      store_pixels(pick(window, extent.pitch_texel, rows, index), span.right_px - px, pixels + px);
+      return true;
+    }, others);
   }
+}
+
+template <class Pixel, class Address>
+void draw_by_loads(const AffineSpans& spans, const Surface& surface) {
+  const AffineBatch<Address> batch(spans, surface), of_others(batch);
+  const AffineField field = spans.field;
+  const void* const texels = surface.texture.texels;
+  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+    const Span span = spans.batch.span(i);
+    Pixel* const pixels = reinterpret_cast<Pixel*>(first_pixel(surface, {span.row, 0, 0}));
+    const auto others = [&](int32_t px, Lane anchor) HWY_ATTR {
+      const LaneVectors lanes = of_others.lanes_from(anchor);
+      draw_decided<Pixel>(of_others, surface, {span.row, px, span.right_px}, lanes.u, lanes.v);
+    };
+    for_each_vector(batch, field, span, [&](int32_t px, Lane anchor) HWY_ATTR {
+      const LaneVectors lanes = batch.lanes_from(anchor);
+      if (batch.any_near(lanes) || span.right_px - px < kLanes) return false;
+      HWY_ALIGN int32_t place[kLanes];
+      hn::Store(batch.places(lanes), D32(), place);
+      fetch_as<Pixel, kLanes>(texels, place, reinterpret_cast<char*>(pixels + px));
+      return true;
+    }, others);
+  }
+}
+
+template <class Pixel, class Address>
+void draw_wide(const AffineSpans& spans, const Surface& surface) {
+  const int32_t rows = window_rows(spans.field.step_x, surface.texture);
+  if (rows == 0) return draw_by_loads<Pixel, Address>(spans, surface);
+  if constexpr (kHasWindows) draw_by_windows<Pixel, Address>(spans, surface, rows);
 }
 
 // Near-ties among packed pixels [first, first + kLanes): finds each one's row by the widths.
@@ -188,7 +274,7 @@ void draw_narrow(const AffineSpans& spans, const Surface& surface) {
     const Span span = spans.batch.span(i);
     int32_t done = 0;
     do {
-      const LaneVectors lanes = batch.lanes_from(field.at(span.left_px + done, span.row));
+      const LaneVectors lanes = batch.lanes_from(batch.anchor(field.at(span.left_px + done, span.row)));
       hn::StoreU(lanes.u, d, u_fx16 + packed + done);
       hn::StoreU(lanes.v, d, v_fx16 + packed + done);
       done += kLanes;

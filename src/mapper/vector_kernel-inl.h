@@ -27,6 +27,11 @@ using D32 = hn::CappedTag<int32_t, kMostLanes>;
 using V32 = hn::Vec<D32>;
 inline constexpr int32_t kLanes = static_cast<int32_t>(hn::MaxLanes(D32()));
 
+// Where a run of texels begins: not yet addressed, and in the texture.
+struct Origin {
+  int32_t texel, index;
+};
+
 // ---- Address modes: texel indices to indices into the texture ----------------------------------
 
 struct ClampVector {
@@ -36,10 +41,26 @@ struct ClampVector {
     const hn::DFromV<V> d;
     return hn::Min(hn::Max(texel, hn::Zero(d)), hn::Set(d, size_texel - 1));
   }
+  // Of a run that fits where it begins at `last` or before.
+  static HWY_INLINE Origin origin(int32_t texel, int32_t last, int32_t /*size_texel*/) {
+    const int32_t inside = HWY_MIN(HWY_MAX(texel, 0), last);
+    return {inside, inside};
+  }
+  template <class V>
+  static HWY_INLINE V window_texel(V texel, int32_t size_texel) {
+    return index(texel, size_texel);
+  }
 };
 
 struct WrapMaskedVector {
   using Scalar = WrapMasked;
+  static HWY_INLINE Origin origin(int32_t texel, int32_t /*last*/, int32_t size_texel) {
+    return {texel, Scalar::index(texel, size_texel)};
+  }
+  template <class V>
+  static HWY_INLINE V window_texel(V texel, int32_t /*size_texel*/) {
+    return texel;
+  }
   template <class V>
   static HWY_INLINE V index(V texel, int32_t size_texel) {
     return hn::And(texel, hn::Set(hn::DFromV<V>(), size_texel - 1));
@@ -49,6 +70,13 @@ struct WrapMaskedVector {
 // |texel| <= 2^16: its quotient by a rounded reciprocal is off by one at most.
 struct WrapVector {
   using Scalar = Wrap;
+  static HWY_INLINE Origin origin(int32_t texel, int32_t /*last*/, int32_t size_texel) {
+    return {texel, Scalar::index(texel, size_texel)};
+  }
+  template <class V>
+  static HWY_INLINE V window_texel(V texel, int32_t /*size_texel*/) {
+    return texel;
+  }
   template <class V>
   static HWY_INLINE V index(V texel, int32_t size_texel) {
     const hn::DFromV<V> d;
@@ -98,7 +126,7 @@ struct Extent {
 // An address mode, and whichever layout: from texel indices to places. The layout is asked for
 // again and again, which costs little, so that there is one kernel for both.
 template <class Mode>
-struct Addressed {
+struct Addressed : Mode {
   template <class V>
   static HWY_INLINE V row(V t, const Extent& extent) {
     const V inside = Mode::index(t, extent.height_texel);
@@ -154,6 +182,18 @@ template <class D>
   return bits;
 }
 
+// Whether some lane has some of these bits.
+[[nodiscard]] HWY_INLINE bool any_bits(V32 lanes, int32_t bits) {
+  const V32 asked = hn::Set(D32(), bits);
+#if HWY_TARGET == HWY_AVX2
+  return _mm256_testz_si256(lanes.raw, asked.raw) == 0;
+#elif HWY_TARGET == HWY_SSE4
+  return _mm_testz_si128(lanes.raw, asked.raw) == 0;
+#else
+  return !hn::AllFalse(D32(), hn::TestBit(lanes, asked));
+#endif
+}
+
 [[nodiscard]] HWY_INLINE uint32_t first_bits(int32_t count) {
   return static_cast<uint32_t>((uint64_t{1} << count) - 1);
 }
@@ -207,6 +247,18 @@ HWY_INLINE void fetch_as(const void* texels, const int32_t* HWY_RESTRICT place, 
                          char* HWY_RESTRICT pixel) {
 #pragma GCC unroll 4
   for (int32_t i = 0; i < count; ++i) {
+    std::memcpy(pixel + i * ptrdiff_t{sizeof(Pixel)},
+                static_cast<const char*>(texels) + place[i] * ptrdiff_t{sizeof(Pixel)},
+                sizeof(Pixel));
+  }
+}
+
+// The same, of a whole vector.
+template <class Pixel, int32_t kCount>
+HWY_INLINE void fetch_as(const void* texels, const int32_t* HWY_RESTRICT place,
+                         char* HWY_RESTRICT pixel) {
+#pragma GCC unroll 16
+  for (int32_t i = 0; i < kCount; ++i) {
     std::memcpy(pixel + i * ptrdiff_t{sizeof(Pixel)},
                 static_cast<const char*>(texels) + place[i] * ptrdiff_t{sizeof(Pixel)},
                 sizeof(Pixel));

@@ -1,0 +1,107 @@
+// Texels by permuting a few rows of the texture. Included once for each SIMD target.
+//
+// Where neighbouring pixels are at most a texel apart along u, the texels of a vector of pixels lie
+// in a window of as many columns as there are lanes, and of a few rows: loaded row by row, and
+// picked by permutes, they cost less than a load each.
+#if defined(SELVAGE_VECTOR_WINDOW_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_WINDOW_INL_H
+#undef SELVAGE_VECTOR_WINDOW_INL_H
+#else
+#define SELVAGE_VECTOR_WINDOW_INL_H
+#endif
+
+#include "mapper/vector_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+#if HWY_TARGET == HWY_AVX3
+inline constexpr bool kHasWindows = true;
+inline constexpr int32_t kRowsPerPermute = 2;
+inline constexpr int32_t kMostWindowRows = 10;  // more were measured to cost more than loads
+#else
+inline constexpr bool kHasWindows = HWY_TARGET == HWY_AVX2;
+inline constexpr int32_t kRowsPerPermute = 1;
+inline constexpr int32_t kMostWindowRows = 4;
+#endif
+inline constexpr int kWindowColumnBits = kLanes == 16 ? 4 : 3;
+static_assert(!kHasWindows || 1 << kWindowColumnBits == kLanes);
+
+// Rows of the window of a vector of pixels, whose steps are given; 0 where there is none.
+[[nodiscard]] HWY_INLINE int32_t window_rows(Lane step_fx32, const selvage_texture& texture) {
+  constexpr int64_t kOne = int64_t{1} << kLaneFraction;
+  const auto magnitude = [](int64_t step) { return step < 0 ? -step : step; };
+  if (!kHasWindows || texture.layout != SELVAGE_LAYOUT_ROWS || texture.width < kLanes ||
+      magnitude(step_fx32.u_fx32) > kOne || magnitude(step_fx32.v_fx32) > kOne) {
+    return 0;
+  }
+  // Two texels no further apart than n are in n rounded up, plus one, rows.
+  const int64_t apart_fx32 = (kLanes - 1) * magnitude(step_fx32.v_fx32);
+  const auto rows = static_cast<int32_t>((apart_fx32 + kOne - 1) >> kLaneFraction) + 1;
+  const int32_t whole = (rows + kRowsPerPermute - 1) / kRowsPerPermute * kRowsPerPermute;
+  return whole <= HWY_MIN(kMostWindowRows, texture.height) ? whole : 0;
+}
+
+template <class Pixel>
+HWY_INLINE V32 load_row(const Pixel* texels) {
+  if constexpr (sizeof(Pixel) == sizeof(int32_t)) {
+    return hn::LoadU(D32(), reinterpret_cast<const int32_t*>(texels));
+  } else {
+    return hn::PromoteTo(D32(), hn::LoadU(hn::Rebind<Pixel, D32>(), texels));
+  }
+}
+
+// The texels at the low bits of an index into a row after another.
+template <class Pixel>
+HWY_INLINE V32 permute_rows(const Pixel* texels, ptrdiff_t pitch_texel, V32 index) {
+#if HWY_TARGET == HWY_AVX3
+  return V32{_mm512_permutex2var_epi32(load_row(texels).raw, index.raw,
+                                       load_row(texels + pitch_texel).raw)};
+#elif HWY_TARGET == HWY_AVX2
+  static_cast<void>(pitch_texel);
+  return V32{_mm256_permutevar8x32_epi32(load_row(texels).raw, index.raw)};
+#else
+  static_cast<void>(texels);
+  static_cast<void>(pitch_texel);
+  return index;
+#endif
+}
+
+// Texels by their index in a window: kLanes to the row.
+template <class Pixel>
+HWY_INLINE V32 pick(const Pixel* HWY_RESTRICT window, ptrdiff_t pitch_texel, int32_t rows,
+                    V32 index) {
+  const D32 d;
+  constexpr int32_t kPerPermute = kRowsPerPermute << kWindowColumnBits;
+  V32 picked = permute_rows(window, pitch_texel, index);
+  V32 before = hn::Set(d, kPerPermute - 1);
+  for (int32_t row = kRowsPerPermute; row < rows; row += kRowsPerPermute) {
+    window += kRowsPerPermute * pitch_texel;
+    picked = hn::IfThenElse(hn::Gt(index, before), permute_rows(window, pitch_texel, index), picked);
+    before = hn::Add(before, hn::Set(d, kPerPermute));
+  }
+  return picked;
+}
+
+// Stores a vector of pixels, or the first ones.
+template <class Pixel>
+HWY_INLINE void store_pixels(V32 texels, int32_t count, Pixel* HWY_RESTRICT pixels) {
+  if constexpr (sizeof(Pixel) == sizeof(int32_t)) {
+    int32_t* const to = reinterpret_cast<int32_t*>(pixels);
+    if (HWY_LIKELY(count >= kLanes)) return hn::StoreU(texels, D32(), to);
+    hn::BlendedStore(texels, hn::FirstN(D32(), static_cast<size_t>(count)), D32(), to);
+  } else {
+    const hn::Rebind<Pixel, D32> d;
+    const auto narrow = hn::TruncateTo(d, hn::BitCast(hn::RebindToUnsigned<D32>(), texels));
+    if (HWY_LIKELY(count >= kLanes)) return hn::StoreU(narrow, d, pixels);
+    HWY_ALIGN Pixel row[kNarrow_px] = {};  // store_row loads as many
+    hn::Store(narrow, d, row);
+    store_row<Pixel>(row, count, reinterpret_cast<char*>(pixels));
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
