@@ -61,7 +61,8 @@ class AffineBatch {
         offset_u_(offsets_fx16(spans.field.step_x.u_fx32)),
         offset_v_(offsets_fx16(spans.field.step_x.v_fx32)) {}
 
-  // Of the kLanes pixels of which the 32.32 lane of the first is given: the least.
+  // From the 32.32 lane of a vector's first pixel to the least one.
+  [[nodiscard]] HWY_INLINE Lane to_anchor() const { return to_anchor_; }
   HWY_INLINE Lane anchor(Lane first) const {
     return {first.u_fx32 + to_anchor_.u_fx32, first.v_fx32 + to_anchor_.v_fx32};
   }
@@ -134,36 +135,64 @@ class AffineBatch {
   V32 offset_u_, offset_v_;
 };
 
-// Pixels that follow each other in a row, a load each, near-ties and all: what the loops below
-// leave to it does not keep their variables in memory.
-template <class Pixel, class Address>
-HWY_NOINLINE void draw_decided(const AffineBatch<Address>& batch, const Surface& surface,
-                               const Span& rest, V32 u_fx16, V32 v_fx16) {
-  HWY_ALIGN int32_t place[kLanes];
-  const int32_t count = HWY_MIN(rest.width_px(), kLanes);
-  hn::Store(
-      batch.decided_places(rest.left_px, rest.row, LaneVectors{u_fx16, v_fx16}, first_bits(count)),
-      D32(), place);
-  fetch_as<Pixel>(surface.texture.texels, place, count, first_pixel(surface, rest));
+// Vectors of pixels that a hot loop leaves to others, so that it has no calls and keeps all it needs
+// in registers: what is left of their span from there on.
+struct Left {
+  static constexpr int32_t kMost = 64;
+  int32_t count = 0;
+  Span rest[kMost];
+};
+
+// Where a hot loop goes on: in this row of the batch, not before this pixel.
+struct Resume {
+  int32_t row = 0, px = INT32_MIN;
+};
+
+// Calls draw(row, px, count_px, anchor) for each vector of pixels, from `at` on; false from it
+// leaves the vector to others. Returns at the end, or where no more can be left.
+template <class Draw>
+HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume* at, Left* left,
+                                const Draw& draw) {
+  const AffineField field = spans.field;
+  const int64_t step_u = kLanes * field.step_x.u_fx32, step_v = kLanes * field.step_x.v_fx32;
+  const int32_t rows = spans.batch.rows;
+  int32_t i = at->row, from_px = at->px, left_count = 0;
+  for (; i < rows && left_count < Left::kMost; ++i) {
+    const Span span = spans.batch.span(i);
+    int32_t px = HWY_MAX(span.left_px, from_px);
+    from_px = INT32_MIN;
+    const Lane first = field.at(px, span.row);
+    int64_t u = first.u_fx32 + to_anchor.u_fx32, v = first.v_fx32 + to_anchor.v_fx32;
+    for (int32_t count_px = span.right_px - px; count_px > 0; count_px -= kLanes) {
+      if (HWY_UNLIKELY(!draw(span.row, px, count_px, Lane{u, v}))) {
+        left->rest[left_count++] = {span.row, px, span.right_px};
+        if (left_count == Left::kMost) {
+          from_px = px + kLanes;
+          --i;
+          break;
+        }
+      }
+      px += kLanes;
+      u += step_u;
+      v += step_v;
+    }
+  }
+  left->count = left_count;
+  *at = {i, from_px};
 }
 
-// Calls draw(px, anchor) for each vector of pixels of a span, and others(px, anchor) for those of
-// which draw returns false: so the loop around draw has no calls, and keeps all in registers.
-template <class Address, class Draw, class Others>
-HWY_INLINE void for_each_vector(const AffineBatch<Address>& batch, const AffineField& field,
-                                const Span& span, const Draw& draw, const Others& others) {
-  const int64_t step_u = kLanes * field.step_x.u_fx32, step_v = kLanes * field.step_x.v_fx32;
-  Lane anchor = batch.anchor(field.at(span.left_px, span.row));
-  for (int32_t px = span.left_px; px < span.right_px; px += kLanes) {
-    while (HWY_LIKELY(draw(px, anchor))) {
-      px += kLanes;
-      anchor.u_fx32 += step_u;
-      anchor.v_fx32 += step_v;
-      if (px >= span.right_px) return;
-    }
-    others(px, anchor);
-    anchor.u_fx32 += step_u;
-    anchor.v_fx32 += step_v;
+// A load for each pixel, near-ties and all.
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Surface& surface) {
+  const AffineBatch<Address> batch(spans, surface);
+  HWY_ALIGN int32_t place[kLanes];
+  for (int32_t i = 0; i < left.count; ++i) {
+    const Span& rest = left.rest[i];
+    const int32_t count = HWY_MIN(rest.width_px(), kLanes);
+    const LaneVectors lanes =
+        batch.lanes_from(batch.anchor(spans.field.at(rest.left_px, rest.row)));
+    hn::Store(batch.decided_places(rest.left_px, rest.row, lanes, first_bits(count)), D32(), place);
+    fetch_as<Pixel>(surface.texture.texels, place, count, first_pixel(surface, rest));
   }
 }
 
@@ -173,61 +202,63 @@ HWY_INLINE void for_each_vector(const AffineBatch<Address>& batch, const AffineF
 
 // Texels from windows of so many rows, but for what does not lie in one.
 template <class Pixel, class Address>
-void draw_by_windows(const AffineSpans& spans, const Surface& surface, int32_t rows) {
-  const AffineBatch<Address> batch(spans, surface), of_others(batch);
-  const AffineField field = spans.field;
+HWY_NOINLINE void draw_windows(const AffineSpans& spans, const Surface& surface, int32_t rows,
+                               Resume* at, Left* left) {
+  const AffineBatch<Address> batch(spans, surface);
   const Extent extent = extent_of(surface.texture);
   const auto* const texels = static_cast<const Pixel*>(surface.texture.texels);
   const int32_t last_column = extent.width_texel - kLanes, last_row = extent.height_texel - rows;
-  for (int32_t i = 0; i < spans.batch.rows; ++i) {
-    const Span span = spans.batch.span(i);
-    Pixel* const pixels = reinterpret_cast<Pixel*>(first_pixel(surface, {span.row, 0, 0}));
-    const auto others = [&](int32_t px, Lane anchor) HWY_ATTR {
-      const LaneVectors lanes = of_others.lanes_from(anchor);
-      draw_decided<Pixel>(of_others, surface, {span.row, px, span.right_px}, lanes.u, lanes.v);
-    };
-    for_each_vector(batch, field, span, [&](int32_t px, Lane anchor) HWY_ATTR {
-      const LaneVectors lanes = batch.lanes_from(anchor);
-      const Origin s =
-          Address::origin(floor_texel(anchor.u_fx32), last_column, extent.width_texel);
-      const Origin t = Address::origin(floor_texel(anchor.v_fx32), last_row, extent.height_texel);
-      if (batch.any_near(lanes) || s.index > last_column || t.index > last_row) return false;
-      const V32 index = batch.window_index(lanes, (t.texel << kWindowColumnBits) + s.texel);
-      const Pixel* const window = texels + t.index * ptrdiff_t{extent.pitch_texel} + s.index;
-      store_pixels(pick(window, extent.pitch_texel, rows, index), span.right_px - px, pixels + px);
-      return true;
-    }, others);
-  }
+  char* const pixels = static_cast<char*>(surface.target.pixels);
+  const ptrdiff_t pitch = surface.target.pitch;
+  for_each_vector(
+      spans, batch.to_anchor(), at, left,
+      [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR {
+        const LaneVectors lanes = batch.lanes_from(anchor);
+        const Origin s =
+            Address::origin(floor_texel(anchor.u_fx32), last_column, extent.width_texel);
+        const Origin t = Address::origin(floor_texel(anchor.v_fx32), last_row, extent.height_texel);
+        if (batch.any_near(lanes) || s.index > last_column || t.index > last_row) return false;
+        const V32 index = batch.window_index(lanes, (t.texel << kWindowColumnBits) + s.texel);
+        const Pixel* const window = texels + t.index * ptrdiff_t{extent.pitch_texel} + s.index;
+        store_pixels(pick(window, extent.pitch_texel, rows, index), count_px,
+                     reinterpret_cast<Pixel*>(pixels + row * pitch) + px);
+        return true;
+      });
 }
 
+// A load for each pixel of a vector of them.
 template <class Pixel, class Address>
-void draw_by_loads(const AffineSpans& spans, const Surface& surface) {
-  const AffineBatch<Address> batch(spans, surface), of_others(batch);
-  const AffineField field = spans.field;
+HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, Resume* at,
+                             Left* left) {
+  const AffineBatch<Address> batch(spans, surface);
   const void* const texels = surface.texture.texels;
-  for (int32_t i = 0; i < spans.batch.rows; ++i) {
-    const Span span = spans.batch.span(i);
-    Pixel* const pixels = reinterpret_cast<Pixel*>(first_pixel(surface, {span.row, 0, 0}));
-    const auto others = [&](int32_t px, Lane anchor) HWY_ATTR {
-      const LaneVectors lanes = of_others.lanes_from(anchor);
-      draw_decided<Pixel>(of_others, surface, {span.row, px, span.right_px}, lanes.u, lanes.v);
-    };
-    for_each_vector(batch, field, span, [&](int32_t px, Lane anchor) HWY_ATTR {
-      const LaneVectors lanes = batch.lanes_from(anchor);
-      if (batch.any_near(lanes) || span.right_px - px < kLanes) return false;
-      HWY_ALIGN int32_t place[kLanes];
-      hn::Store(batch.places(lanes), D32(), place);
-      fetch_as<Pixel, kLanes>(texels, place, reinterpret_cast<char*>(pixels + px));
-      return true;
-    }, others);
-  }
+  char* const pixels = static_cast<char*>(surface.target.pixels);
+  const ptrdiff_t pitch = surface.target.pitch;
+  for_each_vector(spans, batch.to_anchor(), at, left,
+                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR {
+                    const LaneVectors lanes = batch.lanes_from(anchor);
+                    if (batch.any_near(lanes) || count_px < kLanes) return false;
+                    HWY_ALIGN int32_t place[kLanes];
+                    hn::Store(batch.places(lanes), D32(), place);
+                    fetch_as<Pixel, kLanes>(texels, place,
+                                            pixels + row * pitch + px * ptrdiff_t{sizeof(Pixel)});
+                    return true;
+                  });
 }
 
+// By windows of so many rows, or, where there are none, by loads.
 template <class Pixel, class Address>
-void draw_wide(const AffineSpans& spans, const Surface& surface) {
-  const int32_t rows = window_rows(spans.field.step_x, surface.texture);
-  if (rows == 0) return draw_by_loads<Pixel, Address>(spans, surface);
-  if constexpr (kHasWindows) draw_by_windows<Pixel, Address>(spans, surface, rows);
+void draw_wide(const AffineSpans& spans, const Surface& surface, int32_t rows) {
+  Resume at;
+  Left left;
+  do {
+    if (kHasWindows && rows != 0) {
+      draw_windows<Pixel, Address>(spans, surface, rows, &at, &left);
+    } else {
+      draw_loads<Pixel, Address>(spans, surface, &at, &left);
+    }
+    if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface);
+  } while (left.count == Left::kMost);
 }
 
 // Near-ties among packed pixels [first, first + kLanes): finds each one's row by the widths.
@@ -300,14 +331,14 @@ void draw_narrow(const AffineSpans& spans, const Surface& surface) {
   });
 }
 
-// The pixel's type is known to the loop that most time is spent in.
 void draw_affine(const AffineSpans& spans, const Surface& surface) {
+  const int32_t rows = window_rows(spans.field.step_x, surface.texture);
   const bool narrow = spans.batch.widest_px <= kNarrow_px;
   with_address(surface, [&](auto address) {
     using Address = decltype(address);
-    if (narrow) return draw_narrow<Address>(spans, surface);
+    if (rows == 0 && narrow) return draw_narrow<Address>(spans, surface);
     with_pixel(surface.target.format,
-               [&](auto pixel) { draw_wide<decltype(pixel), Address>(spans, surface); });
+               [&](auto pixel) { draw_wide<decltype(pixel), Address>(spans, surface, rows); });
   });
 }
 
