@@ -28,6 +28,10 @@ inline constexpr int32_t kMostWindowRows = 4;
 inline constexpr int kWindowColumnBits = kLanes == 16 ? 4 : 3;
 static_assert(!kHasWindows || 1 << kWindowColumnBits == kLanes);
 
+[[nodiscard]] HWY_INLINE int32_t whole_rows(int32_t rows) {
+  return (rows + kRowsPerPermute - 1) / kRowsPerPermute * kRowsPerPermute;
+}
+
 // Rows of the window of a vector of pixels, whose steps are given; 0 where there is none.
 [[nodiscard]] HWY_INLINE int32_t window_rows(Lane step_fx32, const selvage_texture& texture) {
   constexpr int64_t kOne = int64_t{1} << kLaneFraction;
@@ -39,7 +43,7 @@ static_assert(!kHasWindows || 1 << kWindowColumnBits == kLanes);
   // Two texels no further apart than n are in n rounded up, plus one, rows.
   const int64_t apart_fx32 = (kLanes - 1) * magnitude(step_fx32.v_fx32);
   const auto rows = static_cast<int32_t>((apart_fx32 + kOne - 1) >> kLaneFraction) + 1;
-  const int32_t whole = (rows + kRowsPerPermute - 1) / kRowsPerPermute * kRowsPerPermute;
+  const int32_t whole = whole_rows(rows);
   return whole <= HWY_MIN(kMostWindowRows, texture.height) ? whole : 0;
 }
 
@@ -78,7 +82,8 @@ HWY_INLINE V32 pick(const Pixel* HWY_RESTRICT window, ptrdiff_t pitch_texel, int
   V32 before = hn::Set(d, kPerPermute - 1);
   for (int32_t row = kRowsPerPermute; row < rows; row += kRowsPerPermute) {
     window += kRowsPerPermute * pitch_texel;
-    picked = hn::IfThenElse(hn::Gt(index, before), permute_rows(window, pitch_texel, index), picked);
+    picked =
+        hn::IfThenElse(hn::Gt(index, before), permute_rows(window, pitch_texel, index), picked);
     before = hn::Add(before, hn::Set(d, kPerPermute));
   }
   return picked;
