@@ -13,7 +13,7 @@
 #define SELVAGE_VECTOR_AFFINE_LANES_INL_H
 #endif
 
-#include "mapper/vector_kernel-inl.h"
+#include "mapper/vector_window-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {

@@ -7,7 +7,6 @@
 #endif
 
 #include "mapper/vector_affine_lanes-inl.h"
-#include "mapper/vector_window-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
