@@ -34,7 +34,7 @@ void draw_copies(const Polygon& polygon, const selvage_rect& visible, const Surf
 // One affine map for all spans.
 void draw_plane(const Plane& plane, const Polygon& polygon, const selvage_rect& visible,
                 const Surface& surface, const Kernels& kernels) {
-  BatchWalk walk(polygon, visible);
+  BatchWalk walk(polygon, visible, kernels.rows);
   SpanBatch batch;
   while (walk.next(&batch)) {
     kernels.draw_affine({batch, plane.lanes(), ExactMap(plane)}, surface);

@@ -1,6 +1,7 @@
 // Edges: where they cross a scan line, exactly, and what they carry there.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 
@@ -23,6 +24,21 @@ struct EdgePoint {
   int128 uq, vq;   // 1/65536 texel * q * height
   int64_t q;       // q * height
 };
+
+// Where an edge crosses rows: the first pixel centre at or right of it, i rows below some row, is
+// floor((dividend + i step) / divisor). All are whole and exact in double.
+struct EdgeLine {
+  double dividend, step, divisor;
+};
+
+// floor(a / b) for whole a and b > 0. Rounded once, the quotient floors right: a whole one is
+// exact, any other is at least 1 / b from the next whole number, and rounding moves it by less
+// (spec/proofs/edge_quotient.g).
+[[nodiscard]] inline int64_t floor_quotient(double a, double b) {
+  const double quotient = a / b;
+  const auto toward_zero = static_cast<int64_t>(quotient);
+  return toward_zero - (static_cast<double>(toward_zero) > quotient ? 1 : 0);
+}
 
 // How far an edge goes: the change of each value of EdgePoint from its top to its bottom, not times
 // the height. Per 1/256 px of y it is what the numerators change by.
@@ -55,8 +71,8 @@ class Edge {
     }
   }
 
-  // Goes to `row` and writes first_px() for the rows [row, end_row), all of which it crosses.
-  void columns(int32_t row, int32_t end_row, int32_t* first_px);
+  // Of the rows from this one on, which it crosses.
+  [[nodiscard]] EdgeLine line_from(int32_t row) const;
 
   // The least column whose centre is at or right of the edge: ceil(x - 1/2), at the current row.
   [[nodiscard]] int32_t first_px() const { return static_cast<int32_t>(first_px_); }
@@ -83,8 +99,17 @@ class Chain {
   // polygon's; they may jump.
   [[nodiscard]] const Edge& at_row(int32_t row);
 
-  // Edge::first_px() for each of the rows [row, end_row), under the same rule.
-  void columns(int32_t row, int32_t end_row, int32_t* first_px);
+  // Calls find(line, rows, first) for each edge that crosses some of the rows [row, end_row), the
+  // line from its first one there, which is `first` rows below `row`. Under the same rule.
+  template <class Find>
+  void for_each_line(int32_t row, int32_t end_row, const Find& find) {
+    for (int32_t next = row; next < end_row;) {
+      while (next >= edge_.bottom_row()) next_edge();
+      const int32_t stop = std::min(end_row, edge_.bottom_row());
+      find(edge_.line_from(next), stop - next, next - row);
+      next = stop;
+    }
+  }
 
  private:
   void next_edge();

@@ -43,7 +43,9 @@ void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
 
 }  // namespace
 
-constexpr Kernels kFourScalar = {draw_affine<blend_four>, draw_projective<blend_four>};
-constexpr Kernels kBilinearScalar = {draw_affine<blend_bilinear>, draw_projective<blend_bilinear>};
+constexpr Kernels kFourScalar = {kScalarRowKernel, draw_affine<blend_four>,
+                                 draw_projective<blend_four>};
+constexpr Kernels kBilinearScalar = {kScalarRowKernel, draw_affine<blend_bilinear>,
+                                     draw_projective<blend_bilinear>};
 
 }  // namespace selvage::mapper

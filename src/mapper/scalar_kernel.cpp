@@ -97,7 +97,7 @@ void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
   }
 }
 
-constexpr Kernels kScalar = {draw_affine, draw_projective, draw_stepped_scalar};
+constexpr Kernels kScalar = {kScalarRowKernel, draw_affine, draw_projective, draw_stepped_scalar};
 
 }  // namespace
 

@@ -12,11 +12,13 @@
 namespace selvage::mapper {
 
 inline constexpr int32_t kRowsPerBatch = 64;
+inline constexpr int32_t kMostDoubles = 8;  // in a vector
 
 struct SpanBatch {
   int32_t first_row, rows;
   int32_t widest_px;
-  std::array<int32_t, kRowsPerBatch> left_px, right_px;  // of an empty span, both the same
+  // Of an empty span, both the same. With room for a vector that begins in the last row.
+  std::array<int32_t, kRowsPerBatch + kMostDoubles> left_px, right_px;
 
   [[nodiscard]] Span span(int32_t index) const {
     const auto i = static_cast<size_t>(index);
@@ -34,11 +36,24 @@ struct SpanBatch {
   return batch;
 }
 
+// From where edges cross rows to spans.
+struct RowKernel {
+  // Columns of the first pixel centres at or right of an edge, one for each row; may write up to
+  // kMostDoubles - 1 more.
+  void (*find_columns)(const EdgeLine& line, int32_t rows, int32_t* first_px);
+  // From the columns of either chain, of which the left one is decided row by row, to spans within
+  // these bounds and to the widest of them.
+  void (*make_spans)(int32_t left_px, int32_t right_px, SpanBatch* batch);
+};
+
+extern const RowKernel kScalarRowKernel;
+
 // All rows of a polygon that are visible, a batch at a time.
 class BatchWalk {
  public:
-  BatchWalk(const Polygon& polygon, const selvage_rect& visible)
-      : visible_(visible),
+  BatchWalk(const Polygon& polygon, const selvage_rect& visible, const RowKernel& kernel)
+      : kernel_(kernel),
+        visible_(visible),
         row_(std::max(polygon.top_row, visible.top)),
         end_row_(std::min(polygon.bottom_row, visible.bottom)),
         forward_(polygon, Chain::Direction::kForward),
@@ -50,26 +65,21 @@ class BatchWalk {
     batch->first_row = row_;
     batch->rows = std::min(end_row_ - row_, kRowsPerBatch);
     row_ += batch->rows;
-    forward_.columns(batch->first_row, row_, batch->left_px.data());
-    backward_.columns(batch->first_row, row_, batch->right_px.data());
-    clip(batch);
+    find_columns(&forward_, *batch, batch->left_px.data());
+    find_columns(&backward_, *batch, batch->right_px.data());
+    kernel_.make_spans(visible_.left, visible_.right, batch);
     return true;
   }
 
  private:
-  // Which chain is left is decided row by row.
-  void clip(SpanBatch* batch) const {
-    batch->widest_px = 0;
-    for (size_t i = 0; i < static_cast<size_t>(batch->rows); ++i) {
-      const int32_t a = batch->left_px[i], b = batch->right_px[i];
-      const int32_t left = std::max(std::min(a, b), visible_.left);
-      const int32_t right = std::max(std::min(std::max(a, b), visible_.right), left);
-      batch->left_px[i] = left;
-      batch->right_px[i] = right;
-      batch->widest_px = std::max(batch->widest_px, right - left);
-    }
+  void find_columns(Chain* chain, const SpanBatch& batch, int32_t* first_px) const {
+    chain->for_each_line(batch.first_row, batch.first_row + batch.rows,
+                         [&](const EdgeLine& line, int32_t rows, int32_t first) {
+                           kernel_.find_columns(line, rows, first_px + first);
+                         });
   }
 
+  const RowKernel& kernel_;
   selvage_rect visible_;
   int32_t row_, end_row_;
   Chain forward_, backward_;

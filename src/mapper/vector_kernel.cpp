@@ -16,13 +16,15 @@
 #include "mapper/vector_affine_kernel-inl.h"
 #include "mapper/vector_blend_kernel-inl.h"
 #include "mapper/vector_projective_kernel-inl.h"
+#include "mapper/vector_row_kernel-inl.h"
 #include "mapper/vector_stepped_kernel-inl.h"
 
 namespace selvage::mapper::HWY_NAMESPACE {
 
-constexpr Kernels kNearest = {draw_affine, draw_projective, draw_stepped};
-constexpr Kernels kFour = {draw_blended_affine<true>, draw_blended_projective<true>};
-constexpr Kernels kBilinear = {draw_blended_affine<false>, draw_blended_projective<false>};
+constexpr Kernels kNearest = {kRowKernel, draw_affine, draw_projective, draw_stepped};
+constexpr Kernels kFour = {kRowKernel, draw_blended_affine<true>, draw_blended_projective<true>};
+constexpr Kernels kBilinear = {kRowKernel, draw_blended_affine<false>,
+                               draw_blended_projective<false>};
 
 const Kernels& kernels(selvage_filter filter) {
   switch (filter) {
