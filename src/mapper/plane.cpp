@@ -29,6 +29,10 @@ static_assert(kTexelBits + 1 + kPositionBits + 1 <= 57, "A and B of a plane are 
   auto quotient = static_cast<int64_t>(estimate);
   auto remainder =
       static_cast<int64_t>(n_low - static_cast<uint64_t>(quotient) * static_cast<uint64_t>(d));
+  // Below zero as good as at random, for the estimate is truncated: without a branch.
+  const int64_t below = remainder >> 63;
+  quotient += below;
+  remainder += below & d;
   for (; remainder < 0; remainder += d) --quotient;
   for (; remainder >= d; remainder -= d) ++quotient;
   return quotient;
