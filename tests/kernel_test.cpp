@@ -5,22 +5,12 @@
 #include <cstdio>
 #include <vector>
 
-#include "spec/canvas.h"
 #include "spec/generate.h"
-#include "spec/texture_memory.h"
+#include "tests/kernel_support.h"
 #include "tests/span_support.h"
 
 namespace selvage::mapper {
 namespace {
-
-// Those that this machine can run; the others are reported as untested.
-[[nodiscard]] std::vector<selvage_kernel> usable_kernels() {
-  std::vector<selvage_kernel> usable;
-  for (selvage_kernel each = SELVAGE_KERNEL_SCALAR; each <= SELVAGE_KERNEL_NEON; ++each) {
-    if (is_usable(each)) usable.push_back(each);
-  }
-  return usable;
-}
 
 // A span from x = 1 to x = 5 over u = `first` .. `first` + 4 texels, v = 0.
 [[nodiscard]] SpanMap one_to_one(int32_t first_texel) {
@@ -78,32 +68,14 @@ TEST(Kernel, WritesItsSpanAndNothingElse) {
   }
 }
 
-[[nodiscard]] spec::Canvas drawn(const spec::Case& c, selvage_kernel kernel) {
-  const spec::TextureMemory texture(
-      spec::built_in(), c,
-      [](spec::Texel at) {
-        const auto s = static_cast<uint32_t>(at.s), t = static_cast<uint32_t>(at.t);
-        return (s * 40503U + t * 7919U) * 2654435761U;
-      },
-      0xEE);
-  spec::Canvas target(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target,
-                      0x11);
-  const selvage_image image = target.image();
-  const selvage_texture view = texture.view();
-  const selvage_options options{c.profile, c.filter, c.address, 0, kernel};
-  const selvage_status status = selvage_draw(&image, c.has_clip ? &c.clip : nullptr,
-                                             c.vertices.data(), c.vertices.size(), &view, &options);
-  EXPECT_NE(status, SELVAGE_ERROR_KERNEL);
-  return target;
-}
-
 TEST(Kernel, DrawsWhatTheScalarOneDraws) {
   for (uint64_t seed = 1; seed <= 20000; ++seed) {
     const spec::Case c = spec::generate(seed);
-    const spec::Canvas scalar = drawn(c, SELVAGE_KERNEL_SCALAR);
+    const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR);
     for (const selvage_kernel kernel : usable_kernels()) {
-      ASSERT_TRUE(drawn(c, kernel) == scalar) << "kernel " << kernel << ", seed " << seed << "\n"
-                                              << spec::print(c);
+      ASSERT_TRUE(drawing_of(c, kernel) == scalar)
+          << "kernel " << kernel << ", seed " << seed << "\n"
+          << spec::print(c);
     }
   }
 }

@@ -1,0 +1,43 @@
+// Kernels side by side: which there are, and what one draws.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "mapper/kernel.h"
+#include "spec/canvas.h"
+#include "spec/case.h"
+#include "spec/texture_memory.h"
+
+namespace selvage::mapper {
+
+// Those that this machine can run; the others are reported as untested.
+[[nodiscard]] inline std::vector<selvage_kernel> usable_kernels() {
+  std::vector<selvage_kernel> usable;
+  for (selvage_kernel each = SELVAGE_KERNEL_SCALAR; each <= SELVAGE_KERNEL_NEON; ++each) {
+    if (is_usable(each)) usable.push_back(each);
+  }
+  return usable;
+}
+
+[[nodiscard]] inline spec::Canvas drawing_of(const spec::Case& c, selvage_kernel kernel) {
+  const spec::TextureMemory texture(
+      spec::built_in(), c,
+      [](spec::Texel at) {
+        const auto s = static_cast<uint32_t>(at.s), t = static_cast<uint32_t>(at.t);
+        return (s * 40503U + t * 7919U) * 2654435761U;
+      },
+      0xEE);
+  spec::Canvas target(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target,
+                      0x11);
+  const selvage_image image = target.image();
+  const selvage_texture view = texture.view();
+  const selvage_options options{c.profile, c.filter, c.address, 0, kernel};
+  const selvage_status status = selvage_draw(&image, c.has_clip ? &c.clip : nullptr,
+                                             c.vertices.data(), c.vertices.size(), &view, &options);
+  EXPECT_NE(status, SELVAGE_ERROR_KERNEL);
+  return target;
+}
+
+}  // namespace selvage::mapper

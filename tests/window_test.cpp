@@ -1,0 +1,74 @@
+// Where the vector kernels permute the rows of small windows: every size of texture about a
+// window's, every angle, slopes up to a texel a pixel, seams and ends of the texture in the middle
+// of vectors.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "spec/random.h"
+#include "tests/kernel_support.h"
+
+namespace selvage::mapper {
+namespace {
+
+// An angle in degrees and a scale in texels a pixel that make ties, or any.
+struct Slope {
+  double angle, scale;
+};
+
+[[nodiscard]] Slope any_slope(spec::Random& random) {
+  static constexpr double kAngles[] = {0, 45, 90, 135, 180, 225, 270, 315};
+  static constexpr double kScales[] = {1, 1, 0.5, 0.25, 1.0 / 3, 0.2, 1.0 / 16, 1.0 / 4096};
+  const bool ties = random.percent(40);
+  const double angle = ties ? random.pick(kAngles) : random.in(0, 360000) / 1000.0;
+  const double scale = random.percent(50) ? random.pick(kScales) : random.in(1, 1100) / 1000.0;
+  return {angle * std::numbers::pi / 180, scale};
+}
+
+// u and v of points of the target under one turned and scaled map, rounded to 1/65536.
+[[nodiscard]] spec::Case any_case(uint64_t seed) {
+  static constexpr selvage_format kFormats[] = {SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888};
+  static constexpr int32_t kSizes[] = {1, 4, 7, 8, 9, 15, 16, 17, 24, 31, 32, 33, 64, 100, 256};
+  spec::Random random(seed);
+  spec::Case c;
+  c.format = random.pick(kFormats);
+  c.address = random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP;
+  c.target_width_px = random.in(20, 120);
+  c.target_height_px = random.in(1, 40);
+  c.texture_width_texel = random.pick(kSizes);
+  c.texture_height_texel = random.pick(kSizes);
+  c.padding_px = random.in(0, 4);
+  c.flip_target = random.percent(20);
+  c.flip_texture = random.percent(20);
+  const Slope slope = any_slope(random);
+  const double cos = std::cos(slope.angle) * slope.scale, sin = std::sin(slope.angle) * slope.scale;
+  const double u_texel = random.in(-20, c.texture_width_texel + 20) + random.in(0, 5) / 4.0;
+  const double v_texel = random.in(-20, c.texture_height_texel + 20) + random.in(0, 5) / 4.0;
+  const bool big = random.percent(50);
+  for (int corner = 0; corner < 3; ++corner) {
+    const int32_t x_fx8 = big ? random.in(-2000, 32000) : random.in(0, 24 * 256);
+    const int32_t y_fx8 = big ? random.in(-2000, 12000) : random.in(0, 24 * 256);
+    const double x_px = x_fx8 / 256.0, y_px = y_fx8 / 256.0;
+    const auto fx16 = [](double texel) { return static_cast<int32_t>(std::lround(texel * 65536)); };
+    c.vertices.push_back({x_fx8, y_fx8, fx16(u_texel + x_px * cos - y_px * sin),
+                          fx16(v_texel + x_px * sin + y_px * cos), 1});
+  }
+  return c;
+}
+
+TEST(Window, EveryKernelDrawsWhatTheScalarOneDraws) {
+  for (uint64_t seed = 1; seed <= 20000; ++seed) {
+    const spec::Case c = any_case(seed);
+    const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR);
+    for (const selvage_kernel kernel : usable_kernels()) {
+      ASSERT_TRUE(drawing_of(c, kernel) == scalar)
+          << "kernel " << kernel << ", seed " << seed << "\n"
+          << spec::print(c);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper
