@@ -49,8 +49,8 @@ template <class Pixel>
     const AffineField lanes = AffineLanes(map, span).field(span);
     kernels.draw_affine({one_span(span), lanes, ExactMap(map)}, surface);
   } else {
-    const ProjectiveSpan lanes{span, ProjectiveLanes(map, span)};
-    kernels.draw_projective({{&lanes, 1}, ExactMap(map)}, surface);
+    const ProjectiveField lanes = ProjectiveLanes(map, span).field(span);
+    kernels.draw_projective({one_span(span), lanes, ExactMap(map)}, surface);
   }
   return row;
 }

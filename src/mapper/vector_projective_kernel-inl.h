@@ -1,6 +1,6 @@
 // Projective spans by vectors of doubles. Included once for each SIMD target.
 //
-// The same numerators, denominators and bound as ProjectiveLanes: u lies in (estimate - error,
+// The same numerators, denominators and bound as DividedLanes: u lies in (estimate - error,
 // estimate + error), so where both ends have one floor, that is the texel.
 #if defined(SELVAGE_VECTOR_PROJECTIVE_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_PROJECTIVE_KERNEL_INL_H
@@ -28,7 +28,7 @@ struct LowTexels {
 // Numbers are in texels times `scale`, a power of two.
 class ProjectiveRow {
  public:
-  HWY_INLINE ProjectiveRow(const ProjectiveLanes& lanes, double scale)
+  HWY_INLINE ProjectiveRow(const DividedLanes& lanes, double scale)
       : u_(scaled(lanes.u_numerator_fx32(), scale * kUnit_texel)),
         v_(scaled(lanes.v_numerator_fx32(), scale * kUnit_texel)),
         denominator_(lanes.denominator()),
@@ -46,7 +46,7 @@ class ProjectiveRow {
  private:
   static constexpr double kUnit_texel = 1.0 / (int64_t{1} << kLaneFraction);
 
-  using Linear = ProjectiveLanes::Linear;
+  using Linear = DividedLanes::Linear;
   static Linear scaled(const Linear& fx32, double factor) {
     return {fx32.start * factor, fx32.step * factor};
   }
@@ -87,16 +87,17 @@ HWY_INLINE void find_places(const ProjectiveRow& row, const ExactMap& map, const
 }
 
 template <class Address>
-void draw_projective_row(const ProjectiveSpan& each, const ExactMap& map, const Surface& surface) {
-  const ProjectiveRow row(each.lanes, 1);
+void draw_projective_row(const DividedLanes& lanes, const ExactMap& map, const Span& span,
+                         const Surface& surface) {
+  const ProjectiveRow row(lanes, 1);
   const Extent extent = extent_of(surface.texture);
-  char* pixel = first_pixel(surface, each.span);
+  char* pixel = first_pixel(surface, span);
   HWY_ALIGN int32_t place[kLanes];
-  for (int32_t offset_px = 0; offset_px < each.span.width_px(); offset_px += kLanes) {
+  for (int32_t offset_px = 0; offset_px < span.width_px(); offset_px += kLanes) {
     for (int32_t done = 0; done < kLanes; done += kDoubles) {
-      find_places<Address>(row, map, each.span, offset_px + done, extent, place + done);
+      find_places<Address>(row, map, span, offset_px + done, extent, place + done);
     }
-    const int32_t count = HWY_MIN(each.span.width_px() - offset_px, kLanes);
+    const int32_t count = HWY_MIN(span.width_px() - offset_px, kLanes);
     fetch(surface.texture, place, count, pixel);
     pixel += count * bytes_per_pixel(surface.target.format);
   }
@@ -104,8 +105,9 @@ void draw_projective_row(const ProjectiveSpan& each, const ExactMap& map, const 
 
 void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
   with_address(surface, [&](auto address) {
-    for (const ProjectiveSpan& each : spans.spans) {
-      draw_projective_row<decltype(address)>(each, spans.exact, surface);
+    for (int32_t i = 0; i < spans.batch.rows; ++i) {
+      const Span span = spans.batch.span(i);
+      draw_projective_row<decltype(address)>(spans.field.of(span), spans.exact, span, surface);
     }
   });
 }

@@ -1,0 +1,88 @@
+// The projective plane: the map of a whole polygon in perspective, where it has one.
+//
+// u q, v q and q are affine over the target, so that with integers from three vertices
+//
+//     u = ((u q)_0 D + x A_u + y B_u) / (q_0 D + x A_q + y B_q)        likewise v.
+//
+// Spans start from values that are added up in double, with one certified bound for the polygon.
+//
+//   name        unit                      bits   bound
+//   u q, v q    1/65536 texel * q           55   |u q| <= 2^55; a change is at most 2^56
+//   A, B        u q * 1/256 px              81
+//   numerator   u q * (1/256 px)^2         107   at a pixel of the polygon's rectangle
+//   denominator q * D, 16 bits longer      107   the same; times a texel column, at the polygon's
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "mapper/lanes.h"
+#include "mapper/number.h"
+#include "mapper/plane_frame.h"
+#include "mapper/polygon.h"
+
+namespace selvage::mapper {
+
+inline constexpr int kPlaneGradientBits = kTexelBits + kQBits + 1 + kPositionBits + 1;
+inline constexpr int kPlaneNumeratorBits = kPlaneGradientBits + kPositionBits + 2;
+static_assert(kPlaneGradientBits == 81 && kPlaneNumeratorBits == 107);
+static_assert(kPlaneNumeratorBits <= 52 + 63, "to_double splits it into two of 64 bits");
+static_assert(kQBits + kPlaneAreaBits + kTexelFraction + kTexelBits - kTexelFraction <= 127,
+              "a denominator times a texel column fits int128");
+
+// In units of 2^-53, what converting an integer to double is off by, relative to it.
+inline constexpr double kConversionRoundings = 3;
+// A lane's error is at most kPlaneErrorPerReach_fx32 times the plane's reach; truncating it costs a
+// unit and truncating the reach another.
+inline constexpr double kPlaneErrorPerReach_fx32 = 0.65;
+static_assert(kPlaneErrorPerReach_fx32 < 1, "the reach itself serves as a bound");
+// So that margins are no wider than those of spans between two edges. Beyond it are slivers, whose
+// gradients are steep over their rectangle.
+inline constexpr double kMostReach = 1 << kQBits;
+
+class ProjectivePlane {
+ public:
+  // Empty where some vertex lies off the plane of the others, where the polygon has no area, or
+  // where its reach is too large. `visible` is not empty: spans lie within it.
+  [[nodiscard]] static std::optional<ProjectivePlane> of(const Polygon& polygon,
+                                                         const selvage_rect& visible);
+
+  // Of all visible pixels of the polygon.
+  [[nodiscard]] const ProjectiveField& lanes() const { return lanes_; }
+
+  // u = u_numerator / denominator in texels, at the centre of a pixel; steps to the next pixel.
+  [[nodiscard]] int128 u_numerator(int32_t px, int32_t row) const { return at(uq_, px, row); }
+  [[nodiscard]] int128 v_numerator(int32_t px, int32_t row) const { return at(vq_, px, row); }
+  [[nodiscard]] int128 denominator(int32_t px, int32_t row) const {
+    return at(q_, px, row) * (1 << kTexelFraction);
+  }
+  [[nodiscard]] int128 u_numerator_step() const { return uq_.along_x * kSubpixels; }
+  [[nodiscard]] int128 v_numerator_step() const { return vq_.along_x * kSubpixels; }
+  [[nodiscard]] int128 denominator_step() const {
+    return q_.along_x * (kSubpixels << kTexelFraction);
+  }
+
+ private:
+  // One of u q, v q and q: at the origin vertex, and its gradient times D.
+  struct Quantity {
+    int64_t at_origin;
+    int128 along_x, along_y;
+  };
+
+  explicit ProjectivePlane(const PlaneFrame& frame);
+  [[nodiscard]] bool passes_through(const selvage_vertex& vertex) const;
+  [[nodiscard]] bool set_lanes(const Polygon& polygon, const selvage_rect& visible);
+  [[nodiscard]] ProjectiveField::Linear line(const Quantity& quantity, double unit) const;
+  [[nodiscard]] int128 at(const Quantity& quantity, int32_t px, int32_t row) const {
+    return int128{quantity.at_origin} * doubled_area_ +
+           quantity.along_x * (centre_fx8(px) - x_fx8_) +
+           quantity.along_y * (centre_fx8(row) - y_fx8_);
+  }
+
+  int32_t x_fx8_, y_fx8_;  // of the origin vertex
+  int64_t doubled_area_;   // D
+  Quantity uq_, vq_, q_;
+  ProjectiveField lanes_{};
+};
+
+}  // namespace selvage::mapper
