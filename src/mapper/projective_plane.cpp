@@ -9,8 +9,8 @@ namespace {
 inline constexpr double kLaneUnit = 4294967296.0;  // 2^kLaneFraction
 inline constexpr double kMostTexel_fx32 = kLaneUnit * (1 << (kTexelBits - kTexelFraction));
 
-// The nearest double or one next to it: |n| < 2^kPlaneNumeratorBits as two halves, of which the
-// lower one is exact. Cheaper than one rounding of 128 bits.
+// |n| < 2^kPlaneNumeratorBits in two parts. The lower one is exact; the upper one is rounded where
+// it has more than 53 bits, and their sum is: two roundings, and cheaper than one of 128 bits.
 [[nodiscard]] double to_double(int128 n) {
   constexpr int kLowBits = 52;
   const auto low = static_cast<int64_t>(n) & ((int64_t{1} << kLowBits) - 1);
@@ -56,13 +56,15 @@ ProjectiveField::Linear ProjectivePlane::line(const Quantity& quantity, double u
           to_double(quantity.along_x) * step, to_double(quantity.along_y) * step};
 }
 
-// The bound. Let e = 2^-53 and S = |N_0| + columns |N_x| + rows |N_y| for a numerator N, T for the
-// denominator, q_min D the least that it can be and U = 2^15 >= |u|. Conversions, products and sums
-// are each off by some e of their terms, which are at most S and T; the reciprocal and its product
-// by 2 e U. Therefore u is off by less than e (k (S + U T) / (q_min D) + 2 U) with k = 18, and with
-// the reach (S / U + T) / (q_min D), which is at least 1,
+// The bound. Let S be the most that a numerator can be in the rectangle, the sum of its terms
+// without their signs, T the same of the denominator, least the least denominator, and U = 2^15 >=
+// |u|. A value added up is off by kPlaneRoundings 2^-53 S, or T. With the reach (S / U + T) /
+// least, which is at least 1, and with the roundings of the reciprocal and its product, u is off by
+// less than
 //
-//     |error of u| < kPlaneErrorPerReach_fx32 reach           (spec/proofs/projective_plane.g).
+//     2^-53 (2 kPlaneRoundings + 2) U reach <= kPlaneErrorPerReach_fx32 reach
+//
+// in units of 2^-32 texel (spec/proofs/projective_plane.g).
 bool ProjectivePlane::set_lanes(const Polygon& polygon, const selvage_rect& visible) {
   lanes_.first_px = std::max(visible.left, polygon.left_px);
   lanes_.first_row = std::max(visible.top, polygon.top_row);

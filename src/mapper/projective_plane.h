@@ -30,15 +30,18 @@ static_assert(kPlaneNumeratorBits <= 52 + 63, "to_double splits it into two of 6
 static_assert(kQBits + kPlaneAreaBits + kTexelFraction + kTexelBits - kTexelFraction <= 127,
               "a denominator times a texel column fits int128");
 
-// In units of 2^-53, what converting an integer to double is off by, relative to it.
-inline constexpr double kConversionRoundings = 3;
+// In units of 2^-53: what converting an integer to double is off by, relative to it; and what a
+// value added up is off by, relative to the most that it can be in the rectangle.
+inline constexpr double kPlaneConversionRoundings = 3;
+inline constexpr double kPlaneRoundings = 8.5;
 // A lane's error is at most kPlaneErrorPerReach_fx32 times the plane's reach; truncating it costs a
 // unit and truncating the reach another.
-inline constexpr double kPlaneErrorPerReach_fx32 = 0.65;
+inline constexpr double kPlaneErrorPerReach_fx32 = 0.3;
 static_assert(kPlaneErrorPerReach_fx32 < 1, "the reach itself serves as a bound");
-// So that margins are no wider than those of spans between two edges. Beyond it are slivers, whose
-// gradients are steep over their rectangle.
-inline constexpr double kMostReach = 1 << kQBits;
+// So margins are no wider than those of spans between two edges. What reaches further, slivers
+// whose gradients are steep over their rectangle, is left to the edges.
+inline constexpr int32_t kMostReach = 1 << kQBits;
+static_assert(2 * (int64_t{kMostReach} + kProjectiveTruncations_fx32) <= kWidestMargin_fx32);
 
 class ProjectivePlane {
  public:
