@@ -59,10 +59,11 @@ void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surfa
 }
 
 // Affine maps are drawn exactly in any case: their kernels were measured to be no slower than lanes
-// that leave near-ties undecided, for what bounds them is fetching texels.
+// that leave near-ties undecided, for what bounds them is fetching texels. So is a polygon of which
+// every row is too narrow to be stepped.
 [[nodiscard]] bool is_tolerant(const Polygon& polygon, const selvage_options& options) {
   return options.tolerance > 0 && options.filter == SELVAGE_FILTER_NEAREST && !polygon.affine &&
-         lanes_fit(polygon);
+         polygon.right_px - polygon.left_px >= kLeastStepped_px && lanes_fit(polygon);
 }
 
 }  // namespace
