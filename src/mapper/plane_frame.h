@@ -24,10 +24,10 @@ class PlaneFrame {
  public:
   template <class Integer>
   struct Gradient {
-    Integer along_x, along_y;  // A and B, per 1/256 px
+    Integer along_x, along_y;  // A and B
   };
 
-  // Empty where all vertices are on one line.
+  // Empty where all vertices are on one line. The three run so that the area is positive.
   [[nodiscard]] static std::optional<PlaneFrame> of(std::span<const selvage_vertex> vertices) {
     const selvage_vertex& origin = vertices[0];
     size_t second = 1;
@@ -37,7 +37,8 @@ class PlaneFrame {
     }
     for (size_t third = second + 1; third < vertices.size(); ++third) {
       const PlaneFrame frame(origin, vertices[second], vertices[third]);
-      if (frame.area_ != 0) return frame;
+      if (frame.doubled_area_ > 0) return frame;
+      if (frame.doubled_area_ < 0) return PlaneFrame(origin, vertices[third], vertices[second]);
     }
     return std::nullopt;
   }
@@ -47,14 +48,13 @@ class PlaneFrame {
   [[nodiscard]] const selvage_vertex& third() const { return *third_; }
 
   // D, in (1/256 px)^2: 0 < D < 2^kPlaneAreaBits.
-  [[nodiscard]] int64_t doubled_area() const { return area_ < 0 ? -area_ : area_; }
+  [[nodiscard]] int64_t doubled_area() const { return doubled_area_; }
 
   // Of what changes by so much from the origin to the second vertex and to the third.
   template <class Integer>
   [[nodiscard]] Gradient<Integer> gradient(int64_t to_second, int64_t to_third) const {
-    const Integer sign = area_ < 0 ? -1 : 1;
-    return {sign * (Integer{to_second} * y3_ - Integer{to_third} * y2_),
-            sign * (Integer{to_third} * x2_ - Integer{to_second} * x3_)};
+    return {Integer{to_second} * y3_ - Integer{to_third} * y2_,
+            Integer{to_third} * x2_ - Integer{to_second} * x3_};
   }
 
  private:
@@ -67,11 +67,11 @@ class PlaneFrame {
         y2_(int64_t{second.y} - origin.y),
         x3_(int64_t{third.x} - origin.x),
         y3_(int64_t{third.y} - origin.y),
-        area_(x2_ * y3_ - x3_ * y2_) {}
+        doubled_area_(x2_ * y3_ - x3_ * y2_) {}
 
   const selvage_vertex *origin_, *second_, *third_;
   int64_t x2_, y2_, x3_, y3_;  // from the origin, 1/256 px
-  int64_t area_;               // signed
+  int64_t doubled_area_;
 };
 
 }  // namespace selvage::mapper

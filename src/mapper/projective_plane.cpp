@@ -18,6 +18,8 @@ inline constexpr double kMostTexel_fx32 = kLaneUnit * (1 << (kTexelBits - kTexel
          static_cast<double>(low);
 }
 
+[[nodiscard]] double to_double(int64_t n) { return static_cast<double>(n); }
+
 // How far a line may get from 0 in so many columns and rows.
 [[nodiscard]] double most(const ProjectiveField::Linear& line, double columns, double rows) {
   return std::abs(line.start) + columns * std::abs(line.step_x) + rows * std::abs(line.step_y);
@@ -27,30 +29,36 @@ inline constexpr double kMostTexel_fx32 = kLaneUnit * (1 << (kTexelBits - kTexel
 
 }  // namespace
 
-ProjectivePlane::ProjectivePlane(const PlaneFrame& frame)
-    : x_fx8_(frame.origin().x), y_fx8_(frame.origin().y), doubled_area_(frame.doubled_area()) {
-  const auto quantity = [&](auto of) {
-    const int64_t value = of(frame.origin());
-    const auto gradient =
-        frame.gradient<int128>(of(frame.second()) - value, of(frame.third()) - value);
-    return Quantity{value, gradient.along_x, gradient.along_y};
-  };
-  uq_ = quantity([](const selvage_vertex& v) { return times_q(v.u, v.q); });
-  vq_ = quantity([](const selvage_vertex& v) { return times_q(v.v, v.q); });
-  q_ = quantity([](const selvage_vertex& v) { return int64_t{v.q}; });
+template <class Integer, class Of>
+ProjectivePlane::Quantity<Integer> ProjectivePlane::quantity(const PlaneFrame& frame,
+                                                             const Of& of) {
+  const int64_t value = of(frame.origin());
+  const auto gradient =
+      frame.gradient<Integer>(of(frame.second()) - value, of(frame.third()) - value);
+  return {value, gradient.along_x, gradient.along_y};
 }
+
+ProjectivePlane::ProjectivePlane(const PlaneFrame& frame)
+    : x_fx8_(frame.origin().x),
+      y_fx8_(frame.origin().y),
+      doubled_area_(frame.doubled_area()),
+      uq_(quantity<int128>(frame, [](const selvage_vertex& v) { return times_q(v.u, v.q); })),
+      vq_(quantity<int128>(frame, [](const selvage_vertex& v) { return times_q(v.v, v.q); })),
+      q_(quantity<int64_t>(frame, [](const selvage_vertex& v) { return int64_t{v.q}; })) {}
 
 bool ProjectivePlane::passes_through(const selvage_vertex& vertex) const {
   const int64_t x = int64_t{vertex.x} - x_fx8_, y = int64_t{vertex.y} - y_fx8_;
-  const auto lies_on = [&](const Quantity& quantity, int64_t value) {
+  const auto lies_on = [&](const auto& quantity, int64_t value) {
     return int128{value - quantity.at_origin} * doubled_area_ ==
-           quantity.along_x * x + quantity.along_y * y;
+           int128{quantity.along_x} * x + int128{quantity.along_y} * y;
   };
   return lies_on(q_, vertex.q) && lies_on(uq_, times_q(vertex.u, vertex.q)) &&
          lies_on(vq_, times_q(vertex.v, vertex.q));
 }
 
-ProjectiveField::Linear ProjectivePlane::line(const Quantity& quantity, double unit) const {
+template <class Integer>
+ProjectiveField::Linear ProjectivePlane::line(const Quantity<Integer>& quantity,
+                                              double unit) const {
   const double step = unit * kSubpixels;
   return {to_double(at(quantity, lanes_.first_px, lanes_.first_row)) * unit,
           to_double(quantity.along_x) * step, to_double(quantity.along_y) * step};

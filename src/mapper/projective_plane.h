@@ -8,7 +8,7 @@
 //
 //   name        unit                      bits   bound
 //   u q, v q    1/65536 texel * q           55   |u q| <= 2^55; a change is at most 2^56
-//   A, B        u q * 1/256 px              81
+//   A, B        u q * 1/256 px              81   of q: 49
 //   numerator   u q * (1/256 px)^2         107   at a pixel of the polygon's rectangle
 //   denominator q * D, 16 bits longer      107   the same; times a texel column, at the polygon's
 #pragma once
@@ -26,6 +26,7 @@ namespace selvage::mapper {
 inline constexpr int kPlaneGradientBits = kTexelBits + kQBits + 1 + kPositionBits + 1;
 inline constexpr int kPlaneNumeratorBits = kPlaneGradientBits + kPositionBits + 2;
 static_assert(kPlaneGradientBits == 81 && kPlaneNumeratorBits == 107);
+static_assert(kQBits + 1 + kPositionBits <= 53, "the gradient of q is exact in double");
 static_assert(kPlaneNumeratorBits <= 52 + 63, "to_double splits it into two of 64 bits");
 static_assert(kQBits + kPlaneAreaBits + kTexelFraction + kTexelBits - kTexelFraction <= 127,
               "a denominator times a texel column fits int128");
@@ -62,29 +63,35 @@ class ProjectivePlane {
   [[nodiscard]] int128 u_numerator_step() const { return uq_.along_x * kSubpixels; }
   [[nodiscard]] int128 v_numerator_step() const { return vq_.along_x * kSubpixels; }
   [[nodiscard]] int128 denominator_step() const {
-    return q_.along_x * (kSubpixels << kTexelFraction);
+    return int128{q_.along_x} * (kSubpixels << kTexelFraction);
   }
 
  private:
   // One of u q, v q and q: at the origin vertex, and its gradient times D.
+  template <class Integer>
   struct Quantity {
     int64_t at_origin;
-    int128 along_x, along_y;
+    Integer along_x, along_y;
   };
+  template <class Integer, class Of>
+  [[nodiscard]] static Quantity<Integer> quantity(const PlaneFrame& frame, const Of& of);
 
   explicit ProjectivePlane(const PlaneFrame& frame);
   [[nodiscard]] bool passes_through(const selvage_vertex& vertex) const;
   [[nodiscard]] bool set_lanes(const Polygon& polygon, const selvage_rect& visible);
-  [[nodiscard]] ProjectiveField::Linear line(const Quantity& quantity, double unit) const;
-  [[nodiscard]] int128 at(const Quantity& quantity, int32_t px, int32_t row) const {
+  template <class Integer>
+  [[nodiscard]] ProjectiveField::Linear line(const Quantity<Integer>& quantity, double unit) const;
+  template <class Integer>
+  [[nodiscard]] int128 at(const Quantity<Integer>& quantity, int32_t px, int32_t row) const {
     return int128{quantity.at_origin} * doubled_area_ +
-           quantity.along_x * (centre_fx8(px) - x_fx8_) +
-           quantity.along_y * (centre_fx8(row) - y_fx8_);
+           int128{quantity.along_x} * (centre_fx8(px) - x_fx8_) +
+           int128{quantity.along_y} * (centre_fx8(row) - y_fx8_);
   }
 
   int32_t x_fx8_, y_fx8_;  // of the origin vertex
   int64_t doubled_area_;   // D
-  Quantity uq_, vq_, q_;
+  Quantity<int128> uq_, vq_;
+  Quantity<int64_t> q_;
   ProjectiveField lanes_{};
 };
 
