@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "spec/generate.h"
+#include "spec/laws.h"
 #include "tests/kernel_support.h"
 #include "tests/span_support.h"
 
@@ -39,8 +40,8 @@ template <class Pixel>
     const AffineField lanes = AffineLanes(map, span).field(span);
     kernels.draw_affine({one_span(span), lanes, ExactMap(map)}, surface);
   } else {
-    const ProjectiveSpan lanes{span, ProjectiveLanes(map, span)};
-    kernels.draw_projective({{&lanes, 1}, ExactMap(map)}, surface);
+    const ProjectiveField lanes = ProjectiveLanes(map, span).field(span);
+    kernels.draw_projective({one_span(span), lanes, ExactMap(map)}, surface);
   }
   return row;
 }
@@ -77,6 +78,28 @@ TEST(Kernel, DrawsWhatTheScalarOneDraws) {
           << "kernel " << kernel << ", seed " << seed << "\n"
           << spec::print(c);
     }
+  }
+}
+
+// v is 3 at every pixel although v q and q change: all of them are near-ties. Rows of 1 to 30 px,
+// which may be packed.
+TEST(Kernel, DecidesNearTiesOfNarrowRows) {
+  constexpr int32_t texel = SELVAGE_SUBTEXELS, px = SELVAGE_SUBPIXELS;
+  spec::Case c;
+  c.target_width_px = 40;
+  c.target_height_px = 50;
+  c.texture_width_texel = c.texture_height_texel = 64;
+  for (int32_t width_px = 1; width_px <= 30; ++width_px) {
+    const int32_t right = (3 + width_px) * px;
+    c.vertices = {{3 * px, 2 * px, 8 * texel, 3 * texel, 100},
+                  {right, 2 * px, 40 * texel, 3 * texel, 301},
+                  {right - px / 2, 49 * px, 40 * texel, 3 * texel, 403}};
+    const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR);
+    for (const selvage_kernel kernel : usable_kernels()) {
+      ASSERT_TRUE(drawing_of(c, kernel) == scalar) << "kernel " << kernel << "\n" << spec::print(c);
+    }
+    const spec::Judgement judgement = spec::find_law("MAP")->check(spec::built_in(), c);
+    ASSERT_FALSE(judgement.violation) << spec::explain(*judgement.violation);
   }
 }
 

@@ -21,6 +21,7 @@
 #include "mapper/footprint.h"
 #include "mapper/lanes.h"
 #include "mapper/plane.h"
+#include "mapper/projective_plane.h"
 #include "mapper/tolerance.h"
 #include "mapper/vector_kernel.h"
 #include "spec/dda_bounds.h"
@@ -134,6 +135,14 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
         {"POSITION_BITS", number(kPositionBits + 1)},
         {"MOST", number(kMostPlaneEstimate_fx32), "0x1p53"},
         {"ERROR", number(kPlaneEstimateError_fx32), "4.9"}}},
+      {"projective_plane",
+       {q_bits,
+        {"LANE_BITS", number(kCoordinateBits + kLaneFraction), "48"},
+        {"CONVERSION", number(kPlaneConversionRoundings * 0x1p-53), "0x4p-53"},
+        {"SUM", number(kPlaneRoundings * 0x1p-53), "0x7.fp-53"},
+        {"MOST_REACH", number(kMostReach), "0x1p47"},
+        {"PER_REACH", number(kPlaneErrorPerReach_fx32), "0.29"},
+        {"TRUNCATIONS", number(kProjectiveTruncations_fx32), "1"}}},
       {"edge_quotient",
        {{"COLUMN_BITS", number(kColumnBits), "22"},
         {"COLUMN_DIVISOR_BITS", number(kColumnDivisorBits), "37"},

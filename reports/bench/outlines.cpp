@@ -9,9 +9,16 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
+int32_t tilted_q(const selvage_vertex& vertex, int32_t target_px) {
+  constexpr int32_t least = 1 << 20;
+  const int64_t down_fx8 = int64_t{vertex.x} + 2 * int64_t{vertex.y};
+  return least +
+         static_cast<int32_t>(down_fx8 * least / (int64_t{3} * target_px * SELVAGE_SUBPIXELS));
+}
+
 // The vertices of the mesh, row by row.
 Polygon jittered_grid(int32_t columns, int32_t rows, int32_t target_px, int32_t texture_side_texel,
-                      uint64_t seed) {
+                      uint64_t seed, MeshDepth depth) {
   const int32_t low_fx8 = 20 * SELVAGE_SUBPIXELS + 31;
   const int32_t high_fx8 = (target_px - 20) * SELVAGE_SUBPIXELS - 57;
   const int32_t extent_fx8 = high_fx8 - low_fx8;
@@ -31,6 +38,7 @@ Polygon jittered_grid(int32_t columns, int32_t rows, int32_t target_px, int32_t 
       const bool inner = i > 0 && i < columns && j > 0 && j < rows;
       if (inner) vertex.x += jitter_fx8(extent_fx8 / columns);
       if (inner) vertex.y += jitter_fx8(extent_fx8 / rows);
+      if (depth == MeshDepth::kTilted) vertex.q = tilted_q(vertex, target_px);
       grid.push_back(vertex);
     }
   }
@@ -67,8 +75,8 @@ Polygon far_triangle(const CornerMap& u, const CornerMap& v) {
 }
 
 std::vector<Polygon> jittered_mesh(int32_t columns, int32_t rows, int32_t target_px,
-                                   int32_t texture_side_texel, uint64_t seed) {
-  const Polygon grid = jittered_grid(columns, rows, target_px, texture_side_texel, seed);
+                                   int32_t texture_side_texel, uint64_t seed, MeshDepth depth) {
+  const Polygon grid = jittered_grid(columns, rows, target_px, texture_side_texel, seed, depth);
   std::vector<Polygon> mesh;
   for (int32_t j = 0; j < rows; ++j) {
     for (int32_t i = 0; i < columns; ++i) {

@@ -31,7 +31,11 @@ struct CornerMap {
 
 // Two triangles for each cell of a jittered grid over most of the target: its inner vertices are
 // moved by up to 0.3 cells, the texture coordinates stay those of the grid before that.
+// Tilted, it lies on one plane in space: q goes from 2^20 to 2^21 over the target, half as fast to
+// the right as down.
+enum class MeshDepth { kFlat, kTilted };
 [[nodiscard]] std::vector<Polygon> jittered_mesh(int32_t columns, int32_t rows, int32_t target_px,
-                                                 int32_t texture_side_texel, uint64_t seed);
+                                                 int32_t texture_side_texel, uint64_t seed,
+                                                 MeshDepth depth = MeshDepth::kFlat);
 
 }  // namespace selvage::reports

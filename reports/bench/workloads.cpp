@@ -24,14 +24,17 @@ Workload square(std::string id, std::string title, std::string description, doub
 }
 
 Workload mesh(std::string id, int32_t columns, int32_t rows, const std::string& triangles,
-              const std::string& size, uint64_t seed) {
+              const std::string& size, uint64_t seed, MeshDepth depth) {
   Workload load;
   load.id = std::move(id);
-  load.title = "mesh of " + triangles + " triangles, 256 x 256";
-  load.description = "a jittered grid of " + std::to_string(columns) + " x " +
-                     std::to_string(rows) + " cells, two triangles a cell, about " + size +
-                     " px each, over most of the target; a texture of 256 x 256";
-  load.polygons = jittered_mesh(columns, rows, kTarget_px, load.texture_side_texel, seed);
+  load.perspective = depth == MeshDepth::kTilted;
+  load.title = std::string(load.perspective ? "perspective mesh" : "mesh") + " of " + triangles +
+               " triangles, 256 x 256";
+  load.description =
+      "a jittered grid of " + std::to_string(columns) + " x " + std::to_string(rows) +
+      " cells, two triangles a cell, about " + size + " px each, over most of the target" +
+      (load.perspective ? ", q from 1 to 2 across it" : "") + "; a texture of 256 x 256";
+  load.polygons = jittered_mesh(columns, rows, kTarget_px, load.texture_side_texel, seed, depth);
   return load;
 }
 
@@ -94,9 +97,11 @@ std::vector<Workload> workloads(uint64_t seed) {
       large,
       square("W2", "minified 4 x, 2048 x 2048",
              "a square of 512 px turned by 23 degrees, four texels a pixel each way", 512, 2048),
-      mesh("W3", 40, 25, "2 000", "460", seed),
-      mesh("W3-20000", 100, 100, "20 000", "48", seed),
+      mesh("W3", 40, 25, "2 000", "460", seed, MeshDepth::kFlat),
+      mesh("W3-20000", 100, 100, "20 000", "48", seed, MeshDepth::kFlat),
       tilted_quad(),
+      mesh("W4-2000", 40, 25, "2 000", "460", seed, MeshDepth::kTilted),
+      mesh("W4-20000", 100, 100, "20 000", "48", seed, MeshDepth::kTilted),
       bilinear_square(),
       square("W6", "quad of 10 x the target, 256 x 256",
              "a square of 10240 px turned by 23 degrees: all but the middle lies outside",

@@ -8,6 +8,7 @@
 #include "mapper/image.h"
 #include "mapper/kernel.h"
 #include "mapper/plane.h"
+#include "mapper/projective_plane.h"
 #include "mapper/span_walk.h"
 #include "mapper/tolerant_draw.h"
 #include "mapper/vector_kernel.h"
@@ -31,14 +32,14 @@ void draw_copies(const Polygon& polygon, const selvage_rect& visible, const Surf
   }
 }
 
-// One affine map for all spans.
-void draw_plane(const Plane& plane, const Polygon& polygon, const selvage_rect& visible,
-                const Surface& surface, const Kernels& kernels) {
-  BatchWalk walk(polygon, visible, kernels.rows);
+// One map for all spans.
+template <class Map, class Spans>
+void draw_plane(const Map& plane, const Polygon& polygon, const selvage_rect& visible,
+                const Surface& surface, const RowKernel& rows,
+                void (*draw)(const Spans& spans, const Surface& surface)) {
+  BatchWalk walk(polygon, visible, rows);
   SpanBatch batch;
-  while (walk.next(&batch)) {
-    kernels.draw_affine({batch, plane.lanes(), ExactMap(plane)}, surface);
-  }
+  while (walk.next(&batch)) draw({batch, plane.lanes(), ExactMap(plane)}, surface);
 }
 
 // Each span by the map between its own two edges.
@@ -48,21 +49,22 @@ void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surfa
   while (walk.next()) {
     const SpanMap map = walk.map();
     const Span& span = walk.span();
+    const SpanBatch batch = one_span(span);
     if (polygon.affine) {
-      const SpanBatch batch = one_span(span);
       kernels.draw_affine({batch, AffineLanes(map, span).field(span), ExactMap(map)}, surface);
     } else {
-      const ProjectiveSpan lanes{span, ProjectiveLanes(map, span)};
-      kernels.draw_projective({{&lanes, 1}, ExactMap(map)}, surface);
+      const ProjectiveField lanes = ProjectiveLanes(map, span).field(span);
+      kernels.draw_projective({batch, lanes, ExactMap(map)}, surface);
     }
   }
 }
 
 // Affine maps are drawn exactly in any case: their kernels were measured to be no slower than lanes
-// that leave near-ties undecided, for what bounds them is fetching texels.
+// that leave near-ties undecided, for what bounds them is fetching texels. So is a polygon of which
+// every row is too narrow to be stepped.
 [[nodiscard]] bool is_tolerant(const Polygon& polygon, const selvage_options& options) {
   return options.tolerance > 0 && options.filter == SELVAGE_FILTER_NEAREST && !polygon.affine &&
-         lanes_fit(polygon);
+         polygon.right_px - polygon.left_px >= kLeastStepped_px && lanes_fit(polygon);
 }
 
 }  // namespace
@@ -79,8 +81,12 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
   if (is_tolerant(polygon, options)) {
     return draw_tolerantly(surface, visible, polygon, kernels, options.tolerance);
   }
-  if (const std::optional<Plane> plane = Plane::of(polygon, visible)) {
-    return draw_plane(*plane, polygon, visible, surface, kernels);
+  if (polygon.affine) {
+    if (const std::optional<Plane> plane = Plane::of(polygon, visible)) {
+      return draw_plane(*plane, polygon, visible, surface, kernels.rows, kernels.draw_affine);
+    }
+  } else if (const auto plane = ProjectivePlane::of(polygon, visible)) {
+    return draw_plane(*plane, polygon, visible, surface, kernels.rows, kernels.draw_projective);
   }
   draw_ruled(polygon, visible, surface, kernels);
 }

@@ -6,6 +6,7 @@
 
 #include "mapper/number.h"
 #include "mapper/plane.h"
+#include "mapper/projective_plane.h"
 #include "mapper/span.h"
 
 namespace selvage::mapper {
@@ -35,6 +36,8 @@ class ExactMap {
  public:
   explicit ExactMap(const SpanMap& map) : map_(&map), row_from_(row_of_span) {}
   explicit ExactMap(const Plane& plane) : map_(&plane), row_from_(row_of_plane) {}
+  explicit ExactMap(const ProjectivePlane& plane)
+      : map_(&plane), row_from_(row_of_projective_plane) {}
 
   // Of a pixel of the polygon, and the pixels right of it.
   [[nodiscard]] ExactRow row_from(int32_t px, int32_t row) const {
@@ -56,6 +59,12 @@ class ExactMap {
     return {line(plane.u_numerator(px, row), plane.u_numerator_step()),
             line(plane.v_numerator(px, row), plane.v_numerator_step()),
             line(plane.denominator(), 0)};
+  }
+  [[nodiscard]] static ExactRow row_of_projective_plane(const void* of, int32_t px, int32_t row) {
+    const auto& plane = *static_cast<const ProjectivePlane*>(of);
+    return {line(plane.u_numerator(px, row), plane.u_numerator_step()),
+            line(plane.v_numerator(px, row), plane.v_numerator_step()),
+            line(plane.denominator(px, row), plane.denominator_step())};
   }
 
   const void* map_;

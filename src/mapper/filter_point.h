@@ -58,13 +58,11 @@ static_assert(kDenominatorBits - kGridBits + kTexelBits - kTexelFraction + kGrid
 [[nodiscard]] inline Lane lane_at(const AffineField& lanes, const Span& span, int32_t px) {
   return lanes.at(px, span.row);
 }
-[[nodiscard]] inline Lane lane_at(const ProjectiveLanes& lanes, const Span& span, int32_t px) {
+[[nodiscard]] inline Lane lane_at(const DividedLanes& lanes, const Span& span, int32_t px) {
   return lanes.at(px - span.left_px);
 }
 [[nodiscard]] inline uint32_t margin_of(const AffineField& lanes) { return lanes.margin_fx32; }
-[[nodiscard]] inline uint32_t margin_of(const ProjectiveLanes& lanes) {
-  return lanes.margin_fx32();
-}
+[[nodiscard]] inline uint32_t margin_of(const DividedLanes& lanes) { return lanes.margin_fx32(); }
 
 // A pixel of a span, by its lanes and its exact map.
 template <class Lanes>

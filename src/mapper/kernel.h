@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "mapper/exact_row.h"
 #include "mapper/lanes.h"
@@ -30,13 +29,10 @@ struct AffineSpans {
   ExactMap exact;  // decides near-ties
 };
 
-struct ProjectiveSpan {
-  Span span;
-  ProjectiveLanes lanes;
-};
-
+// Spans of consecutive rows under one projective map.
 struct ProjectiveSpans {
-  std::span<const ProjectiveSpan> spans;
+  const SpanBatch& batch;
+  ProjectiveField field;
   ExactMap exact;
 };
 

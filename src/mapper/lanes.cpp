@@ -39,6 +39,12 @@ class Divisor {
 
 static_assert(kDenominatorBits + 2 < 127, "a remainder fits int128");
 
+[[nodiscard]] double ratio_of_ends(const SpanMap& map, const Span& span) {
+  const auto at_start = static_cast<double>(map.denominator(span.left_px));
+  const auto at_end = static_cast<double>(map.denominator(span.right_px - 1));
+  return std::max(at_start, at_end) / std::min(at_start, at_end);
+}
+
 }  // namespace
 
 AffineLanes::AffineLanes(const SpanMap& map, const Span& span)
@@ -62,18 +68,25 @@ AffineLanes::AffineLanes(const SpanMap& map, const Span& span)
 //
 // which in units of 2^-32 texel is 12 * 2^(15 + 32 - 53) D_max / D_min, 3/16 of the ratio and a
 // little. q is at most 2^24, so the ratio is at most 2^24 and the denominator never near 0.
+ProjectiveLanes::ProjectiveLanes(const SpanMap& map, const Span& span, double ratio)
+    : DividedLanes({static_cast<double>(map.u_numerator(span.left_px)) * kLaneUnit,
+                    static_cast<double>(map.u_numerator_step()) * kLaneUnit},
+                   {static_cast<double>(map.v_numerator(span.left_px)) * kLaneUnit,
+                    static_cast<double>(map.v_numerator_step()) * kLaneUnit},
+                   {static_cast<double>(map.denominator(span.left_px)),
+                    static_cast<double>(map.denominator_step())},
+                   static_cast<int64_t>(ratio) + kProjectiveTruncations_fx32),
+      ratio_(ratio) {}
+
 ProjectiveLanes::ProjectiveLanes(const SpanMap& map, const Span& span)
-    : u_{static_cast<double>(map.u_numerator(span.left_px)) * kLaneUnit,
-         static_cast<double>(map.u_numerator_step()) * kLaneUnit},
-      v_{static_cast<double>(map.v_numerator(span.left_px)) * kLaneUnit,
-         static_cast<double>(map.v_numerator_step()) * kLaneUnit},
-      denominator_{static_cast<double>(map.denominator(span.left_px)),
-                   static_cast<double>(map.denominator_step())} {
-  const double at_start = denominator_.start;
-  const double at_end = static_cast<double>(map.denominator(span.right_px - 1));
-  ratio_ = std::max(at_start, at_end) / std::min(at_start, at_end);
-  error_fx32_ = static_cast<int64_t>(ratio_) + kProjectiveTruncations_fx32;
-  margin_fx32_ = static_cast<uint32_t>(2 * error_fx32_);
+    : ProjectiveLanes(map, span, ratio_of_ends(map, span)) {}
+
+ProjectiveField ProjectiveLanes::field(const Span& span) const {
+  const auto line = [](const Linear& along) {
+    return ProjectiveField::Linear{along.start, along.step, 0};
+  };
+  return {span.left_px,        span.row,    line(u_numerator_fx32()), line(v_numerator_fx32()),
+          line(denominator()), error_fx32()};
 }
 
 }  // namespace selvage::mapper

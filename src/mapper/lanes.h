@@ -87,16 +87,18 @@ class AffineLanes {
 
 // Lanes of a span whose denominator varies: one division a pixel, in double, with a certified
 // bound.
-class ProjectiveLanes {
+class DividedLanes {
  public:
   // value(i) = start + i * step
   struct Linear {
     double start, step;
   };
 
-  ProjectiveLanes(const SpanMap& map, const Span& span);
+  DividedLanes(const Linear& u_fx32, const Linear& v_fx32, const Linear& denominator,
+               int64_t error_fx32)
+      : u_(u_fx32), v_(v_fx32), denominator_(denominator), error_fx32_(error_fx32) {}
 
-  [[nodiscard]] uint32_t margin_fx32() const { return margin_fx32_; }
+  [[nodiscard]] uint32_t margin_fx32() const { return static_cast<uint32_t>(2 * error_fx32_); }
   [[nodiscard]] Lane at(int32_t offset_px) const {
     const double i = offset_px;
     const double w = 1.0 / (denominator_.start + i * denominator_.step);
@@ -109,15 +111,47 @@ class ProjectiveLanes {
   [[nodiscard]] const Linear& v_numerator_fx32() const { return v_; }
   [[nodiscard]] const Linear& denominator() const { return denominator_; }
   [[nodiscard]] int64_t error_fx32() const { return error_fx32_; }
-  // Of the greater denominator at the span's ends to the lesser one.
-  [[nodiscard]] double ratio() const { return ratio_; }
 
  private:
   Linear u_, v_;  // numerators, scaled so that u comes out in fx32
   Linear denominator_;
-  double ratio_;
   int64_t error_fx32_;
-  uint32_t margin_fx32_;
+};
+
+// The lanes of all pixels under one projective map.
+struct ProjectiveField {
+  // value(px, row) = start + (px - first_px) * step_x + (row - first_row) * step_y
+  struct Linear {
+    double start, step_x, step_y;
+  };
+
+  int32_t first_px, first_row;
+  Linear u_fx32, v_fx32, denominator;
+  int64_t error_fx32;  // as of DividedLanes
+
+  [[nodiscard]] DividedLanes of(const Span& span) const {
+    const double dx = span.left_px - first_px, dy = span.row - first_row;
+    const auto along = [&](const Linear& line) {
+      return DividedLanes::Linear{line.start + dy * line.step_y + dx * line.step_x, line.step_x};
+    };
+    return {along(u_fx32), along(v_fx32), along(denominator), error_fx32};
+  }
+};
+
+// Those of a span between two edges.
+class ProjectiveLanes : public DividedLanes {
+ public:
+  ProjectiveLanes(const SpanMap& map, const Span& span);
+
+  // The same lanes, of this span alone.
+  [[nodiscard]] ProjectiveField field(const Span& span) const;
+  // Of the greater denominator at the span's ends to the lesser one.
+  [[nodiscard]] double ratio() const { return ratio_; }
+
+ private:
+  ProjectiveLanes(const SpanMap& map, const Span& span, double ratio);
+
+  double ratio_;
 };
 
 }  // namespace selvage::mapper

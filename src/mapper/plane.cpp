@@ -7,20 +7,6 @@
 namespace selvage::mapper {
 namespace {
 
-// Differences of two vertices: 25 bits of position, 33 of u.
-struct Difference {
-  int64_t x, y, u, v;
-  Difference(const selvage_vertex& from, const selvage_vertex& to)
-      : x(int64_t{to.x} - from.x),
-        y(int64_t{to.y} - from.y),
-        u(int64_t{to.u} - from.u),
-        v(int64_t{to.v} - from.v) {}
-};
-
-[[nodiscard]] int64_t cross(const Difference& a, const Difference& b) {
-  return a.x * b.y - b.x * a.y;
-}
-
 static_assert(kTexelBits + 1 + kPositionBits + 1 <= 57, "A and B of a plane are below 2^57");
 
 // floor(n / d) where an estimate in double is off by kPlaneEstimateError_fx32 at most, and all that
@@ -78,26 +64,21 @@ bool Plane::set_lanes(const PlaneCoordinate& c, int64_t Lane::*axis) {
 
 std::optional<Plane> Plane::of(const Polygon& polygon, const selvage_rect& visible) {
   if (!polygon.affine) return std::nullopt;
-  const auto& vertices = polygon.vertices;
-  const selvage_vertex& origin = vertices[0];
-  size_t second = 1;
-  while (second + 1 < vertices.size() && vertices[second].x == origin.x &&
-         vertices[second].y == origin.y) {
-    ++second;
-  }
-  const Difference a(origin, vertices[second]);
-  size_t third = second + 1;
-  while (third < vertices.size() && cross(a, Difference(origin, vertices[third])) == 0) ++third;
-  if (third == vertices.size()) return std::nullopt;
-
-  const Difference b(origin, vertices[third]);
-  const int64_t area = cross(a, b), sign = area < 0 ? -1 : 1;
+  const std::optional<PlaneFrame> frame = PlaneFrame::of(polygon.vertices);
+  if (!frame) return std::nullopt;
   Plane plane;
-  plane.x_fx8_ = origin.x;
-  plane.y_fx8_ = origin.y;
-  plane.doubled_area_ = area * sign;
-  plane.u_ = {origin.u, sign * (a.u * b.y - b.u * a.y), sign * (b.u * a.x - a.u * b.x)};
-  plane.v_ = {origin.v, sign * (a.v * b.y - b.v * a.y), sign * (b.v * a.x - a.v * b.x)};
+  plane.x_fx8_ = frame->origin().x;
+  plane.y_fx8_ = frame->origin().y;
+  plane.doubled_area_ = frame->doubled_area();
+  const auto coordinate = [&](int32_t selvage_vertex::*of) {
+    const int64_t value = frame->origin().*of;
+    const auto gradient =
+        frame->gradient<int64_t>(frame->second().*of - value, frame->third().*of - value);
+    return PlaneCoordinate{frame->origin().*of, gradient.along_x, gradient.along_y};
+  };
+  plane.u_ = coordinate(&selvage_vertex::u);
+  plane.v_ = coordinate(&selvage_vertex::v);
+  const auto& vertices = polygon.vertices;
   for (size_t i = 1; vertices.size() > 3 && i < vertices.size(); ++i) {
     if (!plane.passes_through(vertices[i])) return std::nullopt;
   }

@@ -9,12 +9,12 @@
 
 #include "mapper/lanes.h"
 #include "mapper/number.h"
+#include "mapper/plane_frame.h"
 #include "mapper/polygon.h"
 #include "mapper/span.h"
 
 namespace selvage::mapper {
 
-inline constexpr int kPlaneAreaBits = 2 * kPositionBits + 1;  // of a doubled area
 // Estimates of gradients in double, up to 2^52 units, are off by a few units at most.
 inline constexpr double kMostPlaneEstimate_fx32 = 0x1p52;
 inline constexpr int kPlaneEstimateError_fx32 = 6;

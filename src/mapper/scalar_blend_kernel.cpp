@@ -36,8 +36,9 @@ void draw_affine(const AffineSpans& spans, const Surface& surface) {
 
 template <BlendKernel kBlend>
 void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
-  for (const ProjectiveSpan& each : spans.spans) {
-    draw_row<kBlend>(each.lanes, spans.exact, each.span, surface);
+  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+    const Span span = spans.batch.span(i);
+    draw_row<kBlend>(spans.field.of(span), spans.exact, span, surface);
   }
 }
 

@@ -92,8 +92,9 @@ void draw_affine(const AffineSpans& spans, const Surface& surface) {
 }
 
 void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
-  for (const ProjectiveSpan& each : spans.spans) {
-    draw_lanes(each.lanes, spans.exact, each.span, surface);
+  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+    const Span span = spans.batch.span(i);
+    if (!span.empty()) draw_lanes(spans.field.of(span), spans.exact, span, surface);
   }
 }
 

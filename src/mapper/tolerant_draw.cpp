@@ -30,8 +30,9 @@ void draw_row(const TolerantRow& row, const Span& span, const Surface& surface,
               const Kernels& kernels) {
   if (row.choice.method == SELVAGE_METHOD_EXACT_PERSPECTIVE) {
     const bool clipped = span.width_px() != row.whole.width_px();
-    const ProjectiveSpan exact{span, clipped ? ProjectiveLanes(row.map, span) : row.lanes};
-    kernels.draw_projective({{&exact, 1}, ExactMap(row.map)}, surface);
+    const ProjectiveLanes lanes = clipped ? ProjectiveLanes(row.map, span) : row.lanes;
+    const SpanBatch batch = one_span(span);
+    kernels.draw_projective({batch, lanes.field(span), ExactMap(row.map)}, surface);
     return;
   }
   const int32_t segment_px = row.choice.method == SELVAGE_METHOD_SUBDIVIDED

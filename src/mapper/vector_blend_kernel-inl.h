@@ -103,8 +103,8 @@ static_assert(kWidestMargin_fx32 < int64_t{1} << 31);
 
 class ProjectivePoints {
  public:
-  HWY_INLINE ProjectivePoints(const ProjectiveSpan& each, const ExactMap& map)
-      : each_(each), map_(map), row_(each.lanes, kTexel_fx8) {}
+  HWY_INLINE ProjectivePoints(const ProjectiveSpans& spans, const Span& span)
+      : span_(span), map_(spans.exact), row_(spans.field.of(span), kTexel_fx8) {}
 
   HWY_INLINE PointVectors at(const Span& /*span*/, int32_t px) const {
     HWY_ALIGN int32_t u[kLanes], v[kLanes];
@@ -116,12 +116,12 @@ class ProjectivePoints {
   HWY_INLINE void find(int32_t px, int32_t* HWY_RESTRICT u, int32_t* HWY_RESTRICT v) const {
     const DHalf d;
     uint32_t near_u, near_v;
-    LowTexels low = row_.low(px - each_.span.left_px, &near_u, &near_v);
-    const uint32_t asked = first_bits(HWY_MIN(HWY_MAX(each_.span.right_px - px, 0), kDoubles));
+    LowTexels low = row_.low(px - span_.left_px, &near_u, &near_v);
+    const uint32_t asked = first_bits(HWY_MIN(HWY_MAX(span_.right_px - px, 0), kDoubles));
     near_u &= asked;
     near_v &= asked;
     if (HWY_UNLIKELY((near_u | near_v) != 0)) {
-      const ExactRow exact = on_grid(map_.row_from(px, each_.span.row));
+      const ExactRow exact = on_grid(map_.row_from(px, span_.row));
       low.s = decide(d, low.s, near_u, exact, exact.u);
       low.t = decide(d, low.t, near_v, exact, exact.v);
     }
@@ -129,7 +129,7 @@ class ProjectivePoints {
     hn::StoreU(low.t, d, v);
   }
 
-  const ProjectiveSpan& each_;
+  const Span& span_;
   const ExactMap& map_;
   ProjectiveRow row_;
 };
@@ -289,21 +289,21 @@ void draw_blended_affine(const AffineSpans& spans, const Surface& surface) {
 }
 
 // Where lanes may lack more than a step of the grid, one decision is not enough.
-[[nodiscard]] inline bool are_fine(const ProjectiveLanes& lanes) {
-  return lanes.margin_fx32() < uint32_t{1} << kGridFraction;
+[[nodiscard]] inline bool are_fine(const ProjectiveField& lanes) {
+  return 2 * lanes.error_fx32 < int64_t{1} << kGridFraction;
 }
 
 HWY_NOINLINE void blend_projective(const ProjectiveSpans& spans, const Surface& surface,
                                    bool four) {
-  const auto& scalar = scalar_kernels(four ? SELVAGE_FILTER_FOUR : SELVAGE_FILTER_BILINEAR);
+  if (!are_fine(spans.field)) {
+    const auto& scalar = scalar_kernels(four ? SELVAGE_FILTER_FOUR : SELVAGE_FILTER_BILINEAR);
+    return scalar.draw_projective(spans, surface);
+  }
   with_address(surface, [&](auto address) {
-    for (const ProjectiveSpan& each : spans.spans) {
-      if (are_fine(each.lanes)) {
-        const ProjectivePoints points(each, spans.exact);
-        draw_blended<decltype(address)>(points, each.span, surface, four);
-      } else {
-        scalar.draw_projective({{&each, 1}, spans.exact}, surface);
-      }
+    for (int32_t i = 0; i < spans.batch.rows; ++i) {
+      const Span span = spans.batch.span(i);
+      const ProjectivePoints points(spans, span);
+      draw_blended<decltype(address)>(points, span, surface, four);
     }
   });
 }

@@ -36,8 +36,8 @@ TEST(Items, AreThoseOfTheTable) {
   const auto loads = workloads(1);
   std::vector<std::string> ids;
   for (const Workload& load : loads) ids.push_back(load.id);
-  EXPECT_EQ(ids,
-            (std::vector<std::string>{"W1", "W1-2048", "W2", "W3", "W3-20000", "W4", "W5", "W6"}));
+  EXPECT_EQ(ids, (std::vector<std::string>{"W1", "W1-2048", "W2", "W3", "W3-20000", "W4", "W4-2000",
+                                           "W4-20000", "W5", "W6"}));
   EXPECT_NEAR(share_of_target(find(loads, "W1")), 0.5, 0.001);
   EXPECT_EQ(find(loads, "W1-2048").polygons.front().front().x,
             find(loads, "W1").polygons.front().front().x);
@@ -46,6 +46,12 @@ TEST(Items, AreThoseOfTheTable) {
   EXPECT_EQ(find(loads, "W3").polygons.size(), 2000u);
   EXPECT_EQ(find(loads, "W3-20000").polygons.size(), 20000u);
   EXPECT_TRUE(find(loads, "W4").perspective);
+  EXPECT_EQ(find(loads, "W4-2000").polygons.size(), 2000u);
+  EXPECT_EQ(find(loads, "W4-20000").polygons.size(), 20000u);
+  const Workload& mesh = find(loads, "W4-2000");
+  for (const auto& triangle : mesh.polygons) {
+    EXPECT_TRUE(triangle[0].q != triangle[1].q || triangle[0].q != triangle[2].q);
+  }
   EXPECT_EQ(find(loads, "W5").filter, kBilinear);
   EXPECT_EQ(share_of_target(find(loads, "W6")), 1.0);
 }
@@ -204,7 +210,7 @@ TEST(Plan, HasEachItemOnceAndSaysWhatThereIsNot) {
       std::any_of(plan.unavailable.begin(), plan.unavailable.end(),
                   [](const std::string& sentence) { return sentence.rfind("W5 ", 0) == 0; });
   EXPECT_NE(said, bilinear);
-  EXPECT_EQ(plan.work_items, 7u + (bilinear ? 1 : 0) + 8);
+  EXPECT_EQ(plan.work_items, 9u + (bilinear ? 1 : 0) + 8);
   EXPECT_EQ(plan.curves.size(), curves().size());
   EXPECT_EQ(plan.subjects.front().id, "exact");
   EXPECT_EQ(plan.subjects.back().id, "fill");

@@ -13,9 +13,16 @@ constexpr int32_t kTexture_fx16 = kTextureSide_texel * SELVAGE_SUBTEXELS;
 constexpr int32_t kQ = 1 << 20;
 constexpr double kSubpixels = SELVAGE_SUBPIXELS;
 
+enum class Depth { kFlat, kTilted };
+
+// On one tilted plane q changes with x and y alike: from 1 to 2 over the target's diagonal.
+int32_t tilted_q(int32_t x_fx8, int32_t y_fx8) {
+  return kQ + kQ / (2 * kTargetWidth_px) * ((x_fx8 + y_fx8) / SELVAGE_SUBPIXELS);
+}
+
 // The vertices of a grid of square cells over the target, row by row; the inner ones are moved by
 // up to 0.3 cells each way, the texture coordinates stay.
-std::vector<selvage_vertex> jittered_grid(int32_t cells, int32_t cell_fx8) {
+std::vector<selvage_vertex> jittered_grid(int32_t cells, int32_t cell_fx8, Depth depth) {
   constexpr int32_t off_fx8 = 83;  // off the pixel grid
   std::mt19937_64 random(kSeed);
   const int32_t reach_fx8 = cell_fx8 * 3 / 10;
@@ -26,19 +33,22 @@ std::vector<selvage_vertex> jittered_grid(int32_t cells, int32_t cell_fx8) {
   };
   std::vector<selvage_vertex> grid;
   for (int32_t j = 0; j <= cells; ++j) {
-    for (int32_t i = 0; i <= cells; ++i)
-      grid.push_back({off_fx8 + i * cell_fx8 + jitter_fx8(i),
-                      off_fx8 + j * cell_fx8 + jitter_fx8(j), kTexture_fx16 / cells * i,
-                      kTexture_fx16 / cells * j, 1});
+    for (int32_t i = 0; i <= cells; ++i) {
+      selvage_vertex vertex{off_fx8 + i * cell_fx8 + jitter_fx8(i),
+                            off_fx8 + j * cell_fx8 + jitter_fx8(j), kTexture_fx16 / cells * i,
+                            kTexture_fx16 / cells * j, 1};
+      if (depth == Depth::kTilted) vertex.q = tilted_q(vertex.x, vertex.y);
+      grid.push_back(vertex);
+    }
   }
   return grid;
 }
 
 // Two triangles a cell, from the top, as many as there are but 2000 at most.
-Work mesh(double area_px) {
+Work mesh(double area_px, Depth depth) {
   const auto cell_fx8 = static_cast<int32_t>(std::lround(std::sqrt(2 * area_px) * kSubpixels));
   const int32_t cells = (kTargetWidth_px - 1) * SELVAGE_SUBPIXELS / cell_fx8;
-  const std::vector<selvage_vertex> grid = jittered_grid(cells, cell_fx8);
+  const std::vector<selvage_vertex> grid = jittered_grid(cells, cell_fx8, depth);
   Work work{"triangle", {}, kTargetWidth_px, SELVAGE_FILTER_NEAREST};
   for (int32_t cell = 0; cell < cells * cells && 2 * cell < kMostTriangles; ++cell) {
     const auto at = static_cast<size_t>(cell / cells * (cells + 1) + cell % cells);
@@ -70,8 +80,10 @@ Work spans(const Corner& right, const Corner& below, selvage_filter filter) {
 }  // namespace
 
 std::optional<Work> work_of(std::string_view kind) {
-  if (kind == "mesh-52") return mesh(52);
-  if (kind == "mesh-484") return mesh(484);
+  if (kind == "mesh-52") return mesh(52, Depth::kFlat);
+  if (kind == "mesh-484") return mesh(484, Depth::kFlat);
+  if (kind == "tilted-52") return mesh(52, Depth::kTilted);
+  if (kind == "tilted-484") return mesh(484, Depth::kTilted);
   constexpr Corner right{829, 410, kQ}, near{400, 200, 2 * kQ};
   constexpr Corner below{40, 60, kQ}, near_below{40, 60, kQ + kQ / 2};
   if (kind == "affine") return spans(right, below, SELVAGE_FILTER_NEAREST);

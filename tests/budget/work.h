@@ -23,8 +23,9 @@ struct Work {
 inline constexpr int32_t kTargetWidth_px = 1024;
 inline constexpr int32_t kTextureSide_texel = 256;
 
-// mesh-52 and mesh-484: a jittered mesh of triangles of about so many pixels; affine, perspective
-// and bilinear: 64 spans of 1024 px. Nothing for another name.
+// mesh-52 and mesh-484: a jittered mesh of triangles of about so many pixels; tilted-52 and
+// tilted-484: the same in perspective; affine, perspective and bilinear: 64 spans of 1024 px.
+// Nothing for another name.
 [[nodiscard]] std::optional<Work> work_of(std::string_view kind);
 
 }  // namespace selvage::budget

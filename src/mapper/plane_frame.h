@@ -1,0 +1,77 @@
+// The frame of a plane: three vertices of a polygon that are not on one line.
+//
+// What is affine over the target has a value a at the first of them, and at (x, y) from there
+//
+//     a + (x A + y B) / D
+//
+// where D is the doubled area and A and B come from the changes to the other two, all of them
+// integers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "mapper/number.h"
+#include "selvage.h"
+
+namespace selvage::mapper {
+
+inline constexpr int kPlaneAreaBits = 2 * kPositionBits + 1;  // of a doubled area
+
+class PlaneFrame {
+ public:
+  template <class Integer>
+  struct Gradient {
+    Integer along_x, along_y;  // A and B
+  };
+
+  // Empty where all vertices are on one line. The three run so that the area is positive.
+  [[nodiscard]] static std::optional<PlaneFrame> of(std::span<const selvage_vertex> vertices) {
+    const selvage_vertex& origin = vertices[0];
+    size_t second = 1;
+    while (second + 1 < vertices.size() && vertices[second].x == origin.x &&
+           vertices[second].y == origin.y) {
+      ++second;
+    }
+    for (size_t third = second + 1; third < vertices.size(); ++third) {
+      const PlaneFrame frame(origin, vertices[second], vertices[third]);
+      if (frame.doubled_area_ > 0) return frame;
+      if (frame.doubled_area_ < 0) return PlaneFrame(origin, vertices[third], vertices[second]);
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] const selvage_vertex& origin() const { return *origin_; }
+  [[nodiscard]] const selvage_vertex& second() const { return *second_; }
+  [[nodiscard]] const selvage_vertex& third() const { return *third_; }
+
+  // D, in (1/256 px)^2: 0 < D < 2^kPlaneAreaBits.
+  [[nodiscard]] int64_t doubled_area() const { return doubled_area_; }
+
+  // Of what changes by so much from the origin to the second vertex and to the third.
+  template <class Integer>
+  [[nodiscard]] Gradient<Integer> gradient(int64_t to_second, int64_t to_third) const {
+    return {Integer{to_second} * y3_ - Integer{to_third} * y2_,
+            Integer{to_third} * x2_ - Integer{to_second} * x3_};
+  }
+
+ private:
+  PlaneFrame(const selvage_vertex& origin, const selvage_vertex& second,
+             const selvage_vertex& third)
+      : origin_(&origin),
+        second_(&second),
+        third_(&third),
+        x2_(int64_t{second.x} - origin.x),
+        y2_(int64_t{second.y} - origin.y),
+        x3_(int64_t{third.x} - origin.x),
+        y3_(int64_t{third.y} - origin.y),
+        doubled_area_(x2_ * y3_ - x3_ * y2_) {}
+
+  const selvage_vertex *origin_, *second_, *third_;
+  int64_t x2_, y2_, x3_, y3_;  // from the origin, 1/256 px
+  int64_t doubled_area_;
+};
+
+}  // namespace selvage::mapper

@@ -1,0 +1,190 @@
+#include "mapper/projective_plane.h"
+
+#include "mapper/exact_row.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "spec/exact.h"
+#include "spec/generate.h"
+#include "spec/laws.h"
+#include "spec/random.h"
+#include "tests/span_support.h"
+
+namespace selvage::mapper {
+namespace {
+
+using spec::Rational;
+
+[[nodiscard]] std::optional<ProjectivePlane> plane_of(const std::vector<selvage_vertex>& vertices,
+                                                      const selvage_rect& visible = {
+                                                          -32768, -32768, 32768, 32768}) {
+  Polygon polygon;
+  EXPECT_EQ(examine(vertices, &polygon), SELVAGE_OK);
+  return ProjectivePlane::of(polygon, visible);
+}
+
+// The law of the filter, and the exact decision, at one pixel.
+void expect_lawful(const ProjectivePlane& plane, const Span& span, int32_t offset_px,
+                   const std::vector<selvage_vertex>& vertices) {
+  const auto exact = spec::sample(vertices, span.left_px + offset_px, span.row);
+  ASSERT_TRUE(exact);
+  const DividedLanes lanes = plane.lanes().of(span);
+  const Lane lane = lanes.at(offset_px);
+  const auto holds = [&](int64_t lane_fx32, const Rational& texel) {
+    const Rational true_fx32 = texel * Rational(4294967296.0);
+    return lane_fx32 <= true_fx32 && true_fx32 < Rational(lane_fx32) + lanes.margin_fx32();
+  };
+  ASSERT_TRUE(holds(lane.u_fx32, exact->u) && holds(lane.v_fx32, exact->v));
+  const ExactRow row = ExactMap(plane).row_from(span.left_px, span.row);
+  for (const int32_t below : {0, 1}) {
+    const int32_t s = spec::floor(exact->u), t = spec::floor(exact->v);
+    ASSERT_EQ(row.reaches(row.u, offset_px, s + below), below == 0);
+    ASSERT_EQ(row.reaches(row.v, offset_px, t + below), below == 0);
+  }
+}
+
+void expect_lawful(const ProjectivePlane& plane, const Span& span,
+                   const std::vector<selvage_vertex>& vertices) {
+  const int32_t last = span.width_px() - 1;
+  for (const int32_t offset_px : {0, last / 2, last}) {
+    expect_lawful(plane, span, offset_px, vertices);
+  }
+}
+
+TEST(ProjectivePlane, LanesAreLowByLessThanTheirMargin) {
+  int with_plane = 0, triangles = 0, triangles_without = 0;
+  for (uint64_t seed = 1; seed <= 6000; ++seed) {
+    const spec::Case c = spec::generate(seed);
+    Polygon polygon;
+    if (examine(c.vertices, &polygon) != SELVAGE_OK) continue;
+    const selvage_rect visible{-2, 0, c.target_width_px + 2, c.target_height_px};
+    const std::optional<ProjectivePlane> plane = ProjectivePlane::of(polygon, visible);
+    bool covers = false;
+    for_each_span(c, [&](const spec::Case&, const Polygon&, const SpanMap&, const Span& span) {
+      covers = true;
+      SCOPED_TRACE(seed);
+      if (plane) expect_lawful(*plane, span, c.vertices);
+    });
+    if (HasFatalFailure()) return;
+    if (!covers || polygon.affine) continue;
+    with_plane += plane ? 1 : 0;
+    triangles += c.vertices.size() == 3 ? 1 : 0;
+    triangles_without += c.vertices.size() == 3 && !plane ? 1 : 0;
+  }
+  EXPECT_GT(with_plane, 400);
+  EXPECT_LT(triangles_without, triangles / 4);  // steep slivers, of which the generator is full
+}
+
+// Triangles with all of the range, drawn at random rows: numerators are as long as they get.
+TEST(ProjectivePlane, HoldsOverTheWholeRange) {
+  spec::Random random(1);
+  int with_plane = 0;
+  for (int i = 0; i < 300; ++i) {
+    std::vector<selvage_vertex> triangle(3);
+    for (selvage_vertex& v : triangle) {
+      v.x = random.in(SELVAGE_X_MIN, SELVAGE_X_END);
+      v.y = random.in(SELVAGE_X_MIN, SELVAGE_X_END);
+      v.u = random.percent(50) ? INT32_MAX : INT32_MIN;
+      v.v = random.in(INT32_MIN, INT32_MAX);
+      v.q = random.percent(50) ? random.in(1, int64_t{SELVAGE_Q_MAX} + 1) : random.in(1, 9);
+    }
+    Polygon polygon;
+    ASSERT_EQ(examine(triangle, &polygon), SELVAGE_OK);
+    const auto plane = ProjectivePlane::of(polygon, {-32768, -32768, 32768, 32768});
+    if (!plane) continue;
+    ++with_plane;
+    SCOPED_TRACE(i);
+    for (int32_t k = 0; k < 4; ++k) {
+      const int32_t row = random.in(polygon.top_row, polygon.bottom_row);
+      for_each_row(polygon, row, row + 1, -32768, 32768,
+                   [&](const Edge&, const Edge&, const Span& span) {
+                     expect_lawful(*plane, span, triangle);
+                   });
+    }
+    if (HasFatalFailure()) return;
+  }
+  EXPECT_GT(with_plane, 150);  // not with q from 1 to 2^24
+}
+
+// Corners of the unit square under one projective map: its sums of w, w x and w y over opposite
+// corners agree.
+[[nodiscard]] std::vector<selvage_vertex> tilted_quad() {
+  constexpr int32_t texel = SELVAGE_SUBTEXELS;
+  return {{190 * 256, 150 * 256, 0, 0, 10},
+          {880 * 256, 95 * 256, 64 * texel, 0, 15},
+          {960 * 256, 960 * 256, 64 * texel, 64 * texel, 20},
+          {100 * 256, 680 * 256, 0, 64 * texel, 12}};
+}
+
+TEST(ProjectivePlane, IsThatOfAllVertices) {
+  std::vector<selvage_vertex> quad = tilted_quad();
+  EXPECT_TRUE(plane_of(quad));
+  for (int32_t selvage_vertex::*member :
+       {&selvage_vertex::x, &selvage_vertex::u, &selvage_vertex::v, &selvage_vertex::q}) {
+    quad[3].*member += 1;
+    EXPECT_FALSE(plane_of(quad));
+    quad[3].*member -= 1;
+  }
+  quad.push_back(quad.back());
+  quad.push_back(quad.front());  // repeated vertices
+  EXPECT_TRUE(plane_of(quad));
+  quad.insert(quad.begin(), quad.front());
+  EXPECT_TRUE(plane_of(quad));
+}
+
+TEST(ProjectivePlane, NeedsAnArea) {
+  EXPECT_FALSE(plane_of({{0, 0, 0, 0, 1}, {256, 256, 1, 1, 2}, {512, 512, 2, 2, 3}}));
+  EXPECT_FALSE(plane_of({{9, 9, 0, 0, 1}, {9, 9, 1, 1, 2}, {9, 9, 2, 2, 3}}));
+}
+
+// A sliver along the pixels' diagonal, whose q is 1 there and grows across it, so that the plane's
+// denominators go up to 2^23 (q - 1) + 1 in its rectangle.
+[[nodiscard]] std::vector<selvage_vertex> sliver(int32_t q) {
+  constexpr int32_t kFar_fx8 = 1 << 22, kFar_fx16 = 1 << 27;
+  return {{0, 0, 0, 0, 1},
+          {kFar_fx8 + 1, kFar_fx8, kFar_fx16, kFar_fx16, q},
+          {kFar_fx8, kFar_fx8, kFar_fx16, -kFar_fx16, 1}};
+}
+
+TEST(ProjectivePlane, RefusesWhatReachesTooFar) {
+  const std::optional<ProjectivePlane> far = plane_of(sliver(2));
+  ASSERT_TRUE(far);
+  EXPECT_GT(far->lanes().error_fx32, kMostReach / 2);
+  EXPECT_LE(far->lanes().error_fx32, int64_t{kMostReach} + kProjectiveTruncations_fx32);
+  EXPECT_FALSE(plane_of(sliver(3)));
+  EXPECT_FALSE(plane_of(sliver(SELVAGE_Q_MAX)));
+  EXPECT_TRUE(plane_of(sliver(3), {0, 0, 8192, 8192})) << "the part that is seen reaches less far";
+}
+
+// Exact on both sides of that limit, whichever kernel draws.
+TEST(ProjectivePlane, DrawsSliversAsTheModelDoes) {
+  spec::Case c;
+  c.target_width_px = c.target_height_px = 500;
+  c.texture_width_texel = c.texture_height_texel = 64;
+  for (const int32_t q : {2, 3, 32, 1000, int32_t{SELVAGE_Q_MAX}}) {
+    c.vertices = sliver(q);
+    const selvage_rect all{0, 0, c.target_width_px, c.target_height_px};
+    EXPECT_EQ(plane_of(c.vertices, all).has_value(), q <= 32) << q;
+    for (const char* law : {"COV", "MAP", "SAME"}) {
+      const spec::Judgement judgement = spec::find_law(law)->check(spec::built_in(), c);
+      EXPECT_FALSE(judgement.violation) << spec::explain(*judgement.violation);
+      EXPECT_GT(judgement.judged_px, 0U);
+    }
+  }
+}
+
+TEST(ProjectivePlane, StepsAreDifferences) {
+  const std::optional<ProjectivePlane> plane = plane_of(tilted_quad());
+  ASSERT_TRUE(plane);
+  const ExactRow row = ExactMap(*plane).row_from(300, 400),
+                 next = ExactMap(*plane).row_from(301, 400);
+  for (const auto line : {&ExactRow::u, &ExactRow::v, &ExactRow::d}) {
+    EXPECT_TRUE((next.*line).start - (row.*line).start == (row.*line).step);
+    EXPECT_TRUE((next.*line).start == (row.*line).at(1));
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper
