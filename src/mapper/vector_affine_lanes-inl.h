@@ -13,7 +13,7 @@
 #define SELVAGE_VECTOR_AFFINE_LANES_INL_H
 #endif
 
-#include "mapper/vector_window-inl.h"
+#include "mapper/vector_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -40,19 +40,13 @@ inline constexpr int kAnchorShift = kLaneFraction - kTexelFraction;
   return hn::Add(whole, hn::ShiftRight<kAnchorShift>(fraction));
 }
 
-// kLanes lanes of both coordinates.
-struct LaneVectors {
-  V32 u, v;
-};
-
 template <class Address>
-class AffineBatch {
+class AffineBatch : public FixedLanes<Address> {
  public:
   HWY_INLINE AffineBatch(const AffineSpans& spans, const Surface& surface)
-      : exact_(spans.exact),
-        extent_(extent_of(surface.texture)),
-        lack_fx16_(kVectorTruncations_fx16 +
-                   static_cast<int32_t>(spans.field.margin_fx32 >> kAnchorShift) + 1),
+      : FixedLanes<Address>(spans.exact, surface.texture,
+                            kVectorTruncations_fx16 +
+                                static_cast<int32_t>(spans.field.margin_fx32 >> kAnchorShift) + 1),
         to_anchor_{anchor_lane(spans.field.step_x.u_fx32) * spans.field.step_x.u_fx32,
                    anchor_lane(spans.field.step_x.v_fx32) * spans.field.step_x.v_fx32},
         offset_u_(offsets_fx16(spans.field.step_x.u_fx32)),
@@ -69,65 +63,7 @@ class AffineBatch {
             hn::Add(hn::Set(d, floor_fx16(anchor.v_fx32)), offset_v_)};
   }
 
-  // Places in the texture, in texels from its first; those of lanes that mean nothing are valid
-  // too.
-  HWY_INLINE V32 places(const LaneVectors& lanes) const {
-    return places_of(texel_of(lanes.u), texel_of(lanes.v));
-  }
-
-  // Texels by their distance from the origin of a window, which is given as such an index.
-  HWY_INLINE V32 window_index(const LaneVectors& lanes, V32 origin) const {
-    const V32 s = Address::window_texel(texel_of(lanes.u), extent_.width_texel);
-    const V32 t = Address::window_texel(texel_of(lanes.v), extent_.height_texel);
-    return hn::Sub(hn::Add(hn::ShiftLeft<kWindowColumnBits>(t), s), origin);
-  }
-
-  // Whether adding all that a lane may lack changes some texel.
-  [[nodiscard]] HWY_INLINE bool any_near(const LaneVectors& lanes) const {
-    return any_bits(hn::Or(change(lanes.u), change(lanes.v)), ~0xFFFF);
-  }
-  [[nodiscard]] HWY_INLINE uint32_t near_bits(V32 lane_fx16) const {
-    return lane_bits(D32(), is_changed(change(lane_fx16)));
-  }
-
-  // The places of pixels that follow each other in a row, near-ties and all, where asked for.
-  HWY_NOINLINE V32 decided_places(int32_t px, int32_t row, const LaneVectors& lanes,
-                                  uint32_t asked) const {
-    const D32 d;
-    const uint32_t near_u = near_bits(lanes.u) & asked, near_v = near_bits(lanes.v) & asked;
-    const ExactRow exact = exact_.row_from(px, row);
-    return places_of(decide(d, texel_of(lanes.u), near_u, exact, exact.u),
-                     decide(d, texel_of(lanes.v), near_v, exact, exact.v));
-  }
-
-  // The place of one pixel, near-ties or not.
-  [[nodiscard]] int32_t decided_place(int32_t px, int32_t row, int32_t u_fx16,
-                                      int32_t v_fx16) const {
-    const ExactRow exact = exact_.row_from(px, row);
-    const auto texel = [&](const ExactLine& coordinate, int32_t lane_fx16) {
-      const int32_t low = lane_fx16 >> kTexelFraction;
-      return (lane_fx16 & 0xFFFF) + lack_fx16_ > 0xFFFF && exact.reaches(coordinate, 0, low + 1)
-                 ? low + 1
-                 : low;
-    };
-    return Address::place_of_one(texel(exact.u, u_fx16), texel(exact.v, v_fx16), extent_);
-  }
-
  private:
-  static HWY_INLINE V32 texel_of(V32 lane_fx16) {
-    return hn::ShiftRight<kTexelFraction>(lane_fx16);
-  }
-  HWY_INLINE V32 change(V32 lane_fx16) const {
-    return hn::Xor(hn::Add(lane_fx16, hn::Set(D32(), lack_fx16_)), lane_fx16);
-  }
-  static HWY_INLINE hn::Mask<D32> is_changed(V32 change) {
-    return hn::Ne(texel_of(change), hn::Zero(D32()));
-  }
-  HWY_INLINE V32 places_of(V32 s, V32 t) const { return Address::place(s, t, extent_); }
-
-  const ExactMap& exact_;
-  Extent extent_;
-  int32_t lack_fx16_;
   Lane to_anchor_;
   V32 offset_u_, offset_v_;
 };

@@ -12,14 +12,6 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// Vectors of pixels that a hot loop leaves to others, so that it has no calls and keeps all it
-// needs in registers: what is left of their span from there on.
-struct Left {
-  static constexpr int32_t kMost = 64;
-  int32_t count = 0;
-  Span rest[kMost];
-};
-
 // Where a hot loop goes on: in this row of the batch, not before this pixel.
 struct Resume {
   int32_t row = 0, px = INT32_MIN;
@@ -58,18 +50,13 @@ HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume
   *at = {i, from_px};
 }
 
-// A load for each pixel, near-ties and all.
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Surface& surface) {
   const AffineBatch<Address> batch(spans, surface);
-  HWY_ALIGN int32_t place[kLanes];
   for (int32_t i = 0; i < left.count; ++i) {
     const Span& rest = left.rest[i];
-    const int32_t count = HWY_MIN(rest.width_px(), kLanes);
-    const LaneVectors lanes =
-        batch.lanes_from(batch.anchor(spans.field.at(rest.left_px, rest.row)));
-    hn::Store(batch.decided_places(rest.left_px, rest.row, lanes, first_bits(count)), D32(), place);
-    fetch_as<Pixel>(surface.texture.texels, place, count, first_pixel(surface, rest));
+    const Lane anchor = batch.anchor(spans.field.at(rest.left_px, rest.row));
+    batch.template draw<Pixel>(rest, surface, batch.lanes_from(anchor));
   }
 }
 

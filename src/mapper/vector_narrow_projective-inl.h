@@ -9,6 +9,7 @@
 #endif
 
 #include "mapper/vector_projective_kernel-inl.h"
+#include "mapper/vector_projective_wide-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -171,7 +172,8 @@ void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
     if constexpr (kPacks) {
       if (narrow) return draw_narrow_projective<Address>(spans, surface);
     }
-    draw_wide_projective<Address>(spans, surface);
+    with_pixel(surface.target.format,
+               [&](auto pixel) { draw_wide_projective<decltype(pixel), Address>(spans, surface); });
   });
 }
 

@@ -82,49 +82,6 @@ class ProjectiveRow {
   double error_;
 };
 
-// Where both ends have one floor, that is the texel; the exact map decides between two.
-template <class Address>
-HWY_INLINE void find_places(const ProjectiveRow& row, const ExactMap& map, const Span& span,
-                            int32_t offset_px, const Extent& extent, int32_t* HWY_RESTRICT place) {
-  const DHalf d;
-  uint32_t near_u, near_v;
-  LowTexels texel = row.low(offset_px, &near_u, &near_v);
-  const uint32_t asked = first_bits(HWY_MIN(HWY_MAX(span.width_px() - offset_px, 0), kDoubles));
-  near_u &= asked;
-  near_v &= asked;
-  if (HWY_UNLIKELY((near_u | near_v) != 0)) {
-    const ExactRow exact = map.row_from(span.left_px + offset_px, span.row);
-    texel.s = decide(d, texel.s, near_u, exact, exact.u);
-    texel.t = decide(d, texel.t, near_v, exact, exact.v);
-  }
-  hn::StoreU(Address::place(texel.s, texel.t, extent), d, place);
-}
-
-template <class Address>
-void draw_projective_row(const DividedLanes& lanes, const ExactMap& map, const Span& span,
-                         const Surface& surface) {
-  const ProjectiveRow row(lanes, 1);
-  const Extent extent = extent_of(surface.texture);
-  char* pixel = first_pixel(surface, span);
-  HWY_ALIGN int32_t place[kLanes];
-  for (int32_t offset_px = 0; offset_px < span.width_px(); offset_px += kLanes) {
-    const int32_t count = HWY_MIN(span.width_px() - offset_px, kLanes);
-    for (int32_t done = 0; done < count; done += kDoubles) {
-      find_places<Address>(row, map, span, offset_px + done, extent, place + done);
-    }
-    fetch(surface.texture, place, count, pixel);
-    pixel += count * bytes_per_pixel(surface.target.format);
-  }
-}
-
-template <class Address>
-void draw_wide_projective(const ProjectiveSpans& spans, const Surface& surface) {
-  for (int32_t i = 0; i < spans.batch.rows; ++i) {
-    const Span span = spans.batch.span(i);
-    draw_projective_row<Address>(spans.field.of(span), spans.exact, span, surface);
-  }
-}
-
 }  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

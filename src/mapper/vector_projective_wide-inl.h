@@ -1,0 +1,189 @@
+// Projective spans, a vector of pixels of one row at a time. Included once for each SIMD target.
+#if defined(SELVAGE_VECTOR_PROJECTIVE_WIDE_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_PROJECTIVE_WIDE_INL_H
+#undef SELVAGE_VECTOR_PROJECTIVE_WIDE_INL_H
+#else
+#define SELVAGE_VECTOR_PROJECTIVE_WIDE_INL_H
+#endif
+
+#include <cmath>
+
+#include "mapper/vector_lanes-inl.h"
+#include "mapper/vector_projective_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+// 16.16 lanes of a span in perspective: floors of estimates that are low by their error. Rounding
+// the difference moves it by less than 2^-20, which a unit of 32.32 more makes good. So
+//
+//     lane <= true value < lane + 2 error + 2 units of 32.32 + 1.
+class DividedVectors {
+ public:
+  HWY_INLINE explicit DividedVectors(const DividedLanes& lanes)
+      : u_(scaled(lanes.u_numerator_fx32())),
+        v_(scaled(lanes.v_numerator_fx32())),
+        denominator_(lanes.denominator()),
+        error_fx16_(static_cast<double>(lanes.error_fx32() + 1) * kUnit_fx16) {}
+
+  [[nodiscard]] static HWY_INLINE int32_t lack_fx16(const DividedLanes& lanes) {
+    return static_cast<int32_t>((2 * (lanes.error_fx32() + 1)) >> kFraction) + 2;
+  }
+
+  // Of kLanes pixels.
+  HWY_INLINE LaneVectors lanes_from(int32_t offset_px) const {
+    const DD d;
+    const VD i = hn::Add(hn::Iota(d, 0.0), hn::Set(d, static_cast<double>(offset_px)));
+    const VD j = hn::Add(i, hn::Set(d, static_cast<double>(kDoubles)));
+    const VD w_i = hn::Div(hn::Set(d, 1.0), at(denominator_, i));
+    const VD w_j = hn::Div(hn::Set(d, 1.0), at(denominator_, j));
+    return {hn::Combine(D32(), lanes(u_, j, w_j), lanes(u_, i, w_i)),
+            hn::Combine(D32(), lanes(v_, j, w_j), lanes(v_, i, w_i))};
+  }
+
+ private:
+  using Linear = DividedLanes::Linear;
+  static constexpr int kFraction = kLaneFraction - kTexelFraction;
+  static constexpr double kUnit_fx16 = 1.0 / (1 << kFraction);
+  static_assert(2 * kDoubles == kLanes);
+
+  static Linear scaled(const Linear& fx32) {
+    return {fx32.start * kUnit_fx16, fx32.step * kUnit_fx16};
+  }
+  static HWY_INLINE VD at(const Linear& line, VD i) {
+    const DD d;
+    return hn::MulAdd(i, hn::Set(d, line.step), hn::Set(d, line.start));
+  }
+  HWY_INLINE hn::Vec<DHalf> lanes(const Linear& numerator, VD i, VD w) const {
+    const VD low = hn::Sub(hn::Mul(at(numerator, i), w), hn::Set(DD(), error_fx16_));
+    return hn::DemoteTo(DHalf(), hn::Floor(low));
+  }
+
+  Linear u_, v_, denominator_;
+  double error_fx16_;
+};
+
+// The most that u changes by from a pixel of the span to the next, |u' d - u d'| over the least d
+// squared, in texels; what cancellation may hide of it is added.
+[[nodiscard]] HWY_INLINE double steepest_texel(const DividedLanes::Linear& u_fx32,
+                                               const DividedLanes::Linear& d, int32_t width_px) {
+  const double least = HWY_MIN(d.start, d.start + (width_px - 1) * d.step);
+  const double rise = u_fx32.step * d.start, turn = u_fx32.start * d.step;
+  const double most = std::abs(rise - turn) + 0x1p-40 * (std::abs(rise) + std::abs(turn));
+  return least > 0 ? most / (least * least) * kUnit_texel : HUGE_VAL;
+}
+
+[[nodiscard]] HWY_INLINE int32_t window_rows(const DividedLanes& lanes, int32_t width_px,
+                                             const selvage_texture& texture) {
+  if (!kHasWindows) return 0;
+  const auto step_fx32 = [&](const DividedLanes::Linear& numerator) {
+    const double steepest = steepest_texel(numerator, lanes.denominator(), width_px);
+    return static_cast<int64_t>(HWY_MIN(steepest, 2.0) * 0x1p32) + 1;
+  };
+  return window_rows({step_fx32(lanes.u_numerator_fx32()), step_fx32(lanes.v_numerator_fx32())},
+                     texture);
+}
+
+// What draws some vectors of a span.
+struct DividedSpan {
+  const DividedLanes& lanes;
+  const ExactMap& exact;
+  Span span;
+};
+
+// Calls draw(px, count_px, lanes) for each vector of pixels from *px on; false from it leaves the
+// vector to others. Returns at the end, or where no more can be left.
+template <class Draw>
+HWY_INLINE void for_each_vector(const DividedSpan& of, int32_t* px, Left* left, const Draw& draw) {
+  const DividedVectors vectors(of.lanes);
+  const Span span = of.span;
+  int32_t at_px = *px, left_count = 0;
+  for (; at_px < span.right_px && left_count < Left::kMost; at_px += kLanes) {
+    if (HWY_UNLIKELY(
+            !draw(at_px, span.right_px - at_px, vectors.lanes_from(at_px - span.left_px)))) {
+      left->rest[left_count++] = {span.row, at_px, span.right_px};
+    }
+  }
+  *px = at_px;
+  left->count = left_count;
+}
+
+// Along a span u and v rise or fall all the way: its ends have the least and the most.
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_windows(const DividedSpan& of, const Surface& surface, int32_t rows,
+                               int32_t* px, Left* left) {
+  const FixedLanes<Address> fixed(of.exact, surface.texture, DividedVectors::lack_fx16(of.lanes));
+  const Extent extent = extent_of(surface.texture);
+  const auto* const texels = static_cast<const Pixel*>(surface.texture.texels);
+  const int32_t last_column = extent.width_texel - kLanes, last_row = extent.height_texel - rows;
+  Pixel* const pixels = reinterpret_cast<Pixel*>(first_pixel(surface, {of.span.row, 0, 0}));
+  for_each_vector(
+      of, px, left, [&](int32_t at_px, int32_t count_px, const LaneVectors& lanes) HWY_ATTR {
+        HWY_ALIGN int32_t u_fx16[kLanes], v_fx16[kLanes];
+        hn::Store(lanes.u, D32(), u_fx16);
+        hn::Store(lanes.v, D32(), v_fx16);
+        const int32_t end = HWY_MIN(count_px, kLanes) - 1;
+        const Origin s = Address::origin(HWY_MIN(u_fx16[0], u_fx16[end]) >> kTexelFraction,
+                                         last_column, extent.width_texel);
+        const Origin t = Address::origin(HWY_MIN(v_fx16[0], v_fx16[end]) >> kTexelFraction,
+                                         last_row, extent.height_texel);
+        if (fixed.any_near(lanes) || s.index > last_column || t.index > last_row) return false;
+        const V32 index =
+            fixed.window_index(lanes, hn::Set(D32(), (t.texel << kWindowColumnBits) + s.texel));
+        const Pixel* const window = texels + t.index * ptrdiff_t{extent.pitch_texel} + s.index;
+        store_pixels(pick(window, extent.pitch_texel, rows, index), count_px, pixels + at_px);
+        return true;
+      });
+}
+
+// A load for each pixel of a vector of them.
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_loads(const DividedSpan& of, const Surface& surface, int32_t* px,
+                             Left* left) {
+  const FixedLanes<Address> fixed(of.exact, surface.texture, DividedVectors::lack_fx16(of.lanes));
+  Pixel* const pixels = reinterpret_cast<Pixel*>(first_pixel(surface, {of.span.row, 0, 0}));
+  for_each_vector(of, px, left,
+                  [&](int32_t at_px, int32_t count_px, const LaneVectors& lanes) HWY_ATTR {
+                    if (fixed.any_near(lanes) || count_px < kLanes) return false;
+                    HWY_ALIGN int32_t place[kLanes];
+                    hn::Store(fixed.places(lanes), D32(), place);
+                    fetch_as<Pixel, kLanes>(surface.texture.texels, place,
+                                            reinterpret_cast<char*>(pixels + at_px));
+                    return true;
+                  });
+}
+
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_left(const Left& left, const DividedSpan& of, const Surface& surface) {
+  const FixedLanes<Address> fixed(of.exact, surface.texture, DividedVectors::lack_fx16(of.lanes));
+  const DividedVectors vectors(of.lanes);
+  for (int32_t i = 0; i < left.count; ++i) {
+    fixed.template draw<Pixel>(left.rest[i], surface,
+                               vectors.lanes_from(left.rest[i].left_px - of.span.left_px));
+  }
+}
+
+template <class Pixel, class Address>
+void draw_wide_projective(const ProjectiveSpans& spans, const Surface& surface) {
+  Left left;
+  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+    const Span span = spans.batch.span(i);
+    const DividedLanes lanes = spans.field.of(span);
+    const DividedSpan of{lanes, spans.exact, span};
+    const int32_t rows = window_rows(lanes, span.width_px(), surface.texture);
+    for (int32_t px = span.left_px; px < span.right_px;) {
+      if (kHasWindows && rows != 0) {
+        draw_windows<Pixel, Address>(of, surface, rows, &px, &left);
+      } else {
+        draw_loads<Pixel, Address>(of, surface, &px, &left);
+      }
+      if (left.count != 0) draw_left<Pixel, Address>(left, of, surface);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
