@@ -13,9 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// 16.16 lanes of 32 bits, which hold floors modulo 2^32: by how little they may lack of the true
-// value decides which of them show the texel.
-// kLanes lanes of both coordinates.
+// kLanes lanes of both coordinates, 16.16 modulo 2^32.
 struct LaneVectors {
   V32 u, v;
 };

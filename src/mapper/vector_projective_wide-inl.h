@@ -15,20 +15,20 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// 16.16 lanes of a span in perspective: floors of estimates that are low by their error. Rounding
-// the difference moves it by less than 2^-20, which a unit of 32.32 more makes good. So
+// 16.16 lanes of a span in perspective, in units of 2^-16 texel:
 //
-//     lane <= true value < lane + 2 error + 2 units of 32.32 + 1.
+//     lane <= true value < lane + 2 (error + slack) + 1             (spec/proofs/divided_lanes.g)
 class DividedVectors {
  public:
   HWY_INLINE explicit DividedVectors(const DividedLanes& lanes)
       : u_(scaled(lanes.u_numerator_fx32())),
         v_(scaled(lanes.v_numerator_fx32())),
         denominator_(lanes.denominator()),
-        error_fx16_(static_cast<double>(lanes.error_fx32() + 1) * kUnit_fx16) {}
+        error_fx16_(static_cast<double>(lanes.error_fx32() + kDividedSlack_fx32) * kUnit_fx16) {}
 
   [[nodiscard]] static HWY_INLINE int32_t lack_fx16(const DividedLanes& lanes) {
-    return static_cast<int32_t>((2 * (lanes.error_fx32() + 1)) >> kFraction) + 2;
+    const int64_t lowered_fx32 = 2 * (lanes.error_fx32() + kDividedSlack_fx32);
+    return static_cast<int32_t>(lowered_fx32 >> kFraction) + kDividedTruncations_fx16;
   }
 
   // Of kLanes pixels.
