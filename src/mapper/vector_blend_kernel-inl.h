@@ -1,8 +1,5 @@
-// The filters over four texels by vectors: points on a grid of 1/256 texel, the texels around them,
-// and their mean with weights on that grid. Included once for each SIMD target.
-//
-// Four and bilinear are one formula: (a + b + c + d + 2) >> 2 is the bilinear sum with all weights
-// 1/2, for (2^14 S + 2^15) >> 16 = (S + 2) >> 2.
+// The filters over four texels by vectors: points, the texels around them, their mean. Included
+// once for each SIMD target.
 #if defined(SELVAGE_VECTOR_BLEND_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_BLEND_KERNEL_INL_H
 #undef SELVAGE_VECTOR_BLEND_KERNEL_INL_H
@@ -12,135 +9,16 @@
 
 #include <bit>
 
-#include "mapper/filter_point.h"
-#include "mapper/vector_kernel-inl.h"
-#include "mapper/vector_projective_kernel-inl.h"
+#include "mapper/interior.h"
+#include "mapper/vector_blend_mix-inl.h"
+#include "mapper/vector_blend_points-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// ---- Points: floor(256 (u - 1/2)) and floor(256 (v - 1/2)) of kLanes pixels
-// ----------------------
-
-struct PointVectors {
-  V32 u_fx8, v_fx8;
-};
-
-// The exact row in units of the grid, so that its texels are points.
-[[nodiscard]] inline ExactRow on_grid(const ExactRow& row) {
-  const auto finer = [](uint128 a) {
-    return static_cast<uint128>(static_cast<int128>(a) >> kGridBits);  // a multiple of 2^16
-  };
-  return {row.u, row.v, {finer(row.d.start), finer(row.d.step)}};
-}
-
-[[nodiscard]] HWY_INLINE PointVectors from_centres(V32 u_fx8, V32 v_fx8) {
-  const V32 half = hn::Set(D32(), kTexel_fx8 / 2);
-  return {hn::Sub(u_fx8, half), hn::Sub(v_fx8, half)};
-}
-
-// 32.32 lanes, in two vectors of 64 bits.
-using D64 = hn::Repartition<int64_t, D32>;
-using V64 = hn::Vec<D64>;
-
-class AffinePoints {
- public:
-  HWY_INLINE explicit AffinePoints(const AffineSpans& spans) : spans_(spans) {
-    HWY_ALIGN int64_t u[kLanes], v[kLanes];
-    for (int32_t i = 0; i < kLanes; ++i) {
-      u[i] = i * spans.field.step_x.u_fx32;
-      v[i] = i * spans.field.step_x.v_fx32;
-    }
-    const D64 d;
-    u_low_ = hn::Load(d, u);
-    u_high_ = hn::Load(d, u + kLanes / 2);
-    v_low_ = hn::Load(d, v);
-    v_high_ = hn::Load(d, v + kLanes / 2);
-  }
-
-  HWY_INLINE PointVectors at(const Span& span, int32_t px) const {
-    const Lane lane = spans_.field.at(px, span.row);
-    V32 near_u, near_v;
-    const V32 u = floors(lane.u_fx32, u_low_, u_high_, &near_u);
-    const V32 v = floors(lane.v_fx32, v_low_, v_high_, &near_v);
-    if (HWY_LIKELY(hn::AllFalse(D32(), is_set(hn::Or(near_u, near_v))))) return from_centres(u, v);
-    const uint32_t asked = first_bits(HWY_MIN(span.right_px - px, kLanes));
-    return decided(span, px, {u, v}, lane_bits(D32(), is_set(near_u)) & asked,
-                   lane_bits(D32(), is_set(near_v)) & asked);
-  }
-
- private:
-  static HWY_INLINE hn::Mask<D32> is_set(V32 value) { return hn::Ne(value, hn::Zero(D32())); }
-
-  // Floors on the grid; bits of `near` are set where a lane may lack enough to reach the next.
-  HWY_INLINE V32 floors(int64_t start_fx32, V64 low_steps, V64 high_steps, V32* near) const {
-    const D64 d;
-    const D32 d32;
-    const V64 low = hn::Add(hn::Set(d, start_fx32), low_steps);
-    const V64 high = hn::Add(hn::Set(d, start_fx32), high_steps);
-    const auto narrow = [&](V64 upper, V64 lower) {
-      return hn::ConcatEven(d32, hn::BitCast(d32, upper), hn::BitCast(d32, lower));
-    };
-    const V32 fraction = hn::And(narrow(high, low), hn::Set(d32, (1 << kGridFraction) - 1));
-    const V32 margin = hn::Set(d32, static_cast<int32_t>(spans_.field.margin_fx32));
-    *near = hn::ShiftRight<kGridFraction>(hn::Add(fraction, margin));
-    return narrow(hn::ShiftRight<kGridFraction>(high), hn::ShiftRight<kGridFraction>(low));
-  }
-
-  HWY_NOINLINE PointVectors decided(const Span& span, int32_t px, PointVectors low, uint32_t near_u,
-                                    uint32_t near_v) const {
-    const ExactRow row = on_grid(spans_.exact.row_from(px, span.row));
-    return from_centres(decide(D32(), low.u_fx8, near_u, row, row.u),
-                        decide(D32(), low.v_fx8, near_v, row, row.v));
-  }
-
-  const AffineSpans& spans_;
-  V64 u_low_, u_high_, v_low_, v_high_;
-};
-
-static_assert(kWidestMargin_fx32 < int64_t{1} << 31);
-
-class ProjectivePoints {
- public:
-  HWY_INLINE ProjectivePoints(const ProjectiveSpan& each, const ExactMap& map)
-      : each_(each), map_(map), row_(each.lanes, kTexel_fx8) {}
-
-  HWY_INLINE PointVectors at(const Span& /*span*/, int32_t px) const {
-    HWY_ALIGN int32_t u[kLanes], v[kLanes];
-    for (int32_t done = 0; done < kLanes; done += kDoubles) find(px + done, u + done, v + done);
-    return from_centres(hn::Load(D32(), u), hn::Load(D32(), v));
-  }
-
- private:
-  HWY_INLINE void find(int32_t px, int32_t* HWY_RESTRICT u, int32_t* HWY_RESTRICT v) const {
-    const DHalf d;
-    uint32_t near_u, near_v;
-    LowTexels low = row_.low(px - each_.span.left_px, &near_u, &near_v);
-    const uint32_t asked = first_bits(HWY_MIN(HWY_MAX(each_.span.right_px - px, 0), kDoubles));
-    near_u &= asked;
-    near_v &= asked;
-    if (HWY_UNLIKELY((near_u | near_v) != 0)) {
-      const ExactRow exact = on_grid(map_.row_from(px, each_.span.row));
-      low.s = decide(d, low.s, near_u, exact, exact.u);
-      low.t = decide(d, low.t, near_v, exact, exact.v);
-    }
-    hn::StoreU(low.s, d, u);
-    hn::StoreU(low.t, d, v);
-  }
-
-  const ProjectiveSpan& each_;
-  const ExactMap& map_;
-  ProjectiveRow row_;
-};
-
-// ---- The texels around kLanes points ------------------------------------------------------------
-
-// Two texels side by side are eight bytes.
-struct Neighbours {
-  HWY_ALIGN uint64_t upper[kLanes];
-  HWY_ALIGN uint64_t lower[kLanes];
-};
+inline constexpr ptrdiff_t kTexelBytes = sizeof(uint32_t);
+static_assert(std::endian::native == std::endian::little, "the left texel is a pair's low half");
 
 [[nodiscard]] HWY_INLINE uint64_t load_pair(const char* at) {
   uint64_t pair;
@@ -148,144 +26,162 @@ struct Neighbours {
   return pair;
 }
 
-// Whatever a lane means, its places are valid.
+[[nodiscard]] HWY_INLINE uint64_t load_two(const char* left, const char* right) {
+  uint32_t first, second;
+  std::memcpy(&first, left, sizeof first);
+  std::memcpy(&second, right, sizeof second);
+  return uint64_t{second} << 32 | first;
+}
+
+// Pixels from points, wherever those are: each texel is addressed by itself. Whatever a lane means,
+// its places are valid.
 template <class Address>
-HWY_INLINE void fetch_around(const PointVectors& points, const selvage_texture& texture,
-                             Neighbours* around) {
-  const D32 d;
-  const V32 one = hn::Set(d, 1);
-  const Extent extent = extent_of(texture);
-  const V32 s = hn::ShiftRight<kGridBits>(points.u_fx8);
-  const V32 t = hn::ShiftRight<kGridBits>(points.v_fx8);
-  const V32 left = Address::column(s, extent);
-  const V32 right = Address::column(hn::Add(s, one), extent);
-  const V32 upper = Address::row(t, extent);
-  const V32 lower = Address::row(hn::Add(t, one), extent);
-  const auto* texels = static_cast<const char*>(texture.texels);
-  constexpr ptrdiff_t kBytes = sizeof(uint32_t);
-  HWY_ALIGN int32_t upper_left[kLanes], lower_left[kLanes];
-  hn::Store(hn::Add(upper, left), d, upper_left);
-  hn::Store(hn::Add(lower, left), d, lower_left);
-  if (HWY_LIKELY(hn::AllTrue(d, hn::Eq(hn::Sub(right, left), one)))) {
-    for (int32_t i = 0; i < kLanes; ++i) {
-      around->upper[i] = load_pair(texels + upper_left[i] * kBytes);
-      around->lower[i] = load_pair(texels + lower_left[i] * kBytes);
+class Anywhere {
+ public:
+  HWY_INLINE Anywhere(const selvage_texture& texture, bool four)
+      : texels_(static_cast<const char*>(texture.texels)),
+        extent_(extent_of(texture)),
+        kept_(hn::Set(D32(), four ? 0 : kTexel_fx8 - 1)),
+        set_(hn::Set(D32(), four ? kTexel_fx8 / 2 : 0)) {}
+
+  HWY_INLINE V32 operator()(const PointVectors& points) const {
+    const D32 d;
+    const V32 one = hn::Set(d, 1);
+    const V32 s = hn::ShiftRight<kGridBits>(points.u_fx8);
+    const V32 t = hn::ShiftRight<kGridBits>(points.v_fx8);
+    const V32 left = Address::column(s, extent_);
+    const V32 right = Address::column(hn::Add(s, one), extent_);
+    const V32 upper = Address::row(t, extent_);
+    const V32 lower = Address::row(hn::Add(t, one), extent_);
+    const V32 u_fx8 = weights(points.u_fx8), v_fx8 = weights(points.v_fx8);
+    if (HWY_LIKELY(hn::AllTrue(d, hn::Eq(hn::Sub(right, left), one)))) {
+      return mix(adjacent(hn::Add(upper, left)), adjacent(hn::Add(lower, left)), u_fx8, v_fx8);
     }
-    return;
+    return mix(apart(hn::Add(upper, left), hn::Add(upper, right)),
+               apart(hn::Add(lower, left), hn::Add(lower, right)), u_fx8, v_fx8);
   }
-  HWY_ALIGN int32_t upper_right[kLanes], lower_right[kLanes];
-  hn::Store(hn::Add(upper, right), d, upper_right);
-  hn::Store(hn::Add(lower, right), d, lower_right);
-  const auto pair = [&](int32_t left_place, int32_t right_place) {
-    uint32_t first, second;
-    std::memcpy(&first, texels + left_place * kBytes, sizeof first);
-    std::memcpy(&second, texels + right_place * kBytes, sizeof second);
-    static_assert(std::endian::native == std::endian::little);
-    return uint64_t{second} << 32 | first;
-  };
-  for (int32_t i = 0; i < kLanes; ++i) {
-    around->upper[i] = pair(upper_left[i], upper_right[i]);
-    around->lower[i] = pair(lower_left[i], lower_right[i]);
+
+ private:
+  HWY_INLINE V32 weights(V32 point_fx8) const { return hn::Or(hn::And(point_fx8, kept_), set_); }
+  HWY_INLINE Pairs adjacent(V32 places) const {
+    HWY_ALIGN int32_t place[kLanes];
+    hn::Store(places, D32(), place);
+    return gather([&](int32_t i) { return load_pair(texels_ + place[i] * kTexelBytes); });
   }
-}
-
-// ---- Mixing -------------------------------------------------------------------------------------
-
-// A pixel is a block of 128 bits: four channels of 32 bits.
-inline constexpr int32_t kPixelsPerVector = kLanes / 4;
-
-// In each block the weights of one pixel, (256 - w) | w << 16, for the pixels first ...
-[[nodiscard]] HWY_INLINE V32 spread(V32 weights, int32_t first) {
-  const D32 d;
-  const V32 block = hn::ShiftRight<2>(hn::Iota(d, 0));
-  return hn::TableLookupLanes(weights, hn::IndicesFromVec(d, hn::Add(block, hn::Set(d, first))));
-}
-
-// Sums of products of 16-bit neighbours.
-[[nodiscard]] HWY_INLINE V32 pair_products(V32 a, V32 b) {
-  const D32 d;
-  const hn::Repartition<int16_t, D32> d16;
-  V32 unused = hn::Zero(d);
-  return hn::ReorderWidenMulAccumulate(d, hn::BitCast(d16, a), hn::BitCast(d16, b), hn::Zero(d),
-                                       unused);
-}
-
-// left (256 - w) + right w for each channel, of pairs of texels.
-[[nodiscard]] HWY_INLINE V32 mix_pairs(const uint64_t* pairs, V32 weights) {
-  const hn::Repartition<uint16_t, D32> d16;
-  const hn::Rebind<uint8_t, decltype(d16)> d8;
-  const auto bytes = hn::PromoteTo(d16, hn::LoadU(d8, reinterpret_cast<const uint8_t*>(pairs)));
-  // Channels of the left texel beside those of the right one.
-  HWY_ALIGN static constexpr uint8_t kInterleave[16] = {0, 1, 8,  9,  2, 3, 10, 11,
-                                                        4, 5, 12, 13, 6, 7, 14, 15};
-  const hn::Repartition<uint8_t, D32> d_bytes;
-  const auto order = hn::LoadDup128(d_bytes, kInterleave);
-  const auto together = hn::TableLookupBytes(hn::BitCast(d_bytes, bytes), order);
-  return pair_products(hn::BitCast(D32(), together), weights);
-}
-
-// Both sums of a column are below 2^16, so they fit a pair if they are less 2^15.
-[[nodiscard]] HWY_INLINE V32 mix_rows(V32 upper, V32 lower, V32 weights) {
-  const D32 d;
-  constexpr int32_t kRounding = 1 << (2 * kGridBits - 1);
-  const V32 both = hn::Xor(hn::Or(upper, hn::ShiftLeft<16>(lower)),
-                           hn::Set(d, static_cast<int32_t>(0x80008000)));
-  const V32 sum = hn::Add(pair_products(both, weights), hn::Set(d, (kTexel_fx8 << 15) + kRounding));
-  return hn::ShiftRight<2 * kGridBits>(sum);
-}
-
-[[nodiscard]] HWY_INLINE V32 weight_pairs(V32 point_fx8, bool four) {
-  const D32 d;
-  const V32 second =
-      four ? hn::Set(d, kTexel_fx8 / 2) : hn::And(point_fx8, hn::Set(d, kTexel_fx8 - 1));
-  return hn::Or(hn::ShiftLeft<16>(second), hn::Sub(hn::Set(d, kTexel_fx8), second));
-}
-
-HWY_INLINE void mix(const PointVectors& points, const Neighbours& around, bool four,
-                    uint8_t* HWY_RESTRICT pixels) {
-  const hn::Rebind<uint8_t, D32> d8;
-  const V32 across = weight_pairs(points.u_fx8, four), down = weight_pairs(points.v_fx8, four);
-  for (int32_t first = 0; first < kLanes; first += kPixelsPerVector) {
-    const V32 weights = spread(across, first);
-    const V32 mean = mix_rows(mix_pairs(around.upper + first, weights),
-                              mix_pairs(around.lower + first, weights), spread(down, first));
-    hn::StoreU(hn::DemoteTo(d8, mean), d8, pixels + first * ptrdiff_t{sizeof(uint32_t)});
+  HWY_INLINE Pairs apart(V32 left_places, V32 right_places) const {
+    HWY_ALIGN int32_t left[kLanes], right[kLanes];
+    hn::Store(left_places, D32(), left);
+    hn::Store(right_places, D32(), right);
+    return gather([&](int32_t i) {
+      return load_two(texels_ + left[i] * kTexelBytes, texels_ + right[i] * kTexelBytes);
+    });
   }
-}
+
+  const char* texels_;
+  Extent extent_;
+  V32 kept_, set_;
+};
+
+// Pixels from points whose four texels are all in a texture of rows.
+template <bool kFour>
+class Inside4 {
+ public:
+  HWY_INLINE explicit Inside4(const selvage_texture& texture)
+      : upper_(static_cast<const char*>(texture.texels)),
+        lower_(upper_ + texture.pitch),
+        pitch_texel_(hn::Set(D32(), static_cast<int32_t>(pitch_texel_of(texture)))) {}
+
+  HWY_INLINE V32 operator()(const PointVectors& points) const {
+    const D32 d;
+    HWY_ALIGN int32_t place[kLanes];
+    hn::Store(hn::Add(hn::Mul(hn::ShiftRight<kGridBits>(points.v_fx8), pitch_texel_),
+                      hn::ShiftRight<kGridBits>(points.u_fx8)),
+              d, place);
+    const auto pairs = [&](const char* row) {
+      return gather([&](int32_t i) { return load_pair(row + place[i] * kTexelBytes); });
+    };
+    const V32 half = hn::Set(d, kTexel_fx8 / 2);
+    return mix(pairs(upper_), pairs(lower_), kFour ? half : points.u_fx8,
+               kFour ? half : points.v_fx8);
+  }
+
+ private:
+  const char *upper_, *lower_;
+  V32 pitch_texel_;
+};
 
 // ---- Spans --------------------------------------------------------------------------------------
 
-template <class Address, class Points>
-HWY_INLINE void draw_blended(const Points& points, const Span& span, const Surface& surface,
-                             bool four) {
-  Neighbours around;
-  HWY_ALIGN uint8_t tail[kLanes * sizeof(uint32_t)];
-  char* pixel = first_pixel(surface, span);
-  for (int32_t px = span.left_px; px < span.right_px; px += kLanes) {
-    const PointVectors at = points.at(span, px);
-    fetch_around<Address>(at, surface.texture, &around);
-    if (HWY_LIKELY(span.right_px - px >= kLanes)) {
-      mix(at, around, four, reinterpret_cast<uint8_t*>(pixel));
-      pixel += sizeof tail;
-    } else {
-      mix(at, around, four, tail);
-      std::memcpy(pixel, tail, static_cast<size_t>(span.right_px - px) * sizeof(uint32_t));
+HWY_INLINE void store_pixels(V32 pixels, const Surface& surface, int32_t row, int32_t px) {
+  char* const at = first_pixel(surface, {row, px, px});
+  hn::StoreU(pixels, D32(), reinterpret_cast<int32_t*>(at));
+}
+
+// Columns [from, to) of a span of kLanes pixels or more, and maybe some of it beyond: what is left
+// over is drawn by the last whole vector of the span.
+template <class Points, class Blend>
+HWY_INLINE void draw_columns(Points& points, const Span& span, int32_t from_px, int32_t to_px,
+                             const Surface& surface, const Blend& blend) {
+  if (from_px >= to_px) return;
+  const int32_t last_px = span.right_px - kLanes;
+  int32_t px = HWY_MIN(from_px, last_px);
+  points.seek(px, span.row);
+  while (true) {
+    store_pixels(blend(points.points(kLanes)), surface, span.row, px);
+    px += kLanes;
+    if (px >= to_px) return;
+    points.advance();
+    if (HWY_UNLIKELY(px > last_px)) points.seek(px = last_px, span.row);
+  }
+}
+
+// A span of less than kLanes pixels.
+template <class Points, class Blend>
+HWY_INLINE void draw_few(Points& points, const Span& span, const Surface& surface,
+                         const Blend& blend) {
+  HWY_ALIGN uint32_t pixels[kLanes];
+  points.seek(span.left_px, span.row);
+  hn::Store(blend(points.points(span.width_px())), D32(), reinterpret_cast<int32_t*>(pixels));
+  store_row<uint32_t>(pixels, span.width_px(), first_pixel(surface, span));
+}
+
+template <bool kFour>
+HWY_NOINLINE void draw_inside(AffinePoints& points, const Span& span, const Surface& surface) {
+  draw_columns(points, span, span.left_px, span.right_px, surface, Inside4<kFour>(surface.texture));
+}
+
+template <class Points, class Blend>
+HWY_NOINLINE void draw_anywhere(Points& points, const Span& span, int32_t from_px, int32_t to_px,
+                                const Surface& surface, const Blend& blend) {
+  draw_columns(points, span, from_px, to_px, surface, blend);
+}
+
+template <bool kFour, class Address>
+void blend_affine(const AffineSpans& spans, const Surface& surface) {
+  const Interior interior(spans.field, surface.texture);
+  const Anywhere<Address> anywhere(surface.texture, kFour);
+  AffinePoints points(spans);
+  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+    const Span span = spans.batch.span(i);
+    if (span.width_px() < kLanes) {
+      if (!span.empty()) draw_few(points, span, surface, anywhere);
+      continue;
+    }
+    const Span inside = interior.of(span);
+    const bool any_inside = inside.width_px() >= kLanes;
+    draw_anywhere(points, span, span.left_px, any_inside ? inside.left_px : span.right_px, surface,
+                  anywhere);
+    if (any_inside) {
+      draw_inside<kFour>(points, inside, surface);
+      draw_anywhere(points, span, inside.right_px, span.right_px, surface, anywhere);
     }
   }
 }
 
-// One body for both filters: it is large, and there is one for each address mode.
-HWY_NOINLINE void blend_affine(const AffineSpans& spans, const Surface& surface, bool four) {
-  with_address(surface, [&](auto address) {
-    const AffinePoints points(spans);
-    for (int32_t i = 0; i < spans.batch.rows; ++i) {
-      draw_blended<decltype(address)>(points, spans.batch.span(i), surface, four);
-    }
-  });
-}
 template <bool kFour>
 void draw_blended_affine(const AffineSpans& spans, const Surface& surface) {
-  blend_affine(spans, surface, kFour);
+  with_address(surface,
+               [&](auto address) { blend_affine<kFour, decltype(address)>(spans, surface); });
 }
 
 // Where lanes may lack more than a step of the grid, one decision is not enough.
@@ -293,24 +189,28 @@ void draw_blended_affine(const AffineSpans& spans, const Surface& surface) {
   return lanes.margin_fx32() < uint32_t{1} << kGridFraction;
 }
 
-HWY_NOINLINE void blend_projective(const ProjectiveSpans& spans, const Surface& surface,
-                                   bool four) {
-  const auto& scalar = scalar_kernels(four ? SELVAGE_FILTER_FOUR : SELVAGE_FILTER_BILINEAR);
+// One body for both filters: it is large, and there is one for each address mode.
+template <class Address>
+HWY_NOINLINE void blend_projective(const ProjectiveSpan& each, const ExactMap& exact,
+                                   const Surface& surface, bool four) {
+  const Anywhere<Address> anywhere(surface.texture, four);
+  ProjectivePoints points(each, exact);
+  if (each.span.width_px() < kLanes) return draw_few(points, each.span, surface, anywhere);
+  draw_columns(points, each.span, each.span.left_px, each.span.right_px, surface, anywhere);
+}
+
+template <bool kFour>
+void draw_blended_projective(const ProjectiveSpans& spans, const Surface& surface) {
+  const auto& scalar = scalar_kernels(kFour ? SELVAGE_FILTER_FOUR : SELVAGE_FILTER_BILINEAR);
   with_address(surface, [&](auto address) {
     for (const ProjectiveSpan& each : spans.spans) {
       if (are_fine(each.lanes)) {
-        const ProjectivePoints points(each, spans.exact);
-        draw_blended<decltype(address)>(points, each.span, surface, four);
+        blend_projective<decltype(address)>(each, spans.exact, surface, kFour);
       } else {
         scalar.draw_projective({{&each, 1}, spans.exact}, surface);
       }
     }
   });
-}
-
-template <bool kFour>
-void draw_blended_projective(const ProjectiveSpans& spans, const Surface& surface) {
-  blend_projective(spans, surface, kFour);
 }
 
 }  // namespace

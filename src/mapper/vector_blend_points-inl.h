@@ -1,0 +1,156 @@
+// The points of the filters over four texels, kLanes pixels at a time: floor(256 (u - 1/2)) and
+// floor(256 (v - 1/2)). Included once for each SIMD target.
+#if defined(SELVAGE_VECTOR_BLEND_POINTS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_BLEND_POINTS_INL_H
+#undef SELVAGE_VECTOR_BLEND_POINTS_INL_H
+#else
+#define SELVAGE_VECTOR_BLEND_POINTS_INL_H
+#endif
+
+#include "mapper/filter_point.h"
+#include "mapper/vector_kernel-inl.h"
+#include "mapper/vector_projective_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+struct PointVectors {
+  V32 u_fx8, v_fx8;
+};
+
+// The exact row in units of the grid, so that its texels are points.
+[[nodiscard]] inline ExactRow on_grid(const ExactRow& row) {
+  const auto finer = [](uint128 a) {
+    return static_cast<uint128>(static_cast<int128>(a) >> kGridBits);  // a multiple of 2^16
+  };
+  return {row.u, row.v, {finer(row.d.start), finer(row.d.step)}};
+}
+
+inline constexpr int32_t kBelowGrid = (1 << kGridFraction) - 1;
+
+// 32.32 lanes whole, in two vectors: floors on the grid, modulo 2^32, and what is below the grid.
+struct GridLanes {
+  V32 floor_fx8, below_fx32;
+
+  static HWY_INLINE GridLanes all(int64_t lane_fx32) {
+    return {hn::Set(D32(), static_cast<int32_t>(lane_fx32 >> kGridFraction)),
+            hn::Set(D32(), static_cast<int32_t>(lane_fx32 & kBelowGrid))};
+  }
+  // Lane i gets i steps.
+  static HWY_INLINE GridLanes walk(int64_t step_fx32) {
+    HWY_ALIGN int32_t floor[kLanes], below[kLanes];
+    for (int32_t i = 0; i < kLanes; ++i) {
+      floor[i] = static_cast<int32_t>(i * step_fx32 >> kGridFraction);
+      below[i] = static_cast<int32_t>(i * step_fx32 & kBelowGrid);
+    }
+    return {hn::Load(D32(), floor), hn::Load(D32(), below)};
+  }
+  HWY_INLINE GridLanes operator+(const GridLanes& other) const {
+    const V32 sum = hn::Add(below_fx32, other.below_fx32);
+    return {hn::Add(hn::Add(floor_fx8, other.floor_fx8), hn::ShiftRight<kGridFraction>(sum)),
+            hn::And(sum, hn::Set(D32(), kBelowGrid))};
+  }
+};
+
+static_assert(kWidestMargin_fx32 < int64_t{1} << 31);
+
+// Walks along rows under one affine map. Lanes are of u - 1/2 and v - 1/2.
+class AffinePoints {
+ public:
+  HWY_INLINE explicit AffinePoints(const AffineSpans& spans)
+      : spans_(spans),
+        walk_u_(GridLanes::walk(spans.field.step_x.u_fx32)),
+        walk_v_(GridLanes::walk(spans.field.step_x.v_fx32)),
+        step_u_(GridLanes::all(kLanes * spans.field.step_x.u_fx32)),
+        step_v_(GridLanes::all(kLanes * spans.field.step_x.v_fx32)),
+        far_from_next_(hn::Set(D32(), kBelowGrid - static_cast<int32_t>(spans.field.margin_fx32))) {
+  }
+
+  HWY_INLINE void seek(int32_t px, int32_t row) {
+    px_ = px;
+    row_ = row;
+    const Lane lane = spans_.field.at(px, row);
+    u_ = GridLanes::all(lane.u_fx32 - kHalf_fx32) + walk_u_;
+    v_ = GridLanes::all(lane.v_fx32 - kHalf_fx32) + walk_v_;
+  }
+  HWY_INLINE void advance() {
+    px_ += kLanes;
+    u_ = u_ + step_u_;
+    v_ = v_ + step_v_;
+  }
+  // Of the pixels from here on; the first `count` mean something.
+  HWY_INLINE PointVectors points(int32_t count) const {
+    const D32 d;
+    const V32 nearest = hn::Max(u_.below_fx32, v_.below_fx32);
+    if (HWY_LIKELY(hn::AllFalse(d, hn::Gt(nearest, far_from_next_)))) {
+      return {u_.floor_fx8, v_.floor_fx8};
+    }
+    return decided(first_bits(count));
+  }
+
+ private:
+  static constexpr int64_t kHalf_fx32 = int64_t{1} << (kLaneFraction - 1);
+
+  HWY_NOINLINE PointVectors decided(uint32_t asked) const {
+    const D32 d;
+    const ExactRow row = on_grid(spans_.exact.row_from(px_, row_));
+    const V32 half = hn::Set(d, kTexel_fx8 / 2);
+    const auto decided_of = [&](const GridLanes& lanes, const ExactLine& coordinate) {
+      const uint32_t near = lane_bits(d, hn::Gt(lanes.below_fx32, far_from_next_)) & asked;
+      return hn::Sub(decide(d, hn::Add(lanes.floor_fx8, half), near, row, coordinate), half);
+    };
+    return {decided_of(u_, row.u), decided_of(v_, row.v)};
+  }
+
+  const AffineSpans& spans_;
+  int32_t px_ = 0, row_ = 0;
+  GridLanes walk_u_, walk_v_, step_u_, step_v_;
+  V32 far_from_next_;
+  GridLanes u_ = walk_u_, v_ = walk_v_;
+};
+
+// Walks along one row in perspective.
+class ProjectivePoints {
+ public:
+  HWY_INLINE ProjectivePoints(const ProjectiveSpan& each, const ExactMap& map)
+      : each_(each), map_(map), row_(each.lanes, kTexel_fx8) {}
+
+  HWY_INLINE void seek(int32_t px, int32_t /*row*/) { px_ = px; }
+  HWY_INLINE void advance() { px_ += kLanes; }
+  HWY_INLINE PointVectors points(int32_t count) const {
+    const D32 d;
+    const V32 half = hn::Set(d, kTexel_fx8 / 2);
+    const LowTexels low = find(px_, HWY_MIN(count, kDoubles));
+    const LowTexels high = find(px_ + kDoubles, HWY_MAX(count - kDoubles, 0));
+    return {hn::Sub(hn::Combine(d, high.s, low.s), half),
+            hn::Sub(hn::Combine(d, high.t, low.t), half)};
+  }
+
+ private:
+  static_assert(2 * kDoubles == kLanes);
+
+  HWY_INLINE LowTexels find(int32_t px, int32_t count) const {
+    const DHalf d;
+    uint32_t near_u, near_v;
+    LowTexels low = row_.low(px - each_.span.left_px, &near_u, &near_v);
+    near_u &= first_bits(count);
+    near_v &= first_bits(count);
+    if (HWY_UNLIKELY((near_u | near_v) != 0)) {
+      const ExactRow exact = on_grid(map_.row_from(px, each_.span.row));
+      low.s = decide(d, low.s, near_u, exact, exact.u);
+      low.t = decide(d, low.t, near_v, exact, exact.v);
+    }
+    return low;
+  }
+
+  const ProjectiveSpan& each_;
+  const ExactMap& map_;
+  ProjectiveRow row_;
+  int32_t px_ = 0;
+};
+
+}  // namespace
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
