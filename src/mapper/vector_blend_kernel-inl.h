@@ -7,31 +7,14 @@
 #define SELVAGE_VECTOR_BLEND_KERNEL_INL_H
 #endif
 
-#include <bit>
-
 #include "mapper/interior.h"
 #include "mapper/vector_blend_mix-inl.h"
+#include "mapper/vector_blend_pairs-inl.h"
 #include "mapper/vector_blend_points-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
-
-inline constexpr ptrdiff_t kTexelBytes = sizeof(uint32_t);
-static_assert(std::endian::native == std::endian::little, "the left texel is a pair's low half");
-
-[[nodiscard]] HWY_INLINE uint64_t load_pair(const char* at) {
-  uint64_t pair;
-  std::memcpy(&pair, at, sizeof pair);
-  return pair;
-}
-
-[[nodiscard]] HWY_INLINE uint64_t load_two(const char* left, const char* right) {
-  uint32_t first, second;
-  std::memcpy(&first, left, sizeof first);
-  std::memcpy(&second, right, sizeof second);
-  return uint64_t{second} << 32 | first;
-}
 
 // Pixels from points, wherever those are: each texel is addressed by itself. Whatever a lane means,
 // its places are valid.
@@ -39,7 +22,7 @@ template <class Address>
 class Anywhere {
  public:
   HWY_INLINE Anywhere(const selvage_texture& texture, bool four)
-      : texels_(static_cast<const char*>(texture.texels)),
+      : lowest_(texture),
         extent_(extent_of(texture)),
         kept_(hn::Set(D32(), four ? 0 : kTexel_fx8 - 1)),
         set_(hn::Set(D32(), four ? kTexel_fx8 / 2 : 0)) {}
@@ -51,33 +34,41 @@ class Anywhere {
     const V32 t = hn::ShiftRight<kGridBits>(points.v_fx8);
     const V32 left = Address::column(s, extent_);
     const V32 right = Address::column(hn::Add(s, one), extent_);
-    const V32 upper = Address::row(t, extent_);
-    const V32 lower = Address::row(hn::Add(t, one), extent_);
+    const V32 first = hn::Set(d, lowest_.first_texel);
+    const V32 upper = hn::Add(first, Address::row(t, extent_));
+    const V32 lower = hn::Add(first, Address::row(hn::Add(t, one), extent_));
     const V32 u_fx8 = weights(points.u_fx8), v_fx8 = weights(points.v_fx8);
     if (HWY_LIKELY(hn::AllTrue(d, hn::Eq(hn::Sub(right, left), one)))) {
-      return mix(adjacent(hn::Add(upper, left)), adjacent(hn::Add(lower, left)), u_fx8, v_fx8);
+      return mix(adjacent(hn::Add(upper, left), hn::Add(lower, left)), u_fx8, v_fx8);
     }
-    return mix(apart(hn::Add(upper, left), hn::Add(upper, right)),
-               apart(hn::Add(lower, left), hn::Add(lower, right)), u_fx8, v_fx8);
+    return mix(apart(Places(hn::Add(upper, left)), Places(hn::Add(upper, right)),
+                     Places(hn::Add(lower, left)), Places(hn::Add(lower, right))),
+               u_fx8, v_fx8);
   }
 
  private:
   HWY_INLINE V32 weights(V32 point_fx8) const { return hn::Or(hn::And(point_fx8, kept_), set_); }
-  HWY_INLINE Pairs adjacent(V32 places) const {
-    HWY_ALIGN int32_t place[kLanes];
-    hn::Store(places, D32(), place);
-    return gather([&](int32_t i) { return load_pair(texels_ + place[i] * kTexelBytes); });
+  HWY_INLINE Around<Pairs> adjacent(V32 upper_places, V32 lower_places) const {
+    const Places upper(upper_places), lower(lower_places);
+    const char* const texels = lowest_.texels;
+    return gather([&](int32_t i) -> Around<Block> {
+      return {load_block(texels + upper.bytes(i), texels + upper.bytes(i + 1)),
+              load_block(texels + lower.bytes(i), texels + lower.bytes(i + 1))};
+    });
   }
-  HWY_INLINE Pairs apart(V32 left_places, V32 right_places) const {
-    HWY_ALIGN int32_t left[kLanes], right[kLanes];
-    hn::Store(left_places, D32(), left);
-    hn::Store(right_places, D32(), right);
-    return gather([&](int32_t i) {
-      return load_two(texels_ + left[i] * kTexelBytes, texels_ + right[i] * kTexelBytes);
+  HWY_INLINE Around<Pairs> apart(const Places& upper_left, const Places& upper_right,
+                                 const Places& lower_left, const Places& lower_right) const {
+    const char* const texels = lowest_.texels;
+    const auto pair = [&](const Places& left, const Places& right, int32_t i) {
+      return load_pair(texels + left.bytes(i), texels + right.bytes(i));
+    };
+    return gather([&](int32_t i) -> Around<Block> {
+      return {block_of(pair(upper_left, upper_right, i), pair(upper_left, upper_right, i + 1)),
+              block_of(pair(lower_left, lower_right, i), pair(lower_left, lower_right, i + 1))};
     });
   }
 
-  const char* texels_;
+  LowestRow lowest_;
   Extent extent_;
   V32 kept_, set_;
 };
@@ -86,35 +77,33 @@ class Anywhere {
 template <bool kFour>
 class Inside4 {
  public:
-  HWY_INLINE explicit Inside4(const selvage_texture& texture)
-      : upper_(static_cast<const char*>(texture.texels)),
-        lower_(upper_ + texture.pitch),
+  explicit Inside4(const LowestRow& lowest, const selvage_texture& texture)
+      : upper_(lowest.texels),
+        lower_(lowest.texels + texture.pitch),
+        first_(hn::Set(D32(), lowest.first_texel)),
         pitch_texel_(hn::Set(D32(), static_cast<int32_t>(pitch_texel_of(texture)))) {}
 
   HWY_INLINE V32 operator()(const PointVectors& points) const {
-    const D32 d;
-    HWY_ALIGN int32_t place[kLanes];
-    hn::Store(hn::Add(hn::Mul(hn::ShiftRight<kGridBits>(points.v_fx8), pitch_texel_),
-                      hn::ShiftRight<kGridBits>(points.u_fx8)),
-              d, place);
-    const auto pairs = [&](const char* row) {
-      return gather([&](int32_t i) { return load_pair(row + place[i] * kTexelBytes); });
-    };
-    const V32 half = hn::Set(d, kTexel_fx8 / 2);
-    return mix(pairs(upper_), pairs(lower_), kFour ? half : points.u_fx8,
-               kFour ? half : points.v_fx8);
+    const V32 s = hn::ShiftRight<kGridBits>(points.u_fx8);
+    const V32 t = hn::ShiftRight<kGridBits>(points.v_fx8);
+    const Places places(hn::Add(hn::Add(hn::Mul(t, pitch_texel_), first_), s));
+    const Around<Pairs> texels = gather([&](int32_t i) -> Around<Block> {
+      const ptrdiff_t one = places.bytes(i), next = places.bytes(i + 1);
+      return {load_block(upper_ + one, upper_ + next), load_block(lower_ + one, lower_ + next)};
+    });
+    const V32 half = hn::Set(D32(), kTexel_fx8 / 2);
+    return mix(texels, kFour ? half : points.u_fx8, kFour ? half : points.v_fx8);
   }
 
  private:
   const char *upper_, *lower_;
-  V32 pitch_texel_;
+  V32 first_, pitch_texel_;
 };
 
 // ---- Spans --------------------------------------------------------------------------------------
 
-HWY_INLINE void store_pixels(V32 pixels, const Surface& surface, int32_t row, int32_t px) {
-  char* const at = first_pixel(surface, {row, px, px});
-  hn::StoreU(pixels, D32(), reinterpret_cast<int32_t*>(at));
+HWY_INLINE void store_pixels(V32 pixels, char* row, int32_t px) {
+  hn::StoreU(pixels, D32(), reinterpret_cast<int32_t*>(row + px * ptrdiff_t{kTexelBytes}));
 }
 
 // Columns [from, to) of a span of kLanes pixels or more, and maybe some of it beyond: what is left
@@ -125,9 +114,10 @@ HWY_INLINE void draw_columns(Points& points, const Span& span, int32_t from_px, 
   if (from_px >= to_px) return;
   const int32_t last_px = span.right_px - kLanes;
   int32_t px = HWY_MIN(from_px, last_px);
+  char* const row = first_pixel(surface, {span.row, 0, 0});
   points.seek(px, span.row);
   while (true) {
-    store_pixels(blend(points.points(kLanes)), surface, span.row, px);
+    store_pixels(blend(points.points(kLanes)), row, px);
     px += kLanes;
     if (px >= to_px) return;
     points.advance();
@@ -145,9 +135,13 @@ HWY_INLINE void draw_few(Points& points, const Span& span, const Surface& surfac
   store_row<uint32_t>(pixels, span.width_px(), first_pixel(surface, span));
 }
 
-template <bool kFour>
-HWY_NOINLINE void draw_inside(AffinePoints& points, const Span& span, const Surface& surface) {
-  draw_columns(points, span, span.left_px, span.right_px, surface, Inside4<kFour>(surface.texture));
+// Both are copied, so that the loop keeps them in registers.
+template <class Blend>
+HWY_NOINLINE void draw_inside(const AffinePoints& start, const Span& span, const Surface& surface,
+                              const Blend& inside) {
+  AffinePoints points = start;
+  const Blend blend = inside;
+  draw_columns(points, span, span.left_px, span.right_px, surface, blend);
 }
 
 template <class Points, class Blend>
@@ -160,6 +154,7 @@ template <bool kFour, class Address>
 void blend_affine(const AffineSpans& spans, const Surface& surface) {
   const Interior interior(spans.field, surface.texture);
   const Anywhere<Address> anywhere(surface.texture, kFour);
+  const Inside4<kFour> inside(LowestRow(surface.texture), surface.texture);
   AffinePoints points(spans);
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
@@ -167,13 +162,13 @@ void blend_affine(const AffineSpans& spans, const Surface& surface) {
       if (!span.empty()) draw_few(points, span, surface, anywhere);
       continue;
     }
-    const Span inside = interior.of(span);
-    const bool any_inside = inside.width_px() >= kLanes;
-    draw_anywhere(points, span, span.left_px, any_inside ? inside.left_px : span.right_px, surface,
+    const Span inner = interior.of(span);
+    const bool any_inside = inner.width_px() >= kLanes;
+    draw_anywhere(points, span, span.left_px, any_inside ? inner.left_px : span.right_px, surface,
                   anywhere);
     if (any_inside) {
-      draw_inside<kFour>(points, inside, surface);
-      draw_anywhere(points, span, inside.right_px, span.right_px, surface, anywhere);
+      draw_inside(points, inner, surface, inside);
+      draw_anywhere(points, span, inner.right_px, span.right_px, surface, anywhere);
     }
   }
 }

@@ -15,41 +15,15 @@
 #endif
 
 #include "mapper/filter_point.h"
+#include "mapper/vector_blend_pairs-inl.h"
 #include "mapper/vector_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-using D64 = hn::Repartition<uint64_t, D32>;
 using D16 = hn::Repartition<int16_t, D32>;
 using V16 = hn::Vec<D16>;
-
-// Two texels side by side are 64 bits. A block of 128 bits has four pixels in a row of pixels, so
-// their pairs fill two: of the first and second pixel of each block, and of the third and fourth.
-struct Pairs {
-  V32 first, last;
-};
-
-// From `pixel` on, where pair_at gives each pixel's 64 bits.
-template <class D, class PairAt>
-[[nodiscard]] HWY_INLINE hn::Vec<D> gather_pairs(D d, int32_t pixel, const PairAt& pair_at) {
-  const hn::Half<D> half;
-  constexpr int32_t kPairs = static_cast<int32_t>(hn::MaxLanes(d));
-  if constexpr (kPairs == 2) {
-    return hn::Combine(d, hn::Set(half, pair_at(pixel + 1)), hn::Set(half, pair_at(pixel)));
-  } else {
-    return hn::Combine(d, gather_pairs(half, pixel + kPairs, pair_at),
-                       gather_pairs(half, pixel, pair_at));
-  }
-}
-
-template <class PairAt>
-[[nodiscard]] HWY_INLINE Pairs gather(const PairAt& pair_at) {
-  const D32 d;
-  return {hn::BitCast(d, gather_pairs(D64(), 0, pair_at)),
-          hn::BitCast(d, gather_pairs(D64(), 2, pair_at))};
-}
 
 [[nodiscard]] HWY_INLINE V32 all_bytes(uint32_t four) {
   return hn::Set(D32(), static_cast<int32_t>(four));
@@ -141,17 +115,17 @@ template <int kFirst>
 }
 
 // kLanes pixels; the weights are the low bytes of the points.
-[[nodiscard]] HWY_INLINE V32 mix(const Pairs& upper, const Pairs& lower, V32 u_fx8, V32 v_fx8) {
+[[nodiscard]] HWY_INLINE V32 mix(const Around<Pairs>& texels, V32 u_fx8, V32 v_fx8) {
   const D32 d;
   const V32 flip = all_bytes(0x00FF00FF);
   const V32 across_first = hn::Xor(reorder(u_fx8, kSpreadFirst), flip);
   const V32 across_last = hn::Xor(reorder(u_fx8, kSpreadLast), flip);
   const V32 z = hn::And(v_fx8, hn::Set(d, kTexel_fx8 - 1));
   const V32 down = hn::Add(hn::Sub(hn::ShiftLeft<16>(z), z), hn::Set(d, kTexel_fx8));
-  const V32 first = mix_down<0>(mix_across(upper.first, across_first),
-                                mix_across(lower.first, across_first), down);
-  const V32 last =
-      mix_down<2>(mix_across(upper.last, across_last), mix_across(lower.last, across_last), down);
+  const V32 first = mix_down<0>(mix_across(texels.upper.first, across_first),
+                                mix_across(texels.lower.first, across_first), down);
+  const V32 last = mix_down<2>(mix_across(texels.upper.last, across_last),
+                               mix_across(texels.lower.last, across_last), down);
   const hn::Repartition<uint8_t, D32> d8;
   const auto channels =
       hn::OddEven(hn::BitCast(d8, hn::ShiftLeft<8>(last)), hn::BitCast(d8, first));

@@ -46,6 +46,10 @@ struct GridLanes {
     }
     return {hn::Load(D32(), floor), hn::Load(D32(), below)};
   }
+  // Whether what a lane may lack reaches the next step of the grid.
+  HWY_INLINE hn::Mask<D32> near(uint32_t margin_fx32) const {
+    return hn::Gt(below_fx32, hn::Set(D32(), kBelowGrid - static_cast<int32_t>(margin_fx32)));
+  }
   HWY_INLINE GridLanes operator+(const GridLanes& other) const {
     const V32 sum = hn::Add(below_fx32, other.below_fx32);
     return {hn::Add(hn::Add(floor_fx8, other.floor_fx8), hn::ShiftRight<kGridFraction>(sum)),
@@ -64,8 +68,7 @@ class AffinePoints {
         walk_v_(GridLanes::walk(spans.field.step_x.v_fx32)),
         step_u_(GridLanes::all(kLanes * spans.field.step_x.u_fx32)),
         step_v_(GridLanes::all(kLanes * spans.field.step_x.v_fx32)),
-        far_from_next_(hn::Set(D32(), kBelowGrid - static_cast<int32_t>(spans.field.margin_fx32))) {
-  }
+        margin_fx32_(spans.field.margin_fx32) {}
 
   HWY_INLINE void seek(int32_t px, int32_t row) {
     px_ = px;
@@ -82,31 +85,33 @@ class AffinePoints {
   // Of the pixels from here on; the first `count` mean something.
   HWY_INLINE PointVectors points(int32_t count) const {
     const D32 d;
-    const V32 nearest = hn::Max(u_.below_fx32, v_.below_fx32);
-    if (HWY_LIKELY(hn::AllFalse(d, hn::Gt(nearest, far_from_next_)))) {
+    const GridLanes nearest{u_.floor_fx8, hn::Max(u_.below_fx32, v_.below_fx32)};
+    if (HWY_LIKELY(hn::AllFalse(d, nearest.near(margin_fx32_)))) {
       return {u_.floor_fx8, v_.floor_fx8};
     }
-    return decided(first_bits(count));
+    return decided(spans_, px_, row_, u_, v_, first_bits(count));
   }
 
  private:
   static constexpr int64_t kHalf_fx32 = int64_t{1} << (kLaneFraction - 1);
 
-  HWY_NOINLINE PointVectors decided(uint32_t asked) const {
+  // All by value, so that the loop keeps its lanes in registers.
+  static HWY_NOINLINE PointVectors decided(const AffineSpans& spans, int32_t px, int32_t row,
+                                           GridLanes u, GridLanes v, uint32_t asked) {
     const D32 d;
-    const ExactRow row = on_grid(spans_.exact.row_from(px_, row_));
+    const ExactRow exact = on_grid(spans.exact.row_from(px, row));
     const V32 half = hn::Set(d, kTexel_fx8 / 2);
     const auto decided_of = [&](const GridLanes& lanes, const ExactLine& coordinate) {
-      const uint32_t near = lane_bits(d, hn::Gt(lanes.below_fx32, far_from_next_)) & asked;
-      return hn::Sub(decide(d, hn::Add(lanes.floor_fx8, half), near, row, coordinate), half);
+      const uint32_t near = lane_bits(d, lanes.near(spans.field.margin_fx32)) & asked;
+      return hn::Sub(decide(d, hn::Add(lanes.floor_fx8, half), near, exact, coordinate), half);
     };
-    return {decided_of(u_, row.u), decided_of(v_, row.v)};
+    return {decided_of(u, exact.u), decided_of(v, exact.v)};
   }
 
   const AffineSpans& spans_;
   int32_t px_ = 0, row_ = 0;
   GridLanes walk_u_, walk_v_, step_u_, step_v_;
-  V32 far_from_next_;
+  uint32_t margin_fx32_;
   GridLanes u_ = walk_u_, v_ = walk_v_;
 };
 
