@@ -39,10 +39,10 @@ class Anywhere {
     const V32 lower = hn::Add(first, Address::row(hn::Add(t, one), extent_));
     const V32 u_fx8 = weights(points.u_fx8), v_fx8 = weights(points.v_fx8);
     if (HWY_LIKELY(hn::AllTrue(d, hn::Eq(hn::Sub(right, left), one)))) {
-      return mix(adjacent(hn::Add(upper, left), hn::Add(lower, left)), u_fx8, v_fx8);
+      return mix(channels_of(adjacent(hn::Add(upper, left), hn::Add(lower, left))), u_fx8, v_fx8);
     }
-    return mix(apart(Places(hn::Add(upper, left)), Places(hn::Add(upper, right)),
-                     Places(hn::Add(lower, left)), Places(hn::Add(lower, right))),
+    return mix(channels_of(apart(Places(hn::Add(upper, left)), Places(hn::Add(upper, right)),
+                                 Places(hn::Add(lower, left)), Places(hn::Add(lower, right)))),
                u_fx8, v_fx8);
   }
 
@@ -73,14 +73,20 @@ class Anywhere {
   V32 kept_, set_;
 };
 
+template <bool kFour>
+[[nodiscard]] HWY_INLINE V32 mix_at(const PointVectors& points, const Around<Pairs>& channels) {
+  const V32 half = hn::Set(D32(), kTexel_fx8 / 2);
+  return mix(channels, kFour ? half : points.u_fx8, kFour ? half : points.v_fx8);
+}
+
 // Pixels from points whose four texels are all in a texture of rows.
 template <bool kFour>
-class Inside4 {
+class Inside {
  public:
-  explicit Inside4(const LowestRow& lowest, const selvage_texture& texture)
-      : upper_(lowest.texels),
-        lower_(lowest.texels + texture.pitch),
-        first_(hn::Set(D32(), lowest.first_texel)),
+  explicit Inside(const selvage_texture& texture)
+      : upper_(LowestRow(texture).texels),
+        lower_(upper_ + texture.pitch),
+        first_(hn::Set(D32(), LowestRow(texture).first_texel)),
         pitch_texel_(hn::Set(D32(), static_cast<int32_t>(pitch_texel_of(texture)))) {}
 
   HWY_INLINE V32 operator()(const PointVectors& points) const {
@@ -91,8 +97,7 @@ class Inside4 {
       const ptrdiff_t one = places.bytes(i), next = places.bytes(i + 1);
       return {load_block(upper_ + one, upper_ + next), load_block(lower_ + one, lower_ + next)};
     });
-    const V32 half = hn::Set(D32(), kTexel_fx8 / 2);
-    return mix(texels, kFour ? half : points.u_fx8, kFour ? half : points.v_fx8);
+    return mix_at<kFour>(points, channels_of(texels));
   }
 
  private:
@@ -107,68 +112,62 @@ HWY_INLINE void store_pixels(V32 pixels, char* row, int32_t px) {
 }
 
 // Columns [from, to) of a span of kLanes pixels or more, and maybe some of it beyond: what is left
-// over is drawn by the last whole vector of the span.
-template <class Points, class Blend>
-HWY_INLINE void draw_columns(Points& points, const Span& span, int32_t from_px, int32_t to_px,
-                             const Surface& surface, const Blend& blend) {
+// over is drawn by the last whole vector of the span. The blend is a copy, which needs no reloading
+// after each store.
+template <class Steps, class Blend>
+HWY_NOINLINE void draw_columns(const Steps& steps, const Span& span, int32_t from_px, int32_t to_px,
+                               const Surface& surface, const Blend& of) {
   if (from_px >= to_px) return;
-  const int32_t last_px = span.right_px - kLanes;
+  const Blend blend = of;
+  char* const pixels = first_pixel(surface, {span.row, 0, 0});
+  const int32_t last_px = span.right_px - kLanes, row = span.row;
   int32_t px = HWY_MIN(from_px, last_px);
-  char* const row = first_pixel(surface, {span.row, 0, 0});
-  points.seek(px, span.row);
+  typename Steps::Points points(steps, px, row);
   while (true) {
-    store_pixels(blend(points.points(kLanes)), row, px);
+    store_pixels(blend(points.points(kLanes)), pixels, px);
     px += kLanes;
-    if (px >= to_px) return;
+    if (px > HWY_MIN(last_px, to_px - 1)) break;
     points.advance();
-    if (HWY_UNLIKELY(px > last_px)) points.seek(px = last_px, span.row);
   }
+  if (px >= to_px) return;
+  const typename Steps::Points rest(steps, last_px, row);
+  store_pixels(blend(rest.points(kLanes)), pixels, last_px);
 }
 
 // A span of less than kLanes pixels.
-template <class Points, class Blend>
-HWY_INLINE void draw_few(Points& points, const Span& span, const Surface& surface,
+template <class Steps, class Blend>
+HWY_INLINE void draw_few(const Steps& steps, const Span& span, const Surface& surface,
                          const Blend& blend) {
   HWY_ALIGN uint32_t pixels[kLanes];
-  points.seek(span.left_px, span.row);
+  const typename Steps::Points points(steps, span.left_px, span.row);
   hn::Store(blend(points.points(span.width_px())), D32(), reinterpret_cast<int32_t*>(pixels));
   store_row<uint32_t>(pixels, span.width_px(), first_pixel(surface, span));
 }
 
-// Both are copied, so that the loop keeps them in registers.
-template <class Blend>
-HWY_NOINLINE void draw_inside(const AffinePoints& start, const Span& span, const Surface& surface,
-                              const Blend& inside) {
-  AffinePoints points = start;
-  const Blend blend = inside;
-  draw_columns(points, span, span.left_px, span.right_px, surface, blend);
-}
-
-template <class Points, class Blend>
-HWY_NOINLINE void draw_anywhere(Points& points, const Span& span, int32_t from_px, int32_t to_px,
-                                const Surface& surface, const Blend& blend) {
-  draw_columns(points, span, from_px, to_px, surface, blend);
+// The blend of the inside for the pixels that are there, and the other for those at both ends.
+template <class Anywhere, class Inside>
+HWY_INLINE void draw_span(const AffineSteps& steps, const Span& span, const Span& inner,
+                          const Surface& surface, const Anywhere& anywhere, const Inside& inside) {
+  if (inner.width_px() < kLanes) {
+    return draw_columns(steps, span, span.left_px, span.right_px, surface, anywhere);
+  }
+  draw_columns(steps, span, span.left_px, inner.left_px, surface, anywhere);
+  draw_columns(steps, inner, inner.left_px, inner.right_px, surface, inside);
+  draw_columns(steps, span, inner.right_px, span.right_px, surface, anywhere);
 }
 
 template <bool kFour, class Address>
 void blend_affine(const AffineSpans& spans, const Surface& surface) {
-  const Interior interior(spans.field, surface.texture);
   const Anywhere<Address> anywhere(surface.texture, kFour);
-  const Inside4<kFour> inside(LowestRow(surface.texture), surface.texture);
-  AffinePoints points(spans);
+  const Inside<kFour> inside(surface.texture);
+  const Interior interior(spans.field, surface.texture);
+  const AffineSteps steps(spans);
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
-    if (span.width_px() < kLanes) {
-      if (!span.empty()) draw_few(points, span, surface, anywhere);
-      continue;
-    }
-    const Span inner = interior.of(span);
-    const bool any_inside = inner.width_px() >= kLanes;
-    draw_anywhere(points, span, span.left_px, any_inside ? inner.left_px : span.right_px, surface,
-                  anywhere);
-    if (any_inside) {
-      draw_inside(points, inner, surface, inside);
-      draw_anywhere(points, span, inner.right_px, span.right_px, surface, anywhere);
+    if (span.width_px() >= kLanes) {
+      draw_span(steps, span, interior.of(span), surface, anywhere, inside);
+    } else if (!span.empty()) {
+      draw_few(steps, span, surface, anywhere);
     }
   }
 }
@@ -189,9 +188,10 @@ template <class Address>
 HWY_NOINLINE void blend_projective(const ProjectiveSpan& each, const ExactMap& exact,
                                    const Surface& surface, bool four) {
   const Anywhere<Address> anywhere(surface.texture, four);
-  ProjectivePoints points(each, exact);
-  if (each.span.width_px() < kLanes) return draw_few(points, each.span, surface, anywhere);
-  draw_columns(points, each.span, each.span.left_px, each.span.right_px, surface, anywhere);
+  const ProjectiveSteps steps(each, exact);
+  const Span& span = each.span;
+  if (span.width_px() < kLanes) return draw_few(steps, span, surface, anywhere);
+  draw_columns(steps, span, span.left_px, span.right_px, surface, anywhere);
 }
 
 template <bool kFour>

@@ -83,9 +83,8 @@ HWY_ALIGN inline constexpr uint8_t kTranspose[16] = {0, 4, 8, 12, 2, 6, 10, 14,
 // (256 - w) a + w b - 2^15 + 128 of each channel, in 16 bits. With a' = a - 128 and b' likewise it
 // is ((255 - w) a' + w b') + a, where weights fit bytes and sums 16 bits: [-32640, 32640].
 // `weights` are 255 - w and w.
-[[nodiscard]] HWY_INLINE V16 mix_across(V32 pairs, V32 weights) {
+[[nodiscard]] HWY_INLINE V16 mix_across(V32 channels, V32 weights) {
   const D16 d;
-  const V32 channels = reorder(pairs, kInterleave);
   const V32 left = hn::And(channels, all_bytes(0x00FF00FF));
   const V32 centred = hn::Xor(channels, all_bytes(0x80808080));
   return hn::Add(hn::BitCast(d, left), byte_products(weights, centred));
@@ -114,22 +113,29 @@ template <int kFirst>
                      of(hn::Broadcast<kFirst + 1>(weights)))});
 }
 
-// kLanes pixels; the weights are the low bytes of the points.
-[[nodiscard]] HWY_INLINE V32 mix(const Around<Pairs>& texels, V32 u_fx8, V32 v_fx8) {
+[[nodiscard]] HWY_INLINE Around<Pairs> channels_of(const Around<Pairs>& texels) {
+  const auto side_by_side = [](const Pairs& pairs) -> Pairs {
+    return {reorder(pairs.first, kInterleave), reorder(pairs.last, kInterleave)};
+  };
+  return {side_by_side(texels.upper), side_by_side(texels.lower)};
+}
+
+// kLanes pixels of pairs whose channels are side by side; the weights are the low bytes of the
+// points.
+[[nodiscard]] HWY_INLINE V32 mix(const Around<Pairs>& channels, V32 u_fx8, V32 v_fx8) {
   const D32 d;
   const V32 flip = all_bytes(0x00FF00FF);
   const V32 across_first = hn::Xor(reorder(u_fx8, kSpreadFirst), flip);
   const V32 across_last = hn::Xor(reorder(u_fx8, kSpreadLast), flip);
   const V32 z = hn::And(v_fx8, hn::Set(d, kTexel_fx8 - 1));
   const V32 down = hn::Add(hn::Sub(hn::ShiftLeft<16>(z), z), hn::Set(d, kTexel_fx8));
-  const V32 first = mix_down<0>(mix_across(texels.upper.first, across_first),
-                                mix_across(texels.lower.first, across_first), down);
-  const V32 last = mix_down<2>(mix_across(texels.upper.last, across_last),
-                               mix_across(texels.lower.last, across_last), down);
+  const V32 first = mix_down<0>(mix_across(channels.upper.first, across_first),
+                                mix_across(channels.lower.first, across_first), down);
+  const V32 last = mix_down<2>(mix_across(channels.upper.last, across_last),
+                               mix_across(channels.lower.last, across_last), down);
   const hn::Repartition<uint8_t, D32> d8;
-  const auto channels =
-      hn::OddEven(hn::BitCast(d8, hn::ShiftLeft<8>(last)), hn::BitCast(d8, first));
-  return hn::Xor(reorder(hn::BitCast(d, channels), kTranspose), all_bytes(0x80808080));
+  const auto bytes = hn::OddEven(hn::BitCast(d8, hn::ShiftLeft<8>(last)), hn::BitCast(d8, first));
+  return hn::Xor(reorder(hn::BitCast(d, bytes), kTranspose), all_bytes(0x80808080));
 }
 
 }  // namespace

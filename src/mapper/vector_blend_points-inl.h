@@ -59,24 +59,35 @@ struct GridLanes {
 
 static_assert(kWidestMargin_fx32 < int64_t{1} << 31);
 
-// Walks along rows under one affine map. Lanes are of u - 1/2 and v - 1/2.
+// One affine map for rows: how lanes go on from a vector's first one, and from vector to vector.
+// Lanes are of u - 1/2 and v - 1/2.
+class AffinePoints;
+struct AffineSteps {
+  using Points = AffinePoints;
+
+  HWY_INLINE explicit AffineSteps(const AffineSpans& of)
+      : spans(of),
+        walk_u(GridLanes::walk(of.field.step_x.u_fx32)),
+        walk_v(GridLanes::walk(of.field.step_x.v_fx32)),
+        step_u(GridLanes::all(kLanes * of.field.step_x.u_fx32)),
+        step_v(GridLanes::all(kLanes * of.field.step_x.v_fx32)) {}
+
+  const AffineSpans& spans;
+  GridLanes walk_u, walk_v, step_u, step_v;
+};
+
 class AffinePoints {
  public:
-  HWY_INLINE explicit AffinePoints(const AffineSpans& spans)
-      : spans_(spans),
-        walk_u_(GridLanes::walk(spans.field.step_x.u_fx32)),
-        walk_v_(GridLanes::walk(spans.field.step_x.v_fx32)),
-        step_u_(GridLanes::all(kLanes * spans.field.step_x.u_fx32)),
-        step_v_(GridLanes::all(kLanes * spans.field.step_x.v_fx32)),
-        margin_fx32_(spans.field.margin_fx32) {}
+  HWY_INLINE AffinePoints(const AffineSteps& steps, int32_t px, int32_t row)
+      : spans_(steps.spans),
+        margin_fx32_(steps.spans.field.margin_fx32),
+        row_(row),
+        px_(px),
+        step_u_(steps.step_u),
+        step_v_(steps.step_v),
+        u_(GridLanes::all(first(steps, px, row).u_fx32) + steps.walk_u),
+        v_(GridLanes::all(first(steps, px, row).v_fx32) + steps.walk_v) {}
 
-  HWY_INLINE void seek(int32_t px, int32_t row) {
-    px_ = px;
-    row_ = row;
-    const Lane lane = spans_.field.at(px, row);
-    u_ = GridLanes::all(lane.u_fx32 - kHalf_fx32) + walk_u_;
-    v_ = GridLanes::all(lane.v_fx32 - kHalf_fx32) + walk_v_;
-  }
   HWY_INLINE void advance() {
     px_ += kLanes;
     u_ = u_ + step_u_;
@@ -93,7 +104,11 @@ class AffinePoints {
   }
 
  private:
-  static constexpr int64_t kHalf_fx32 = int64_t{1} << (kLaneFraction - 1);
+  static HWY_INLINE Lane first(const AffineSteps& steps, int32_t px, int32_t row) {
+    constexpr int64_t kHalf_fx32 = int64_t{1} << (kLaneFraction - 1);
+    const Lane lane = steps.spans.field.at(px, row);
+    return {lane.u_fx32 - kHalf_fx32, lane.v_fx32 - kHalf_fx32};
+  }
 
   // All by value, so that the loop keeps its lanes in registers.
   static HWY_NOINLINE PointVectors decided(const AffineSpans& spans, int32_t px, int32_t row,
@@ -109,19 +124,29 @@ class AffinePoints {
   }
 
   const AffineSpans& spans_;
-  int32_t px_ = 0, row_ = 0;
-  GridLanes walk_u_, walk_v_, step_u_, step_v_;
   uint32_t margin_fx32_;
-  GridLanes u_ = walk_u_, v_ = walk_v_;
+  int32_t row_, px_;
+  GridLanes step_u_, step_v_, u_, v_;
 };
 
 // Walks along one row in perspective.
+class ProjectivePoints;
+struct ProjectiveSteps {
+  using Points = ProjectivePoints;
+
+  HWY_INLINE ProjectiveSteps(const ProjectiveSpan& of, const ExactMap& map)
+      : each(of), exact(map), row(of.lanes, kTexel_fx8) {}
+
+  const ProjectiveSpan& each;
+  const ExactMap& exact;
+  ProjectiveRow row;
+};
+
 class ProjectivePoints {
  public:
-  HWY_INLINE ProjectivePoints(const ProjectiveSpan& each, const ExactMap& map)
-      : each_(each), map_(map), row_(each.lanes, kTexel_fx8) {}
+  HWY_INLINE ProjectivePoints(const ProjectiveSteps& steps, int32_t px, int32_t /*row*/)
+      : steps_(steps), px_(px) {}
 
-  HWY_INLINE void seek(int32_t px, int32_t /*row*/) { px_ = px; }
   HWY_INLINE void advance() { px_ += kLanes; }
   HWY_INLINE PointVectors points(int32_t count) const {
     const D32 d;
@@ -138,21 +163,19 @@ class ProjectivePoints {
   HWY_INLINE LowTexels find(int32_t px, int32_t count) const {
     const DHalf d;
     uint32_t near_u, near_v;
-    LowTexels low = row_.low(px - each_.span.left_px, &near_u, &near_v);
+    LowTexels low = steps_.row.low(px - steps_.each.span.left_px, &near_u, &near_v);
     near_u &= first_bits(count);
     near_v &= first_bits(count);
     if (HWY_UNLIKELY((near_u | near_v) != 0)) {
-      const ExactRow exact = on_grid(map_.row_from(px, each_.span.row));
+      const ExactRow exact = on_grid(steps_.exact.row_from(px, steps_.each.span.row));
       low.s = decide(d, low.s, near_u, exact, exact.u);
       low.t = decide(d, low.t, near_v, exact, exact.v);
     }
     return low;
   }
 
-  const ProjectiveSpan& each_;
-  const ExactMap& map_;
-  ProjectiveRow row_;
-  int32_t px_ = 0;
+  const ProjectiveSteps& steps_;
+  int32_t px_;
 };
 
 }  // namespace
