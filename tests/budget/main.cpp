@@ -14,10 +14,10 @@ enum Exit { kFine = 0, kFailed = 1, kWrongUse = 2, kNotHere = 3 };
 constexpr const char* kUsage =
     "Usage: selvage_work KIND PASSES KERNEL\n"
     "       selvage_work --build\n\n"
-    "Draws KIND (mesh-52, mesh-484, affine, perspective, bilinear) PASSES times with KERNEL\n"
-    "(scalar, sse4, avx2) and prints what a pass draws: UNITS UNIT PIXELS. With --build, prints "
-    "the\n"
-    "compiler and the kind of build.\n\n"
+    "Draws KIND (mesh-52, mesh-484, affine, perspective, bilinear, bilinear-any) PASSES times "
+    "with\n"
+    "KERNEL (scalar, sse4, avx2) and prints what a pass draws: UNITS UNIT PIXELS. With --build,\n"
+    "prints the compiler and the kind of build.\n\n"
     "Example: selvage_work mesh-52 2 scalar\n\n"
     "Exit status: 0 drawn, 1 refused by the mapper, 2 wrong use, 3 no such kernel here.\n";
 
