@@ -112,8 +112,8 @@ HWY_INLINE void store_pixels(V32 pixels, char* row, int32_t px) {
 }
 
 // Columns [from, to) of a span of kLanes pixels or more, and maybe some of it beyond: what is left
-// over is drawn by the last whole vector of the span. The blend is a copy, which needs no reloading
-// after each store.
+// over is drawn by the last whole vector of the span. The blend is copied: what is not reachable
+// from outside needs no reloading after each store.
 template <class Steps, class Blend>
 HWY_NOINLINE void draw_columns(const Steps& steps, const Span& span, int32_t from_px, int32_t to_px,
                                const Surface& surface, const Blend& of) {
@@ -145,9 +145,10 @@ HWY_INLINE void draw_few(const Steps& steps, const Span& span, const Surface& su
 }
 
 // The blend of the inside for the pixels that are there, and the other for those at both ends.
-template <class Anywhere, class Inside>
+template <class BlendAnywhere, class BlendInside>
 HWY_INLINE void draw_span(const AffineSteps& steps, const Span& span, const Span& inner,
-                          const Surface& surface, const Anywhere& anywhere, const Inside& inside) {
+                          const Surface& surface, const BlendAnywhere& anywhere,
+                          const BlendInside& inside) {
   if (inner.width_px() < kLanes) {
     return draw_columns(steps, span, span.left_px, span.right_px, surface, anywhere);
   }

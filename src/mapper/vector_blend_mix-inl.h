@@ -90,29 +90,21 @@ HWY_ALIGN inline constexpr uint8_t kTranspose[16] = {0, 4, 8, 12, 2, 6, 10, 14,
   return hn::Add(hn::BitCast(d, left), byte_products(weights, centred));
 }
 
-// S + 32768 - 2^23 of each channel, as (256 - z) 128 + z 128 = 32768; so bits 16 to 23 are the
-// channel less 128. Of two pixels, `weights` being 256 - z and z.
-struct Sums {
-  V32 even, odd;
-};
-
-// Bytes 2 of the numbers in bytes 0 and 2.
-[[nodiscard]] HWY_INLINE V32 both_bytes(const Sums& sums) {
-  const D16 d;
-  return hn::BitCast(
-      D32(), hn::OddEven(hn::BitCast(d, sums.odd), hn::BitCast(d, hn::ShiftRight<16>(sums.even))));
-}
-
+// Of pixels kFirst and kFirst + 1 of each block: S + 32768 - 2^23 of each channel, for the 128
+// above come to (256 - z) 128 + z 128 = 32768. Bits 16 to 23 of that, the channel less 128, go to
+// the low bytes of 16 bits, of the two pixels in turn. `weights` are 256 - z and z.
 template <int kFirst>
 [[nodiscard]] HWY_INLINE V32 mix_down(V16 upper, V16 lower, V32 weights) {
   const D16 d;
   const auto of = [&](V32 pixel) { return hn::BitCast(d, pixel); };
-  return both_bytes(
-      {word_products(hn::InterleaveLower(d, upper, lower), of(hn::Broadcast<kFirst>(weights))),
-       word_products(hn::InterleaveUpper(d, upper, lower),
-                     of(hn::Broadcast<kFirst + 1>(weights)))});
+  const V32 one =
+      word_products(hn::InterleaveLower(d, upper, lower), of(hn::Broadcast<kFirst>(weights)));
+  const V32 next =
+      word_products(hn::InterleaveUpper(d, upper, lower), of(hn::Broadcast<kFirst + 1>(weights)));
+  return hn::BitCast(D32(), hn::OddEven(of(next), of(hn::ShiftRight<16>(one))));
 }
 
+// Channels of the left texels beside those of the right ones.
 [[nodiscard]] HWY_INLINE Around<Pairs> channels_of(const Around<Pairs>& texels) {
   const auto side_by_side = [](const Pairs& pairs) -> Pairs {
     return {reorder(pairs.first, kInterleave), reorder(pairs.last, kInterleave)};

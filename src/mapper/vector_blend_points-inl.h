@@ -59,9 +59,9 @@ struct GridLanes {
 
 static_assert(kWidestMargin_fx32 < int64_t{1} << 31);
 
-// One affine map for rows: how lanes go on from a vector's first one, and from vector to vector.
-// Lanes are of u - 1/2 and v - 1/2.
 class AffinePoints;
+
+// How lanes go on from a vector's first one, and from vector to vector.
 struct AffineSteps {
   using Points = AffinePoints;
 
@@ -76,6 +76,7 @@ struct AffineSteps {
   GridLanes walk_u, walk_v, step_u, step_v;
 };
 
+// Walks along a row under one affine map. Lanes are of u - 1/2 and v - 1/2.
 class AffinePoints {
  public:
   HWY_INLINE AffinePoints(const AffineSteps& steps, int32_t px, int32_t row)
@@ -129,8 +130,8 @@ class AffinePoints {
   GridLanes step_u_, step_v_, u_, v_;
 };
 
-// Walks along one row in perspective.
 class ProjectivePoints;
+
 struct ProjectiveSteps {
   using Points = ProjectivePoints;
 
@@ -142,6 +143,7 @@ struct ProjectiveSteps {
   ProjectiveRow row;
 };
 
+// Walks along one row in perspective.
 class ProjectivePoints {
  public:
   HWY_INLINE ProjectivePoints(const ProjectiveSteps& steps, int32_t px, int32_t /*row*/)
