@@ -14,9 +14,9 @@ enum Exit { kFine = 0, kFailed = 1, kWrongUse = 2, kNotHere = 3 };
 constexpr const char* kUsage =
     "Usage: selvage_work KIND PASSES KERNEL\n"
     "       selvage_work --build\n\n"
-    "Draws KIND (mesh-52, mesh-484, tilted-52, tilted-484, affine, perspective, bilinear) PASSES\n"
-    "times with KERNEL (scalar, sse4, avx2) and prints what a pass draws: UNITS UNIT PIXELS.\n"
-    "With --build, prints the compiler and the kind of build.\n\n"
+    "Draws KIND (mesh-52, mesh-484, tilted-52, tilted-484, affine, perspective, bilinear,\n"
+    "bilinear-any) PASSES times with KERNEL (scalar, sse4, avx2) and prints what a pass draws:\n"
+    "UNITS UNIT PIXELS. With --build, prints the compiler and the kind of build.\n\n"
     "Example: selvage_work mesh-52 2 scalar\n\n"
     "Exit status: 0 drawn, 1 refused by the mapper, 2 wrong use, 3 no such kernel here.\n";
 

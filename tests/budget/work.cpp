@@ -77,6 +77,18 @@ Work spans(const Corner& right, const Corner& below, selvage_filter filter) {
       filter};
 }
 
+// The same spans from corners off every grid, so that near-ties are as rare as in a free hand's
+// polygon: where steps are simple fractions, each vector has some.
+Work uneven_spans(selvage_filter filter) {
+  constexpr int32_t height_px = 64;
+  return {"px",
+          {{{{-16411, -77, 655363, 655411, kQ},
+             {1048613, 33, 54329341, 26870309, kQ},
+             {-16519, 32801, 2621477, 3932311, kQ}}}},
+          height_px,
+          filter};
+}
+
 }  // namespace
 
 std::optional<Work> work_of(std::string_view kind) {
@@ -89,6 +101,7 @@ std::optional<Work> work_of(std::string_view kind) {
   if (kind == "affine") return spans(right, below, SELVAGE_FILTER_NEAREST);
   if (kind == "perspective") return spans(near, near_below, SELVAGE_FILTER_NEAREST);
   if (kind == "bilinear") return spans(right, below, SELVAGE_FILTER_BILINEAR);
+  if (kind == "bilinear-any") return uneven_spans(SELVAGE_FILTER_BILINEAR);
   return std::nullopt;
 }
 
