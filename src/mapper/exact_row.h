@@ -18,15 +18,27 @@ struct ExactLine {
   [[nodiscard]] uint128 at(int32_t i) const { return start + static_cast<uint128>(i) * step; }
 };
 
+// Whether n / d is at or beyond a whole number that is no further from it than one: the sign of one
+// integer in [-d, d], without a division.
+[[nodiscard]] inline bool reaches(uint128 n, uint128 d, int32_t whole) {
+  return static_cast<int128>(n - static_cast<uint128>(int128{whole}) * d) >= 0;
+}
+
 // u = u.at(i) / d.at(i) texels, and likewise v, at the i-th pixel of a span.
 struct ExactRow {
   ExactLine u, v, d;
 
-  // Whether a coordinate is at or beyond a whole texel that is no further from it than one: the
-  // sign of one integer in [-d, d], without a division.
+  // Whether a coordinate is at or beyond a whole texel that is no further from it than one.
   [[nodiscard]] bool reaches(const ExactLine& coordinate, int32_t i, int32_t texel) const {
-    const auto whole = static_cast<uint128>(int128{texel});
-    return static_cast<int128>(coordinate.at(i) - whole * d.at(i)) >= 0;
+    return mapper::reaches(coordinate.at(i), d.at(i), texel);
+  }
+
+  // In units of 2^-bits texel, up to 16.
+  [[nodiscard]] ExactRow finer(int bits) const {
+    const auto less = [&](uint128 a) {
+      return static_cast<uint128>(static_cast<int128>(a) >> bits);  // a multiple of 2^16
+    };
+    return {u, v, {less(d.start), less(d.step)}};
   }
 };
 

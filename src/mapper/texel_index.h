@@ -28,11 +28,12 @@ struct TexelIndex {
   TexelIndex texel{static_cast<int32_t>(lane.u_fx32 >> kLaneFraction),
                    static_cast<int32_t>(lane.v_fx32 >> kLaneFraction)};
   const ExactRow& exact = row.get();
+  const uint128 d = exact.d.at(offset_px);
   if (is_near_tie(lane.u_fx32, margin_fx32)) {
-    texel.s += exact.reaches(exact.u, offset_px, texel.s + 1) ? 1 : 0;
+    texel.s += reaches(exact.u.at(offset_px), d, texel.s + 1) ? 1 : 0;
   }
   if (is_near_tie(lane.v_fx32, margin_fx32)) {
-    texel.t += exact.reaches(exact.v, offset_px, texel.t + 1) ? 1 : 0;
+    texel.t += reaches(exact.v.at(offset_px), d, texel.t + 1) ? 1 : 0;
   }
   return texel;
 }

@@ -41,12 +41,46 @@ struct LaneVectors {
   V32 u, v;
 };
 
+// Near-ties among the pixels of many short rows, packed one row after another.
+class PackedTies {
+ public:
+  HWY_INLINE explicit PackedTies(const AffineSpans& spans)
+      : rows_(spans.batch), ties_(spans.exact, rows_.span(0), 0) {}
+
+  // As RowOfTies does, for packed pixels from a number on that never falls.
+  HWY_INLINE void decide(int32_t first, bool any_u, bool any_v, V32* HWY_RESTRICT s,
+                         V32* HWY_RESTRICT t) {
+    const D32 d;
+    const V32 low_s = *s, low_t = *t, lane = hn::Iota(d, 0);
+    while (end() <= first && next_row()) continue;
+    do {
+      V32 row_s = low_s, row_t = low_t;
+      ties_.decide(d, first - first_of_row_, any_u, any_v, &row_s, &row_t);
+      const auto is_left = hn::Lt(lane, hn::Set(d, first_of_row_ - first));
+      *s = hn::IfThenElse(is_left, *s, row_s);
+      *t = hn::IfThenElse(is_left, *t, row_t);
+    } while (end() < first + kLanes && next_row());
+  }
+
+ private:
+  HWY_INLINE int32_t end() const { return first_of_row_ + rows_.span(row_).width_px(); }
+  HWY_INLINE bool next_row() {
+    if (row_ + 1 == rows_.rows) return false;
+    first_of_row_ = end();
+    ties_.go_to(rows_.span(++row_));
+    return true;
+  }
+
+  const SpanBatch& rows_;
+  RowOfTies ties_;
+  int32_t row_ = 0, first_of_row_ = 0;
+};
+
 template <class Address>
 class AffineBatch {
  public:
   HWY_INLINE AffineBatch(const AffineSpans& spans, const Surface& surface)
-      : exact_(spans.exact),
-        extent_(extent_of(surface.texture)),
+      : extent_(extent_of(surface.texture)),
         lack_fx16_(kVectorTruncations_fx16 +
                    static_cast<int32_t>(spans.field.margin_fx32 >> kAnchorShift) + 1),
         offset_u_(offsets_fx16(spans.field.step_x.u_fx32)),
@@ -69,31 +103,24 @@ class AffineBatch {
   [[nodiscard]] HWY_INLINE bool any_near(const LaneVectors& lanes) const {
     return !hn::AllFalse(D32(), is_changed(hn::Or(change(lanes.u), change(lanes.v))));
   }
-  [[nodiscard]] HWY_INLINE uint32_t near_bits(V32 lane_fx16) const {
-    return lane_bits(D32(), is_changed(change(lane_fx16)));
+  [[nodiscard]] HWY_INLINE bool has_near(V32 lane_fx16) const {
+    return !hn::AllFalse(D32(), is_changed(change(lane_fx16)));
   }
 
-  // The places of pixels that follow each other in a row, near-ties and all, where asked for.
-  HWY_NOINLINE V32 decided_places(int32_t px, int32_t row, const LaneVectors& lanes,
-                                  uint32_t asked) const {
-    const D32 d;
-    const uint32_t near_u = near_bits(lanes.u) & asked, near_v = near_bits(lanes.v) & asked;
-    const ExactRow exact = exact_.row_from(px, row);
-    return places_of(decide(d, texel_of(lanes.u), near_u, exact, exact.u),
-                     decide(d, texel_of(lanes.v), near_v, exact, exact.v));
+  // The places of pixels that follow each other in a row, near-ties and all.
+  HWY_NOINLINE V32 decided_places(RowOfTies& row, int32_t offset_px,
+                                  const LaneVectors& lanes) const {
+    V32 s = texel_of(lanes.u), t = texel_of(lanes.v);
+    row.decide(D32(), offset_px, has_near(lanes.u), has_near(lanes.v), &s, &t);
+    return places_of(s, t);
   }
 
-  // The place of one pixel, near-ties or not.
-  [[nodiscard]] int32_t decided_place(int32_t px, int32_t row, int32_t u_fx16,
-                                      int32_t v_fx16) const {
-    const ExactRow exact = exact_.row_from(px, row);
-    const auto texel = [&](const ExactLine& coordinate, int32_t lane_fx16) {
-      const int32_t low = lane_fx16 >> kTexelFraction;
-      return (lane_fx16 & 0xFFFF) + lack_fx16_ > 0xFFFF && exact.reaches(coordinate, 0, low + 1)
-                 ? low + 1
-                 : low;
-    };
-    return Address::place_of_one(texel(exact.u, u_fx16), texel(exact.v, v_fx16), extent_);
+  // Those of packed pixels from a number on.
+  HWY_NOINLINE V32 decided_places(PackedTies& packed, int32_t first,
+                                  const LaneVectors& lanes) const {
+    V32 s = texel_of(lanes.u), t = texel_of(lanes.v);
+    packed.decide(first, has_near(lanes.u), has_near(lanes.v), &s, &t);
+    return places_of(s, t);
   }
 
  private:
@@ -108,7 +135,6 @@ class AffineBatch {
   }
   HWY_INLINE V32 places_of(V32 s, V32 t) const { return Address::place(s, t, extent_); }
 
-  const ExactMap& exact_;
   Extent extent_;
   int32_t lack_fx16_;
   V32 offset_u_, offset_v_;
@@ -125,12 +151,13 @@ void draw_wide(const AffineSpans& spans, const Surface& surface) {
     const Span span = spans.batch.span(i);
     Lane lane = spans.field.at(span.left_px, span.row);
     char* pixel = first_pixel(surface, span);
+    RowOfTies ties(spans.exact, span, 0);
     for (int32_t px = span.left_px; px < span.right_px; px += kLanes) {
       const int32_t count = HWY_MIN(span.right_px - px, kLanes);
       const LaneVectors lanes = batch.lanes_from(lane);
       hn::Store(batch.places(lanes), d, place);
       if (HWY_UNLIKELY(batch.any_near(lanes))) {
-        hn::Store(batch.decided_places(px, span.row, lanes, first_bits(count)), d, place);
+        hn::Store(batch.decided_places(ties, px - span.left_px, lanes), d, place);
       }
       if (HWY_LIKELY(count == kLanes)) {
         fetch_as<Pixel>(surface.texture.texels, place, kLanes, pixel);
@@ -141,27 +168,6 @@ void draw_wide(const AffineSpans& spans, const Surface& surface) {
       lane.u_fx32 += step_u;
       lane.v_fx32 += step_v;
     }
-  }
-}
-
-// Near-ties among packed pixels [first, first + kLanes): finds each one's row by the widths.
-template <class Address>
-HWY_NOINLINE void decide_packed(const AffineBatch<Address>& batch, const SpanBatch& rows,
-                                const LaneVectors& lanes, int32_t first, int32_t* place) {
-  HWY_ALIGN int32_t u_fx16[kLanes], v_fx16[kLanes];
-  hn::Store(lanes.u, D32(), u_fx16);
-  hn::Store(lanes.v, D32(), v_fx16);
-  const uint32_t near = batch.near_bits(lanes.u) | batch.near_bits(lanes.v);
-  int32_t row = 0, row_first = 0;
-  for (int32_t i = 0; near >> i != 0; ++i) {
-    if ((near >> i & 1U) == 0) continue;
-    while (row < rows.rows && first + i >= row_first + rows.span(row).width_px()) {
-      row_first += rows.span(row++).width_px();
-    }
-    if (row == rows.rows) break;  // beyond the last pixel
-    const Span span = rows.span(row);
-    place[i] =
-        batch.decided_place(span.left_px + first + i - row_first, span.row, u_fx16[i], v_fx16[i]);
   }
 }
 
@@ -198,6 +204,7 @@ void draw_narrow(const AffineSpans& spans, const Surface& surface) {
   hn::StoreU(hn::Zero(d), d, u_fx16 + packed);
   hn::StoreU(hn::Zero(d), d, v_fx16 + packed);
 
+  PackedTies ties(spans);
   HWY_ALIGN int32_t place[kLanes];
   HWY_ALIGN char texels[(kMost + kMostLanes) * sizeof(uint32_t)];
   const ptrdiff_t bytes = bytes_per_pixel(surface.target.format);
@@ -205,7 +212,7 @@ void draw_narrow(const AffineSpans& spans, const Surface& surface) {
     const LaneVectors lanes{hn::Load(d, u_fx16 + first), hn::Load(d, v_fx16 + first)};
     hn::Store(batch.places(lanes), d, place);
     if (HWY_UNLIKELY(batch.any_near(lanes))) {
-      decide_packed(batch, spans.batch, lanes, first, place);
+      hn::Store(batch.decided_places(ties, first, lanes), d, place);
     }
     fetch(surface.texture, place, kLanes, texels + first * bytes);
   }

@@ -27,14 +27,6 @@ struct PointVectors {
   V32 u_fx8, v_fx8;
 };
 
-// The exact row in units of the grid, so that its texels are points.
-[[nodiscard]] inline ExactRow on_grid(const ExactRow& row) {
-  const auto finer = [](uint128 a) {
-    return static_cast<uint128>(static_cast<int128>(a) >> kGridBits);  // a multiple of 2^16
-  };
-  return {row.u, row.v, {finer(row.d.start), finer(row.d.step)}};
-}
-
 [[nodiscard]] HWY_INLINE PointVectors from_centres(V32 u_fx8, V32 v_fx8) {
   const V32 half = hn::Set(D32(), kTexel_fx8 / 2);
   return {hn::Sub(u_fx8, half), hn::Sub(v_fx8, half)};
@@ -59,19 +51,20 @@ class AffinePoints {
     v_high_ = hn::Load(d, v + kLanes / 2);
   }
 
-  HWY_INLINE PointVectors at(const Span& span, int32_t px) const {
+  [[nodiscard]] const ExactMap& exact() const { return spans_.exact; }
+  HWY_INLINE PointVectors at(const Span& span, int32_t px, RowOfTies& ties) const {
     const Lane lane = spans_.field.at(px, span.row);
     V32 near_u, near_v;
     const V32 u = floors(lane.u_fx32, u_low_, u_high_, &near_u);
     const V32 v = floors(lane.v_fx32, v_low_, v_high_, &near_v);
-    if (HWY_LIKELY(hn::AllFalse(D32(), is_set(hn::Or(near_u, near_v))))) return from_centres(u, v);
-    const uint32_t asked = first_bits(HWY_MIN(span.right_px - px, kLanes));
-    return decided(span, px, {u, v}, lane_bits(D32(), is_set(near_u)) & asked,
-                   lane_bits(D32(), is_set(near_v)) & asked);
+    if (HWY_LIKELY(!is_some(hn::Or(near_u, near_v)))) return from_centres(u, v);
+    return decided(ties, px - span.left_px, is_some(near_u), is_some(near_v), {u, v});
   }
 
  private:
-  static HWY_INLINE hn::Mask<D32> is_set(V32 value) { return hn::Ne(value, hn::Zero(D32())); }
+  static HWY_INLINE bool is_some(V32 near) {
+    return !hn::AllFalse(D32(), hn::Ne(near, hn::Zero(D32())));
+  }
 
   // Floors on the grid; bits of `near` are set where a lane may lack enough to reach the next.
   HWY_INLINE V32 floors(int64_t start_fx32, V64 low_steps, V64 high_steps, V32* near) const {
@@ -88,11 +81,10 @@ class AffinePoints {
     return narrow(hn::ShiftRight<kGridFraction>(high), hn::ShiftRight<kGridFraction>(low));
   }
 
-  HWY_NOINLINE PointVectors decided(const Span& span, int32_t px, PointVectors low, uint32_t near_u,
-                                    uint32_t near_v) const {
-    const ExactRow row = on_grid(spans_.exact.row_from(px, span.row));
-    return from_centres(decide(D32(), low.u_fx8, near_u, row, row.u),
-                        decide(D32(), low.v_fx8, near_v, row, row.v));
+  static HWY_NOINLINE PointVectors decided(RowOfTies& ties, int32_t offset_px, bool any_u,
+                                           bool any_v, PointVectors low) {
+    ties.decide(D32(), offset_px, any_u, any_v, &low.u_fx8, &low.v_fx8);
+    return from_centres(low.u_fx8, low.v_fx8);
   }
 
   const AffineSpans& spans_;
@@ -106,29 +98,18 @@ class ProjectivePoints {
   HWY_INLINE ProjectivePoints(const ProjectiveSpan& each, const ExactMap& map)
       : each_(each), map_(map), row_(each.lanes, kTexel_fx8) {}
 
-  HWY_INLINE PointVectors at(const Span& /*span*/, int32_t px) const {
-    HWY_ALIGN int32_t u[kLanes], v[kLanes];
-    for (int32_t done = 0; done < kLanes; done += kDoubles) find(px + done, u + done, v + done);
-    return from_centres(hn::Load(D32(), u), hn::Load(D32(), v));
+  [[nodiscard]] const ExactMap& exact() const { return map_; }
+  HWY_INLINE PointVectors at(const Span& /*span*/, int32_t px, RowOfTies& ties) const {
+    bool near_u, near_v;
+    const int32_t offset_px = px - each_.span.left_px;
+    LowTexels low = row_.low(offset_px, &near_u, &near_v);
+    if (HWY_UNLIKELY(near_u || near_v)) {
+      ties.decide(D32(), offset_px, near_u, near_v, &low.s, &low.t);
+    }
+    return from_centres(low.s, low.t);
   }
 
  private:
-  HWY_INLINE void find(int32_t px, int32_t* HWY_RESTRICT u, int32_t* HWY_RESTRICT v) const {
-    const DHalf d;
-    uint32_t near_u, near_v;
-    LowTexels low = row_.low(px - each_.span.left_px, &near_u, &near_v);
-    const uint32_t asked = first_bits(HWY_MIN(HWY_MAX(each_.span.right_px - px, 0), kDoubles));
-    near_u &= asked;
-    near_v &= asked;
-    if (HWY_UNLIKELY((near_u | near_v) != 0)) {
-      const ExactRow exact = on_grid(map_.row_from(px, each_.span.row));
-      low.s = decide(d, low.s, near_u, exact, exact.u);
-      low.t = decide(d, low.t, near_v, exact, exact.v);
-    }
-    hn::StoreU(low.s, d, u);
-    hn::StoreU(low.t, d, v);
-  }
-
   const ProjectiveSpan& each_;
   const ExactMap& map_;
   ProjectiveRow row_;
@@ -261,8 +242,9 @@ HWY_INLINE void draw_blended(const Points& points, const Span& span, const Surfa
   Neighbours around;
   HWY_ALIGN uint8_t tail[kLanes * sizeof(uint32_t)];
   char* pixel = first_pixel(surface, span);
+  RowOfTies ties(points.exact(), span, kGridBits);
   for (int32_t px = span.left_px; px < span.right_px; px += kLanes) {
-    const PointVectors at = points.at(span, px);
+    const PointVectors at = points.at(span, px, ties);
     fetch_around<Address>(at, surface.texture, &around);
     if (HWY_LIKELY(span.right_px - px >= kLanes)) {
       mix(at, around, four, reinterpret_cast<uint8_t*>(pixel));

@@ -20,10 +20,11 @@ using VD = hn::Vec<DD>;
 using DHalf = hn::Rebind<int32_t, DD>;
 inline constexpr int32_t kDoubles = static_cast<int32_t>(hn::MaxLanes(DD()));
 
-// kDoubles pixels of a span: between low and low + 1 are u and v, times the scale.
+// kLanes pixels of a span: between low and low + 1 are u and v, times the scale.
 struct LowTexels {
-  hn::Vec<DHalf> s, t;
+  V32 s, t;
 };
+static_assert(kLanes == 2 * kDoubles);
 
 // Numbers are in texels times `scale`, a power of two.
 class ProjectiveRow {
@@ -34,16 +35,32 @@ class ProjectiveRow {
         denominator_(lanes.denominator()),
         error_(static_cast<double>(lanes.error_fx32()) * (scale * kUnit_texel)) {}
 
-  // Of the pixels from an offset in the span on. Bits are set in *near_u and *near_v where the next
-  // whole number may have been reached.
-  HWY_INLINE LowTexels low(int32_t offset_px, uint32_t* near_u, uint32_t* near_v) const {
-    const DD d;
-    const VD i = hn::Add(hn::Iota(d, 0.0), hn::Set(d, static_cast<double>(offset_px)));
-    const VD w = hn::Div(hn::Set(d, 1.0), at(denominator_, i));
-    return {low(hn::Mul(at(u_, i), w), near_u), low(hn::Mul(at(v_, i), w), near_v)};
+  // Of the pixels from an offset in the span on. *near_u and *near_v: some of them may have reached
+  // the next whole number.
+  HWY_INLINE LowTexels low(int32_t offset_px, bool* near_u, bool* near_v) const {
+    const Half first = half(offset_px), second = half(offset_px + kDoubles);
+    *near_u = first.near_u || second.near_u;
+    *near_v = first.near_v || second.near_v;
+    const D32 d;
+    return {hn::Combine(d, second.s, first.s), hn::Combine(d, second.t, first.t)};
   }
 
  private:
+  // kDoubles of them.
+  struct Half {
+    hn::Vec<DHalf> s, t;
+    bool near_u, near_v;
+  };
+  HWY_INLINE Half half(int32_t offset_px) const {
+    const DD d;
+    const VD i = hn::Add(hn::Iota(d, 0.0), hn::Set(d, static_cast<double>(offset_px)));
+    const VD w = hn::Div(hn::Set(d, 1.0), at(denominator_, i));
+    Half half;
+    half.s = low(hn::Mul(at(u_, i), w), &half.near_u);
+    half.t = low(hn::Mul(at(v_, i), w), &half.near_v);
+    return half;
+  }
+
   static constexpr double kUnit_texel = 1.0 / (int64_t{1} << kLaneFraction);
 
   using Linear = ProjectiveLanes::Linear;
@@ -55,12 +72,11 @@ class ProjectiveRow {
     return hn::MulAdd(i, hn::Set(d, line.step), hn::Set(d, line.start));
   }
   // Floors of the two ends of where the value may be.
-  HWY_INLINE hn::Vec<DHalf> low(VD estimate, uint32_t* near) const {
+  HWY_INLINE hn::Vec<DHalf> low(VD estimate, bool* near) const {
     const DD d;
     const VD error = hn::Set(d, error_);
     const VD floor = hn::Floor(hn::Sub(estimate, error));
-    const auto differs = hn::Ne(floor, hn::Floor(hn::Add(estimate, error)));
-    *near = HWY_LIKELY(hn::AllFalse(d, differs)) ? 0 : lane_bits(d, differs);
+    *near = !hn::AllFalse(d, hn::Ne(floor, hn::Floor(hn::Add(estimate, error))));
     return hn::DemoteTo(DHalf(), floor);
   }
 
@@ -70,20 +86,14 @@ class ProjectiveRow {
 
 // Where both ends have one floor, that is the texel; the exact map decides between two.
 template <class Address>
-HWY_INLINE void find_places(const ProjectiveRow& row, const ExactMap& map, const Span& span,
-                            int32_t offset_px, const Extent& extent, int32_t* HWY_RESTRICT place) {
-  const DHalf d;
-  uint32_t near_u, near_v;
+HWY_INLINE V32 find_places(const ProjectiveRow& row, RowOfTies& ties, int32_t offset_px,
+                           const Extent& extent) {
+  bool near_u, near_v;
   LowTexels texel = row.low(offset_px, &near_u, &near_v);
-  const uint32_t asked = first_bits(HWY_MIN(HWY_MAX(span.width_px() - offset_px, 0), kDoubles));
-  near_u &= asked;
-  near_v &= asked;
-  if (HWY_UNLIKELY((near_u | near_v) != 0)) {
-    const ExactRow exact = map.row_from(span.left_px + offset_px, span.row);
-    texel.s = decide(d, texel.s, near_u, exact, exact.u);
-    texel.t = decide(d, texel.t, near_v, exact, exact.v);
+  if (HWY_UNLIKELY(near_u || near_v)) {
+    ties.decide(D32(), offset_px, near_u, near_v, &texel.s, &texel.t);
   }
-  hn::StoreU(Address::place(texel.s, texel.t, extent), d, place);
+  return Address::place(texel.s, texel.t, extent);
 }
 
 template <class Address>
@@ -91,11 +101,10 @@ void draw_projective_row(const ProjectiveSpan& each, const ExactMap& map, const 
   const ProjectiveRow row(each.lanes, 1);
   const Extent extent = extent_of(surface.texture);
   char* pixel = first_pixel(surface, each.span);
+  RowOfTies ties(map, each.span, 0);
   HWY_ALIGN int32_t place[kLanes];
   for (int32_t offset_px = 0; offset_px < each.span.width_px(); offset_px += kLanes) {
-    for (int32_t done = 0; done < kLanes; done += kDoubles) {
-      find_places<Address>(row, map, each.span, offset_px + done, extent, place + done);
-    }
+    hn::Store(find_places<Address>(row, ties, offset_px, extent), D32(), place);
     const int32_t count = HWY_MIN(each.span.width_px() - offset_px, kLanes);
     fetch(surface.texture, place, count, pixel);
     pixel += count * bytes_per_pixel(surface.target.format);
