@@ -49,6 +49,7 @@ struct Digits {
 
 // Sums are kept positive by so much, so that carries may be shifted as unsigned numbers.
 inline constexpr int kSumBits = 62;
+inline constexpr int64_t kBias = int64_t{1} << kSumBits;
 inline constexpr int kMostLanesLog2 = 4;
 static_assert(1 << kMostLanesLog2 == kMostLanes);
 static_assert(kTexelBits - kTexelFraction + kGridBits + 1 + kMostLanesLog2 + kDigitBits < kSumBits,
@@ -85,9 +86,19 @@ class RowOfTies {
   }
 
  private:
+  // Each digit of the start is one of a sum: with its bias, and less the one that is carried to it.
   struct DigitLine {
-    Digits start, step;
+    int64_t start[kMostDigits];
+    Digits step;
   };
+  [[nodiscard]] static DigitLine line_of(const ExactLine& line) {
+    const Digits start = digits_of(line.start);
+    DigitLine digits{{}, digits_of(line.step)};
+    for (int at = 0; at < kMostDigits; ++at) {
+      digits.start[at] = start.digit[at] + kBias - (at == 0 ? 0 : kBias >> kDigitBits);
+    }
+    return digits;
+  }
   // Of denominators d. |n - k d| <= d, so that 64 or 96 bits tell its sign where d has fewer.
   enum class Form { kShort, kMiddle, kLong, kVarying };
   [[nodiscard]] static Form form_of(const ExactLine& d) {
@@ -108,17 +119,14 @@ class RowOfTies {
   HWY_INLINE hn::Vec<D> raised(D d, const DigitLine& n, const Digits& divisor, hn::Vec<D> at,
                                hn::Vec<D> low) const {
     const hn::Vec<D> next = hn::Add(low, hn::Set(d, 1));
-    const hn::Vec<D> sign = signs<kDigits, kVaries>(d, n, divisor, at, next);
+    const hn::Vec<D> sign = highest_digit<kDigits, kVaries>(d, n, divisor, at, next);
     return hn::IfThenElse(hn::Lt(sign, hn::Zero(d)), low, next);
   }
 
   HWY_NOINLINE void find() {
     const ExactRow row = map_->row_from(span_.left_px, span_.row).finer(bits_);
-    const auto digits = [](const ExactLine& line) {
-      return DigitLine{digits_of(line.start), digits_of(line.step)};
-    };
-    u_ = digits(row.u);
-    v_ = digits(row.v);
+    u_ = line_of(row.u);
+    v_ = line_of(row.v);
     d_ = row.d;
     constant_divisor_ = digits_of(row.d.start);
     divisor_step_ = digits_of(row.d.step);
@@ -126,37 +134,44 @@ class RowOfTies {
     is_known_ = true;
   }
 
-  // Negative where the difference is.
+  // Of the difference, modulo 2^(32 kDigits), the highest digit: it has the sign.
   template <int kDigits, bool kVaries, class D>
-  HWY_INLINE hn::Vec<D> signs(D d, const DigitLine& n, const Digits& divisor, hn::Vec<D> i,
-                              hn::Vec<D> k) const {
+  HWY_INLINE hn::Vec<D> highest_digit(D d, const DigitLine& n, const Digits& divisor, hn::Vec<D> i,
+                                      hn::Vec<D> k) const {
+    constexpr int kTop = kDigits - 1;
     const hn::Vec<D> kj = kVaries ? hn::Mul(k, hn::Iota(d, 0)) : k;
-    const auto of_even = highest_digits<kDigits, kVaries>(d, n, divisor, i, k, kj);
-    const auto of_odd =
-        highest_digits<kDigits, kVaries>(d, n, divisor, odd(d, i), odd(d, k), odd(d, kj));
-    return hn::OddEven(hn::BitCast(d, hn::ShiftLeft<kDigitBits>(of_odd)), hn::BitCast(d, of_even));
+    const auto even = sum_below<kTop, kVaries>(d, n, divisor, i, k, kj);
+    const auto odd = sum_below<kTop, kVaries>(d, n, divisor, odd_of(d, i), odd_of(d, k),
+                                              kVaries ? odd_of(d, kj) : k);
+    const auto carry =
+        hn::OddEven(hn::BitCast(d, odd), hn::BitCast(d, hn::ShiftRight<kDigitBits>(even)));
+    hn::Vec<D> digit = hn::Add(carry, hn::Set(d, static_cast<int32_t>(n.start[kTop])));
+    digit = hn::Add(digit, hn::Mul(i, hn::Set(d, n.step.digit[kTop])));
+    digit = hn::Sub(digit, hn::Mul(k, hn::Set(d, divisor.digit[kTop])));
+    if constexpr (kVaries)
+      digit = hn::Sub(digit, hn::Mul(kj, hn::Set(d, divisor_step_.digit[kTop])));
+    return digit;
   }
+
   // The odd lanes in the even ones' places.
   template <class D>
-  static HWY_INLINE hn::Vec<D> odd(D d, hn::Vec<D> v) {
+  static HWY_INLINE hn::Vec<D> odd_of(D d, hn::Vec<D> v) {
     return hn::BitCast(d, hn::ShiftRight<kDigitBits>(hn::BitCast(hn::RepartitionToWide<D>(), v)));
   }
 
-  // Those modulo 2^(32 kDigits), in the lower halves, of the even lanes: with the sign.
-  template <int kDigits, bool kVaries, class D>
-  HWY_INLINE hn::Vec<hn::RepartitionToWide<D>> highest_digits(D d, const DigitLine& n,
-                                                              const Digits& divisor, hn::Vec<D> i,
-                                                              hn::Vec<D> k, hn::Vec<D> kj) const {
+  // The digits below kTop, for the even lanes: the upper halves carry into the next one.
+  template <int kTop, bool kVaries, class D>
+  HWY_INLINE hn::Vec<hn::RepartitionToWide<D>> sum_below(D d, const DigitLine& n,
+                                                         const Digits& divisor, hn::Vec<D> i,
+                                                         hn::Vec<D> k, hn::Vec<D> kj) const {
     const hn::RepartitionToWide<D> wide;
-    const hn::RebindToUnsigned<decltype(wide)> unsigned_wide;
-    constexpr int64_t kBias = int64_t{1} << kSumBits;
-    auto sum = hn::Zero(wide);
-    for (int at = 0; at < kDigits; ++at) {
+    auto sum = hn::Set(wide, n.start[0]);
+    for (int at = 0; at < kTop; ++at) {
       if (at > 0) {
-        const auto carry = hn::ShiftRight<kDigitBits>(hn::BitCast(unsigned_wide, sum));
-        sum = hn::Sub(hn::BitCast(wide, carry), hn::Set(wide, kBias >> kDigitBits));
+        const auto carry =
+            hn::ShiftRight<kDigitBits>(hn::BitCast(hn::RebindToUnsigned<decltype(wide)>(), sum));
+        sum = hn::Add(hn::BitCast(wide, carry), hn::Set(wide, n.start[at]));
       }
-      sum = hn::Add(sum, hn::Set(wide, n.start.digit[at] + kBias));
       sum = hn::Add(sum, hn::MulEven(i, hn::Set(d, n.step.digit[at])));
       sum = hn::Sub(sum, hn::MulEven(k, hn::Set(d, divisor.digit[at])));
       if constexpr (kVaries)
