@@ -5,6 +5,7 @@
 
 #include "mapper/area_draw.h"
 #include "mapper/copy_row.h"
+#include "mapper/gentle_pieces.h"
 #include "mapper/image.h"
 #include "mapper/kernel.h"
 #include "mapper/plane.h"
@@ -41,6 +42,18 @@ void draw_plane(const Plane& plane, const Polygon& polygon, const selvage_rect& 
   }
 }
 
+void draw_in_perspective(const SpanMap& map, const Span& span, const Surface& surface,
+                         const Kernels& kernels) {
+  const ProjectiveSpan whole{span, ProjectiveLanes(map, span)};
+  if (whole.lanes.ratio() <= kGentleRatio) {
+    return kernels.draw_projective({{&whole, 1}, ExactMap(map)}, surface);
+  }
+  for_each_gentle_piece(span, whole.lanes.denominator().step > 0, [&](const Span& piece) {
+    const ProjectiveSpan lanes{piece, ProjectiveLanes(map, piece)};
+    kernels.draw_projective({{&lanes, 1}, ExactMap(map)}, surface);
+  });
+}
+
 // Each span by the map between its own two edges.
 void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surface& surface,
                 const Kernels& kernels) {
@@ -52,8 +65,7 @@ void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surfa
       const SpanBatch batch = one_span(span);
       kernels.draw_affine({batch, AffineLanes(map, span).field(span), ExactMap(map)}, surface);
     } else {
-      const ProjectiveSpan lanes{span, ProjectiveLanes(map, span)};
-      kernels.draw_projective({{&lanes, 1}, ExactMap(map)}, surface);
+      draw_in_perspective(map, span, surface, kernels);
     }
   }
 }
