@@ -1,4 +1,4 @@
-// Maps that make a mapper doubt at every pixel. All cover the whole target with one triangle that
+// Maps that make a mapper doubt at every pixel. Most cover the whole target with one triangle that
 // reaches kFar_px = 32 766 px: a corner's coordinate changed by its least unit, 1/65536 texel,
 // moves the coordinates in the target by as little as 2^-32 texel.
 #include <string>
@@ -42,20 +42,45 @@ Polygon constant_in_depth(int32_t off_fx16) {
   return triangle;
 }
 
+// The same with v as u: nothing about a pixel is certain.
+Polygon constant_point_in_depth(int32_t off_fx16) {
+  Polygon triangle = constant_in_depth(off_fx16);
+  for (selvage_vertex& vertex : triangle) vertex.v = vertex.u;
+  return triangle;
+}
+
+// The map of upright(), in strips that reach as far down: rows are short.
+std::vector<Polygon> upright_strips(int32_t off_fx16, int32_t lowered) {
+  constexpr int32_t kStrip_px = 16, kTarget_px = 1024;
+  const auto corner = [&](int32_t x_px, int32_t y_px) {
+    const int32_t least_fx16 = off_fx16 - (y_px == 0 ? 0 : lowered);
+    return selvage_vertex{x_px * SELVAGE_SUBPIXELS, y_px * SELVAGE_SUBPIXELS,
+                          x_px * kTexel_fx16 + least_fx16, y_px * kTexel_fx16 + least_fx16, 1};
+  };
+  std::vector<Polygon> strips;
+  for (int32_t x_px = 0; x_px < kTarget_px; x_px += kStrip_px) {
+    const int32_t end_px = x_px + kStrip_px;
+    strips.push_back(
+        {corner(x_px, 0), corner(end_px, 0), corner(end_px, kFar_px), corner(x_px, kFar_px)});
+  }
+  return strips;
+}
+
 Workload item(const std::string& id, const std::string& title, const std::string& description,
-              Polygon polygon) {
+              std::vector<Polygon> polygons) {
   Workload load;
   load.id = id;
   load.title = title;
   load.description = description;
   load.texture_side_texel = kTexture_texel;
-  load.perspective = polygon.front().q != polygon.back().q;
-  load.polygons = {std::move(polygon)};
+  load.perspective = polygons.front().front().q != polygons.front().back().q;
+  load.polygons = std::move(polygons);
   return load;
 }
 
 void add_pair(std::vector<Workload>& loads, const std::string& id, const std::string& title,
-              const std::string& description, Polygon hard, Polygon ordinary) {
+              const std::string& description, std::vector<Polygon> hard,
+              std::vector<Polygon> ordinary) {
   const std::string twin = id + "-ordinary";
   loads.push_back(item(twin, title + ": its ordinary twin",
                        "the shape and slopes of " + id + ", its samples within the texels",
@@ -72,18 +97,23 @@ std::vector<Workload> adversarial_workloads() {
   add_pair(loads, "A1", "near-ties below",
            "an upright triangle, a texel a pixel, u and v of every sample 2^-32 to 2^-21 texel "
            "below a boundary",
-           upright(half_fx16, 1), upright(0, 1));
+           {upright(half_fx16, 1)}, {upright(0, 1)});
   add_pair(loads, "A2", "near-ties above",
            "the same, u and v of every sample 2^-32 to 2^-21 texel above a boundary",
-           upright(half_fx16, -1), upright(0, -1));
+           {upright(half_fx16, -1)}, {upright(0, -1)});
   add_pair(loads, "A3", "thirds",
            "a triangle at 45 degrees to its texture, a third of a texel a pixel: u or v of 5 "
            "samples in 9 is exactly on a boundary",
-           thirds(0), thirds(sixth_fx16));
+           {thirds(0)}, {thirds(sixth_fx16)});
   add_pair(loads, "A4", "ties in perspective",
            "a triangle in perspective, u of every sample exactly on one boundary, v growing along "
            "the rows",
-           constant_in_depth(0), constant_in_depth(half_fx16));
+           {constant_in_depth(0)}, {constant_in_depth(half_fx16)});
+  add_pair(loads, "A5", "ties in perspective, twice",
+           "the same with v as u: both of every sample exactly on a boundary",
+           {constant_point_in_depth(0)}, {constant_point_in_depth(half_fx16)});
+  add_pair(loads, "A6", "near-ties in short rows", "the map of A1 in strips 16 pixels wide",
+           upright_strips(half_fx16, 1), upright_strips(0, 1));
   return loads;
 }
 

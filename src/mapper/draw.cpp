@@ -5,6 +5,7 @@
 
 #include "mapper/area_draw.h"
 #include "mapper/copy_row.h"
+#include "mapper/gentle_pieces.h"
 #include "mapper/image.h"
 #include "mapper/kernel.h"
 #include "mapper/plane.h"
@@ -42,6 +43,17 @@ void draw_plane(const Map& plane, const Polygon& polygon, const selvage_rect& vi
   while (walk.next(&batch)) draw({batch, plane.lanes(), ExactMap(plane)}, surface);
 }
 
+void draw_in_perspective(const SpanMap& map, const Span& span, const Surface& surface,
+                         const Kernels& kernels) {
+  const auto draw = [&](const Span& part, const ProjectiveLanes& lanes) {
+    kernels.draw_projective({one_span(part), lanes.field(part), ExactMap(map)}, surface);
+  };
+  const ProjectiveLanes whole(map, span);
+  if (whole.ratio() <= kGentleRatio) return draw(span, whole);
+  for_each_gentle_piece(span, whole.denominator().step > 0,
+                        [&](const Span& piece) { draw(piece, ProjectiveLanes(map, piece)); });
+}
+
 // Each span by the map between its own two edges.
 void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surface& surface,
                 const Kernels& kernels) {
@@ -49,12 +61,11 @@ void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surfa
   while (walk.next()) {
     const SpanMap map = walk.map();
     const Span& span = walk.span();
-    const SpanBatch batch = one_span(span);
     if (polygon.affine) {
-      kernels.draw_affine({batch, AffineLanes(map, span).field(span), ExactMap(map)}, surface);
+      kernels.draw_affine({one_span(span), AffineLanes(map, span).field(span), ExactMap(map)},
+                          surface);
     } else {
-      const ProjectiveField lanes = ProjectiveLanes(map, span).field(span);
-      kernels.draw_projective({batch, lanes, ExactMap(map)}, surface);
+      draw_in_perspective(map, span, surface, kernels);
     }
   }
 }

@@ -11,23 +11,48 @@
 
 namespace selvage::mapper {
 
-// A coordinate's numerator at some pixel of a row, and how much it changes to the next one.
+// A coordinate's numerator at some pixel of a row, and how much it changes to the next one: i >= 0.
 // Modulo 2^128: numbers may leave their range on pixels that nobody asks for.
 struct ExactLine {
   uint128 start, step;
 
-  [[nodiscard]] uint128 at(int32_t i) const { return start + static_cast<uint128>(i) * step; }
+  [[nodiscard]] uint128 at(int32_t i) const { return at<uint128>(i); }
+  template <class Unsigned>
+  [[nodiscard]] Unsigned at(int32_t i) const {
+    const Unsigned steps = static_cast<uint32_t>(i);
+    return static_cast<Unsigned>(start) + steps * static_cast<Unsigned>(step);
+  }
 };
+
+// Whether n / d is at or beyond a whole number that is no further from it than one: the sign of one
+// integer in [-d, d], without a division.
+[[nodiscard]] inline bool reaches(uint128 n, uint128 d, int32_t whole) {
+  return static_cast<int128>(n - static_cast<uint128>(int128{whole}) * d) >= 0;
+}
+// The same by the low halves, for d < 2^62.
+[[nodiscard]] inline bool reaches(uint64_t n, uint64_t d, int32_t whole) {
+  return static_cast<int64_t>(n - static_cast<uint64_t>(int64_t{whole}) * d) >= 0;
+}
 
 // u = u.at(i) / d.at(i) texels, and likewise v, at the i-th pixel of a span.
 struct ExactRow {
   ExactLine u, v, d;
 
-  // Whether a coordinate is at or beyond a whole texel that is no further from it than one: the
-  // sign of one integer in [-d, d], without a division.
+  // Whether a coordinate is at or beyond a whole texel that is no further from it than one.
   [[nodiscard]] bool reaches(const ExactLine& coordinate, int32_t i, int32_t texel) const {
-    const auto whole = static_cast<uint128>(int128{texel});
-    return static_cast<int128>(coordinate.at(i) - whole * d.at(i)) >= 0;
+    return mapper::reaches(coordinate.at(i), d.at(i), texel);
+  }
+
+  // Whether the low 64 bits of n and d tell the sign that decides: it is that of an integer no
+  // greater than d.
+  [[nodiscard]] bool is_short() const { return d.step == 0 && d.start >> 62 == 0; }
+
+  // In units of 2^-bits texel, up to 16.
+  [[nodiscard]] ExactRow finer(int bits) const {
+    const auto less = [&](uint128 a) {
+      return static_cast<uint128>(static_cast<int128>(a) >> bits);  // a multiple of 2^16
+    };
+    return {u, v, {less(d.start), less(d.step)}};
   }
 };
 

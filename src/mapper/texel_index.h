@@ -21,20 +21,29 @@ struct TexelIndex {
   return is_near_tie(lane.u_fx32, margin_fx32) || is_near_tie(lane.v_fx32, margin_fx32);
 }
 
+template <class Unsigned>
+[[nodiscard]] inline TexelIndex decide_by(const ExactRow& exact, int32_t offset_px, Lane lane,
+                                          uint32_t margin_fx32) {
+  TexelIndex texel{static_cast<int32_t>(lane.u_fx32 >> kLaneFraction),
+                   static_cast<int32_t>(lane.v_fx32 >> kLaneFraction)};
+  const auto d =
+      exact.d.step == 0 ? static_cast<Unsigned>(exact.d.start) : exact.d.at<Unsigned>(offset_px);
+  if (is_near_tie(lane.u_fx32, margin_fx32)) {
+    texel.s += reaches(exact.u.at<Unsigned>(offset_px), d, texel.s + 1) ? 1 : 0;
+  }
+  if (is_near_tie(lane.v_fx32, margin_fx32)) {
+    texel.t += reaches(exact.v.at<Unsigned>(offset_px), d, texel.t + 1) ? 1 : 0;
+  }
+  return texel;
+}
+
 // The exact texel under a lane of which one coordinate at least is a near-tie: its own or the next.
 // Rare, and kept out of the loops.
 [[nodiscard, gnu::noinline]] inline TexelIndex decide(RowOnDemand& row, int32_t offset_px,
                                                       Lane lane, uint32_t margin_fx32) {
-  TexelIndex texel{static_cast<int32_t>(lane.u_fx32 >> kLaneFraction),
-                   static_cast<int32_t>(lane.v_fx32 >> kLaneFraction)};
   const ExactRow& exact = row.get();
-  if (is_near_tie(lane.u_fx32, margin_fx32)) {
-    texel.s += exact.reaches(exact.u, offset_px, texel.s + 1) ? 1 : 0;
-  }
-  if (is_near_tie(lane.v_fx32, margin_fx32)) {
-    texel.t += exact.reaches(exact.v, offset_px, texel.t + 1) ? 1 : 0;
-  }
-  return texel;
+  return exact.is_short() ? decide_by<uint64_t>(exact, offset_px, lane, margin_fx32)
+                          : decide_by<uint128>(exact, offset_px, lane, margin_fx32);
 }
 
 // floor u and floor v at a pixel: those of the lanes, which are exact unless near-ties.

@@ -7,31 +7,11 @@
 #endif
 
 #include "mapper/vector_affine_lanes-inl.h"
+#include "mapper/vector_packed_ties-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
-
-// Near-ties among packed pixels [first, first + kLanes): finds each one's row by the widths.
-template <class Address>
-HWY_NOINLINE void decide_packed(const AffineBatch<Address>& batch, const SpanBatch& rows,
-                                const LaneVectors& lanes, int32_t first, int32_t* place) {
-  HWY_ALIGN int32_t u_fx16[kLanes], v_fx16[kLanes];
-  hn::Store(lanes.u, D32(), u_fx16);
-  hn::Store(lanes.v, D32(), v_fx16);
-  const uint32_t near = batch.near_bits(lanes.u) | batch.near_bits(lanes.v);
-  int32_t row = 0, row_first = 0;
-  for (int32_t i = 0; near >> i != 0; ++i) {
-    if ((near >> i & 1U) == 0) continue;
-    while (row < rows.rows && first + i >= row_first + rows.span(row).width_px()) {
-      row_first += rows.span(row++).width_px();
-    }
-    if (row == rows.rows) break;  // beyond the last pixel
-    const Span span = rows.span(row);
-    place[i] =
-        batch.decided_place(span.left_px + first + i - row_first, span.row, u_fx16[i], v_fx16[i]);
-  }
-}
 
 template <class Pixel>
 HWY_INLINE void store_rows(const Pixel* texels, const SpanBatch& batch, const Surface& surface) {
@@ -67,6 +47,7 @@ void draw_narrow(const AffineSpans& spans, const Surface& surface) {
   hn::StoreU(hn::Zero(d), d, u_fx16 + packed);
   hn::StoreU(hn::Zero(d), d, v_fx16 + packed);
 
+  PackedTies ties(spans.batch, spans.exact, 0);
   HWY_ALIGN int32_t place[kLanes];
   HWY_ALIGN char texels[(kMost + kMostLanes) * sizeof(uint32_t)];
   const ptrdiff_t bytes = bytes_per_pixel(surface.target.format);
@@ -74,7 +55,7 @@ void draw_narrow(const AffineSpans& spans, const Surface& surface) {
     const LaneVectors lanes{hn::Load(d, u_fx16 + first), hn::Load(d, v_fx16 + first)};
     hn::Store(batch.places(lanes), d, place);
     if (HWY_UNLIKELY(batch.any_near(lanes))) {
-      decide_packed(batch, spans.batch, lanes, first, place);
+      hn::Store(batch.decided_places(ties, first, lanes), d, place);
     }
     fetch(surface.texture, place, kLanes, texels + first * bytes);
   }

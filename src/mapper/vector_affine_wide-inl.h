@@ -53,10 +53,12 @@ HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Surface& surface) {
   const AffineBatch<Address> batch(spans, surface);
+  RowOfTies ties(spans.exact, left.rest[0], 0);
   for (int32_t i = 0; i < left.count; ++i) {
     const Span& rest = left.rest[i];
+    if (rest.row != ties.span().row) ties.go_to(rest);
     const Lane anchor = batch.anchor(spans.field.at(rest.left_px, rest.row));
-    batch.template draw<Pixel>(rest, surface, batch.lanes_from(anchor));
+    batch.template draw<Pixel>(rest, surface, ties, batch.lanes_from(anchor));
   }
 }
 

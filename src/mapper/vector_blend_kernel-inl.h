@@ -116,45 +116,45 @@ HWY_INLINE void store_blended(V32 pixels, char* row, int32_t px) {
 // from outside needs no reloading after each store.
 template <class Steps, class Blend>
 HWY_NOINLINE void draw_columns(const Steps& steps, const Span& span, int32_t from_px, int32_t to_px,
-                               const Surface& surface, const Blend& of) {
+                               const Surface& surface, RowOfTies* ties, const Blend& of) {
   if (from_px >= to_px) return;
   const Blend blend = of;
   char* const pixels = first_pixel(surface, {span.row, 0, 0});
   const int32_t last_px = span.right_px - kLanes, row = span.row;
   int32_t px = HWY_MIN(from_px, last_px);
-  typename Steps::Points points(steps, px, row);
+  typename Steps::Points points(steps, px, row, ties);
   while (true) {
-    store_blended(blend(points.points(kLanes)), pixels, px);
+    store_blended(blend(points.points()), pixels, px);
     px += kLanes;
     if (px > HWY_MIN(last_px, to_px - 1)) break;
     points.advance();
   }
   if (px >= to_px) return;
-  const typename Steps::Points rest(steps, last_px, row);
-  store_blended(blend(rest.points(kLanes)), pixels, last_px);
+  const typename Steps::Points rest(steps, last_px, row, ties);
+  store_blended(blend(rest.points()), pixels, last_px);
 }
 
 // A span of less than kLanes pixels.
 template <class Steps, class Blend>
 HWY_INLINE void draw_few(const Steps& steps, const Span& span, const Surface& surface,
-                         const Blend& blend) {
+                         RowOfTies* ties, const Blend& blend) {
   HWY_ALIGN uint32_t pixels[kLanes];
-  const typename Steps::Points points(steps, span.left_px, span.row);
-  hn::Store(blend(points.points(span.width_px())), D32(), reinterpret_cast<int32_t*>(pixels));
+  const typename Steps::Points points(steps, span.left_px, span.row, ties);
+  hn::Store(blend(points.points()), D32(), reinterpret_cast<int32_t*>(pixels));
   store_row<uint32_t>(pixels, span.width_px(), first_pixel(surface, span));
 }
 
 // The blend of the inside for the pixels that are there, and the other for those at both ends.
 template <class BlendAnywhere, class BlendInside>
 HWY_INLINE void draw_span(const AffineSteps& steps, const Span& span, const Span& inner,
-                          const Surface& surface, const BlendAnywhere& anywhere,
+                          const Surface& surface, RowOfTies* ties, const BlendAnywhere& anywhere,
                           const BlendInside& inside) {
   if (inner.width_px() < kLanes) {
-    return draw_columns(steps, span, span.left_px, span.right_px, surface, anywhere);
+    return draw_columns(steps, span, span.left_px, span.right_px, surface, ties, anywhere);
   }
-  draw_columns(steps, span, span.left_px, inner.left_px, surface, anywhere);
-  draw_columns(steps, inner, inner.left_px, inner.right_px, surface, inside);
-  draw_columns(steps, span, inner.right_px, span.right_px, surface, anywhere);
+  draw_columns(steps, span, span.left_px, inner.left_px, surface, ties, anywhere);
+  draw_columns(steps, inner, inner.left_px, inner.right_px, surface, ties, inside);
+  draw_columns(steps, span, inner.right_px, span.right_px, surface, ties, anywhere);
 }
 
 template <bool kFour, class Address>
@@ -165,10 +165,11 @@ void blend_affine(const AffineSpans& spans, const Surface& surface) {
   const AffineSteps steps(spans);
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
+    RowOfTies ties(spans.exact, span, kGridBits);
     if (span.width_px() >= kLanes) {
-      draw_span(steps, span, interior.of(span), surface, anywhere, inside);
+      draw_span(steps, span, interior.of(span), surface, &ties, anywhere, inside);
     } else if (!span.empty()) {
-      draw_few(steps, span, surface, anywhere);
+      draw_few(steps, span, surface, &ties, anywhere);
     }
   }
 }
@@ -192,10 +193,11 @@ HWY_NOINLINE void blend_projective(const ProjectiveSpans& spans, const Surface& 
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
     const ProjectiveSteps steps(spans, span);
+    RowOfTies ties(spans.exact, span, kGridBits);
     if (span.width_px() >= kLanes) {
-      draw_columns(steps, span, span.left_px, span.right_px, surface, anywhere);
+      draw_columns(steps, span, span.left_px, span.right_px, surface, &ties, anywhere);
     } else if (!span.empty()) {
-      draw_few(steps, span, surface, anywhere);
+      draw_few(steps, span, surface, &ties, anywhere);
     }
   }
 }

@@ -8,7 +8,7 @@
 #endif
 
 #include "mapper/filter_point.h"
-#include "mapper/vector_kernel-inl.h"
+#include "mapper/vector_near_ties-inl.h"
 #include "mapper/vector_projective_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,14 +18,6 @@ namespace {
 struct PointVectors {
   V32 u_fx8, v_fx8;
 };
-
-// The exact row in units of the grid, so that its texels are points.
-[[nodiscard]] inline ExactRow on_grid(const ExactRow& row) {
-  const auto finer = [](uint128 a) {
-    return static_cast<uint128>(static_cast<int128>(a) >> kGridBits);  // a multiple of 2^16
-  };
-  return {row.u, row.v, {finer(row.d.start), finer(row.d.step)}};
-}
 
 inline constexpr int32_t kBelowGrid = (1 << kGridFraction) - 1;
 
@@ -79,10 +71,9 @@ struct AffineSteps {
 // Walks along a row under one affine map. Lanes are of u - 1/2 and v - 1/2.
 class AffinePoints {
  public:
-  HWY_INLINE AffinePoints(const AffineSteps& steps, int32_t px, int32_t row)
-      : spans_(steps.spans),
+  HWY_INLINE AffinePoints(const AffineSteps& steps, int32_t px, int32_t row, RowOfTies* ties)
+      : ties_(ties),
         margin_fx32_(steps.spans.field.margin_fx32),
-        row_(row),
         px_(px),
         step_u_(steps.step_u),
         step_v_(steps.step_v),
@@ -94,14 +85,14 @@ class AffinePoints {
     u_ = u_ + step_u_;
     v_ = v_ + step_v_;
   }
-  // Of the pixels from here on; the first `count` mean something.
-  HWY_INLINE PointVectors points(int32_t count) const {
+  // Of the pixels from here on.
+  HWY_INLINE PointVectors points() const {
     const D32 d;
     const GridLanes nearest{u_.floor_fx8, hn::Max(u_.below_fx32, v_.below_fx32)};
     if (HWY_LIKELY(hn::AllFalse(d, nearest.near(margin_fx32_)))) {
       return {u_.floor_fx8, v_.floor_fx8};
     }
-    return decided(spans_, px_, row_, u_, v_, first_bits(count));
+    return decided(ties_, px_, margin_fx32_, u_, v_);
   }
 
  private:
@@ -112,21 +103,20 @@ class AffinePoints {
   }
 
   // All by value, so that the loop keeps its lanes in registers.
-  static HWY_NOINLINE PointVectors decided(const AffineSpans& spans, int32_t px, int32_t row,
-                                           GridLanes u, GridLanes v, uint32_t asked) {
+  static HWY_NOINLINE PointVectors decided(RowOfTies* ties, int32_t px, uint32_t margin_fx32,
+                                           GridLanes u, GridLanes v) {
     const D32 d;
-    const ExactRow exact = on_grid(spans.exact.row_from(px, row));
     const V32 half = hn::Set(d, kTexel_fx8 / 2);
-    const auto decided_of = [&](const GridLanes& lanes, const ExactLine& coordinate) {
-      const uint32_t near = lane_bits(d, lanes.near(spans.field.margin_fx32)) & asked;
-      return hn::Sub(decide(d, hn::Add(lanes.floor_fx8, half), near, exact, coordinate), half);
-    };
-    return {decided_of(u, exact.u), decided_of(v, exact.v)};
+    const auto has_near = [&](const GridLanes& lanes)
+                              HWY_ATTR { return !hn::AllFalse(d, lanes.near(margin_fx32)); };
+    V32 u_fx8 = hn::Add(u.floor_fx8, half), v_fx8 = hn::Add(v.floor_fx8, half);
+    ties->decide(px - ties->span().left_px, has_near(u), has_near(v), &u_fx8, &v_fx8);
+    return {hn::Sub(u_fx8, half), hn::Sub(v_fx8, half)};
   }
 
-  const AffineSpans& spans_;
+  RowOfTies* ties_;
   uint32_t margin_fx32_;
-  int32_t row_, px_;
+  int32_t px_;
   GridLanes step_u_, step_v_, u_, v_;
 };
 
@@ -135,49 +125,35 @@ class ProjectivePoints;
 struct ProjectiveSteps {
   using Points = ProjectivePoints;
 
-  HWY_INLINE ProjectiveSteps(const ProjectiveSpans& spans, const Span& of)
-      : span(of), exact(spans.exact), row(spans.field.of(of), kTexel_fx8) {}
+  HWY_INLINE ProjectiveSteps(const ProjectiveSpans& spans, const Span& span)
+      : left_px(span.left_px), row(spans.field.of(span), kTexel_fx8) {}
 
-  const Span& span;
-  const ExactMap& exact;
+  int32_t left_px;
   ProjectiveRow row;
 };
 
 // Walks along one row in perspective.
 class ProjectivePoints {
  public:
-  HWY_INLINE ProjectivePoints(const ProjectiveSteps& steps, int32_t px, int32_t /*row*/)
-      : steps_(steps), px_(px) {}
+  HWY_INLINE ProjectivePoints(const ProjectiveSteps& steps, int32_t px, int32_t /*row*/,
+                              RowOfTies* ties)
+      : steps_(steps), px_(px), ties_(ties) {}
 
   HWY_INLINE void advance() { px_ += kLanes; }
-  HWY_INLINE PointVectors points(int32_t count) const {
-    const D32 d;
-    const V32 half = hn::Set(d, kTexel_fx8 / 2);
-    const LowTexels low = find(px_, HWY_MIN(count, kDoubles));
-    const LowTexels high = find(px_ + kDoubles, HWY_MAX(count - kDoubles, 0));
-    return {hn::Sub(hn::Combine(d, high.s, low.s), half),
-            hn::Sub(hn::Combine(d, high.t, low.t), half)};
+  HWY_INLINE PointVectors points() const {
+    const V32 half = hn::Set(D32(), kTexel_fx8 / 2);
+    const int32_t offset_px = px_ - steps_.left_px;
+    LowTexels low = steps_.row.low(offset_px);
+    if (HWY_UNLIKELY(low.near_u || low.near_v)) {
+      ties_->decide(offset_px, low.near_u, low.near_v, &low.s, &low.t);
+    }
+    return {hn::Sub(low.s, half), hn::Sub(low.t, half)};
   }
 
  private:
-  static_assert(2 * kDoubles == kLanes);
-
-  HWY_INLINE LowTexels find(int32_t px, int32_t count) const {
-    const DHalf d;
-    uint32_t near_u, near_v;
-    LowTexels low = steps_.row.low(px - steps_.span.left_px, &near_u, &near_v);
-    near_u &= first_bits(count);
-    near_v &= first_bits(count);
-    if (HWY_UNLIKELY((near_u | near_v) != 0)) {
-      const ExactRow exact = on_grid(steps_.exact.row_from(px, steps_.span.row));
-      low.s = decide(d, low.s, near_u, exact, exact.u);
-      low.t = decide(d, low.t, near_v, exact, exact.v);
-    }
-    return low;
-  }
-
   const ProjectiveSteps& steps_;
   int32_t px_;
+  RowOfTies* ties_;
 };
 
 }  // namespace

@@ -170,18 +170,6 @@ HWY_INLINE void with_pixel(selvage_format format, const Draw& draw) {
   return format == SELVAGE_RGB565 ? draw(uint16_t{}) : draw(uint8_t{});
 }
 
-// ---- Near-ties ---------------------------------------------------------------------------------
-
-// Bits, a lane each, the first one least.
-template <class D>
-[[nodiscard]] HWY_INLINE uint32_t lane_bits(D d, hn::Mask<D> mask) {
-  uint8_t bytes[8] = {};
-  hn::StoreMaskBits(d, mask, bytes);
-  uint32_t bits;
-  std::memcpy(&bits, bytes, sizeof bits);
-  return bits;
-}
-
 // Whether some lane has some of these bits.
 [[nodiscard]] HWY_INLINE bool any_bits(V32 lanes, int32_t bits) {
   const V32 asked = hn::Set(D32(), bits);
@@ -192,41 +180,6 @@ template <class D>
 #else
   return !hn::AllFalse(D32(), hn::TestBit(lanes, asked));
 #endif
-}
-
-[[nodiscard]] HWY_INLINE uint32_t first_bits(int32_t count) {
-  return static_cast<uint32_t>((uint64_t{1} << count) - 1);
-}
-
-// The texels, 1 added to those of the near-ties that have reached the next one.
-//
-// What decides is linear along a row wherever the next texels are, as for steps near p / q, and
-// then changes its sign but once: the first near-tie and the last decide for all.
-template <class D>
-HWY_INLINE hn::Vec<D> decide(D d, hn::Vec<D> texel, uint32_t near_bits, const ExactRow& row,
-                             const ExactLine& coordinate) {
-  if (near_bits == 0) return texel;
-  const auto near = hn::LoadMaskBits(d, reinterpret_cast<const uint8_t*>(&near_bits));
-  const auto next = hn::Add(texel, hn::Set(d, 1));
-  HWY_ALIGN int32_t next_texel[kMostLanes] = {};
-  hn::Store(next, d, next_texel);
-  const auto reaches = [&](int32_t i) { return row.reaches(coordinate, i, next_texel[i]); };
-  const auto first = static_cast<int32_t>(hwy::Num0BitsBelowLS1Bit_Nonzero32(near_bits));
-  const auto last = 31 - static_cast<int32_t>(hwy::Num0BitsAboveMS1Bit_Nonzero32(near_bits));
-  const int32_t rise_texel = next_texel[last] - next_texel[first];
-  const auto run = hn::Mul(hn::Sub(next, hn::Set(d, next_texel[first])), hn::Set(d, last - first));
-  const auto rise = hn::Mul(hn::Sub(hn::Iota(d, 0), hn::Set(d, first)), hn::Set(d, rise_texel));
-  const bool on_line = hn::AllFalse(d, hn::And(near, hn::Ne(run, rise)));
-  if (on_line && (row.d.step == 0 || rise_texel == 0)) {
-    const bool first_reaches = reaches(first);
-    if (first_reaches == reaches(last)) {
-      return first_reaches ? hn::IfThenElse(near, next, texel) : texel;
-    }
-  }
-  for (int32_t i = first; i <= last; ++i) {
-    if ((near_bits >> i & 1U) != 0 && !reaches(i)) --next_texel[i];
-  }
-  return hn::IfThenElse(near, hn::Load(d, next_texel), texel);
 }
 
 // ---- Texels to pixels --------------------------------------------------------------------------

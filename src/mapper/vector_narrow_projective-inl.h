@@ -8,6 +8,7 @@
 #define SELVAGE_VECTOR_NARROW_PROJECTIVE_INL_H
 #endif
 
+#include "mapper/vector_packed_ties-inl.h"
 #include "mapper/vector_projective_kernel-inl.h"
 #include "mapper/vector_projective_wide-inl.h"
 
@@ -61,13 +62,16 @@ class NarrowProjective {
 
   HWY_INLINE void draw(const PackedRows& rows) {
     pack(rows);
+    PackedTies ties(spans_.batch, spans_.exact, rows.first);
     const ptrdiff_t bytes = bytes_per_pixel(surface_.target.format);
     HWY_ALIGN int32_t place[kLanes];
     HWY_ALIGN char texels[(kPacked_px + kMostLanes) * sizeof(uint32_t)];
     for (int32_t first = 0; first < rows.width_px; first += kLanes) {
-      for (int32_t done = 0; done < kLanes; done += kDoubles) {
-        find_places(rows, first + done, place + done);
+      LowTexels texel = low_texels(parts(first), parts(first + kDoubles), error_texel_);
+      if (HWY_UNLIKELY(texel.near_u || texel.near_v)) {
+        ties.decide(first, texel.near_u, texel.near_v, &texel.s, &texel.t);
       }
+      hn::Store(Address::place(texel.s, texel.t, extent_), D32(), place);
       fetch(surface_.texture, place, kLanes, texels + first * bytes);
     }
     with_pixel(surface_.target.format,
@@ -100,41 +104,10 @@ class NarrowProjective {
     }
   }
 
-  // Of kDoubles pixels, the first of which is the `first`-th of all that are packed.
-  HWY_INLINE void find_places(const PackedRows& rows, int32_t first, int32_t* place) const {
+  // Of packed pixels from a number on.
+  HWY_INLINE ProjectiveParts parts(int32_t first) const {
     const DD d;
-    const DHalf d_half;
-    uint32_t near_u, near_v;
-    const LowTexels texel = low_texels(
-        {hn::Load(d, u_ + first), hn::Load(d, v_ + first), hn::Load(d, denominator_ + first)},
-        error_texel_, &near_u, &near_v);
-    hn::StoreU(Address::place(texel.s, texel.t, extent_), d_half, place);
-    if (HWY_UNLIKELY((near_u | near_v) != 0)) decide(rows, first, texel, near_u, near_v, place);
-  }
-
-  // Finds each near-tie's row by the widths.
-  HWY_NOINLINE void decide(const PackedRows& rows, int32_t first, const LowTexels& low,
-                           uint32_t near_u, uint32_t near_v, int32_t* place) const {
-    const DHalf d;
-    HWY_ALIGN int32_t s[kMostLanes], t[kMostLanes];
-    hn::Store(low.s, d, s);
-    hn::Store(low.t, d, t);
-    const uint32_t near = near_u | near_v;
-    int32_t row = rows.first, row_first = 0;
-    for (int32_t i = 0; near >> i != 0 && first + i < rows.width_px; ++i) {
-      if ((near >> i & 1U) == 0) continue;
-      while (first + i >= row_first + spans_.batch.span(row).width_px()) {
-        row_first += spans_.batch.span(row++).width_px();
-      }
-      const Span span = spans_.batch.span(row);
-      const ExactRow exact = spans_.exact.row_from(span.left_px + first + i - row_first, span.row);
-      const auto texel = [&](const ExactLine& coordinate, uint32_t is_near, int32_t below) {
-        return (is_near >> i & 1U) != 0 && exact.reaches(coordinate, 0, below + 1) ? below + 1
-                                                                                   : below;
-      };
-      place[i] = Address::place_of_one(texel(exact.u, near_u, s[i]), texel(exact.v, near_v, t[i]),
-                                       extent_);
-    }
+    return {hn::Load(d, u_ + first), hn::Load(d, v_ + first), hn::Load(d, denominator_ + first)};
   }
 
   template <class Pixel>

@@ -20,33 +20,42 @@ using VD = hn::Vec<DD>;
 using DHalf = hn::Rebind<int32_t, DD>;
 inline constexpr int32_t kDoubles = static_cast<int32_t>(hn::MaxLanes(DD()));
 
-// kDoubles pixels of a span: between low and low + 1 are u and v, times the scale.
+static_assert(2 * kDoubles == kLanes);
+
+// Of kLanes pixels: u and v lie between low and low + 1, times some scale; where near, some may
+// have reached the next whole number.
 struct LowTexels {
-  hn::Vec<DHalf> s, t;
+  V32 s, t;
+  bool near_u, near_v;
 };
 
 inline constexpr double kUnit_texel = 1.0 / (int64_t{1} << kLaneFraction);
 
-// What u and v are quotients of.
+// What u and v of kDoubles pixels are quotients of.
 struct ProjectiveParts {
   VD u, v, denominator;
 };
 
-// The floors of the two ends of where a value may be. Bits are set where they differ.
-[[nodiscard]] HWY_INLINE hn::Vec<DHalf> low_texel(VD estimate, double error, uint32_t* near) {
+// The floors of the two ends of where a value may be; `near` where they differ.
+[[nodiscard]] HWY_INLINE hn::Vec<DHalf> low_texel(VD estimate, double error, bool* near) {
   const DD d;
   const VD floor = hn::Floor(hn::Sub(estimate, hn::Set(d, error)));
-  const auto differs = hn::Ne(floor, hn::Floor(hn::Add(estimate, hn::Set(d, error))));
-  *near = HWY_LIKELY(hn::AllFalse(d, differs)) ? 0 : lane_bits(d, differs);
+  *near |= !hn::AllFalse(d, hn::Ne(floor, hn::Floor(hn::Add(estimate, hn::Set(d, error)))));
   return hn::DemoteTo(DHalf(), floor);
 }
 
-// Bits are set in *near_u and *near_v where the next whole number may have been reached.
-[[nodiscard]] HWY_INLINE LowTexels low_texels(const ProjectiveParts& parts, double error,
-                                              uint32_t* near_u, uint32_t* near_v) {
-  const VD w = hn::Div(hn::Set(DD(), 1.0), parts.denominator);
-  return {low_texel(hn::Mul(parts.u, w), error, near_u),
-          low_texel(hn::Mul(parts.v, w), error, near_v)};
+[[nodiscard]] HWY_INLINE LowTexels low_texels(const ProjectiveParts& first,
+                                              const ProjectiveParts& second, double error) {
+  const D32 d;
+  const VD one = hn::Set(DD(), 1.0);
+  const VD w = hn::Div(one, first.denominator), next_w = hn::Div(one, second.denominator);
+  bool near_u = false, near_v = false;
+  const auto low = [&](VD u, VD next_u, bool* near) HWY_ATTR {
+    const auto texels = low_texel(hn::Mul(u, w), error, near);
+    return hn::Combine(d, low_texel(hn::Mul(next_u, next_w), error, near), texels);
+  };
+  const V32 s = low(first.u, second.u, &near_u), t = low(first.v, second.v, &near_v);
+  return {s, t, near_u, near_v};
 }
 
 // Numbers are in texels times `scale`, a power of two.
@@ -58,20 +67,20 @@ class ProjectiveRow {
         denominator_(lanes.denominator()),
         error_(static_cast<double>(lanes.error_fx32()) * (scale * kUnit_texel)) {}
 
-  // Of kDoubles pixels from an offset in the span on.
-  HWY_INLINE ProjectiveParts parts(int32_t offset_px) const {
-    const DD d;
-    const VD i = hn::Add(hn::Iota(d, 0.0), hn::Set(d, static_cast<double>(offset_px)));
-    return {at(u_, i), at(v_, i), at(denominator_, i)};
-  }
-  HWY_INLINE LowTexels low(int32_t offset_px, uint32_t* near_u, uint32_t* near_v) const {
-    return low_texels(parts(offset_px), error_, near_u, near_v);
+  // Of the pixels from an offset in the span on.
+  HWY_INLINE LowTexels low(int32_t offset_px) const {
+    return low_texels(parts(offset_px), parts(offset_px + kDoubles), error_);
   }
 
  private:
   using Linear = DividedLanes::Linear;
   static Linear scaled(const Linear& fx32, double factor) {
     return {fx32.start * factor, fx32.step * factor};
+  }
+  HWY_INLINE ProjectiveParts parts(int32_t offset_px) const {
+    const DD d;
+    const VD i = hn::Add(hn::Iota(d, 0.0), hn::Set(d, static_cast<double>(offset_px)));
+    return {at(u_, i), at(v_, i), at(denominator_, i)};
   }
   static HWY_INLINE VD at(const Linear& line, VD i) {
     const DD d;

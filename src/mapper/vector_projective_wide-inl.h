@@ -46,7 +46,6 @@ class DividedVectors {
   using Linear = DividedLanes::Linear;
   static constexpr int kFraction = kLaneFraction - kTexelFraction;
   static constexpr double kUnit_fx16 = 1.0 / (1 << kFraction);
-  static_assert(2 * kDoubles == kLanes);
 
   static Linear scaled(const Linear& fx32) {
     return {fx32.start * kUnit_fx16, fx32.step * kUnit_fx16};
@@ -113,7 +112,7 @@ HWY_INLINE void for_each_vector(const DividedSpan& of, int32_t* px, Left* left, 
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_windows(const DividedSpan& of, const Surface& surface, int32_t rows,
                                int32_t* px, Left* left) {
-  const FixedLanes<Address> fixed(of.exact, surface.texture, DividedVectors::lack_fx16(of.lanes));
+  const FixedLanes<Address> fixed(surface.texture, DividedVectors::lack_fx16(of.lanes));
   const Extent extent = extent_of(surface.texture);
   const auto* const texels = static_cast<const Pixel*>(surface.texture.texels);
   const int32_t last_column = extent.width_texel - kLanes, last_row = extent.height_texel - rows;
@@ -141,7 +140,7 @@ HWY_NOINLINE void draw_windows(const DividedSpan& of, const Surface& surface, in
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_loads(const DividedSpan& of, const Surface& surface, int32_t* px,
                              Left* left) {
-  const FixedLanes<Address> fixed(of.exact, surface.texture, DividedVectors::lack_fx16(of.lanes));
+  const FixedLanes<Address> fixed(surface.texture, DividedVectors::lack_fx16(of.lanes));
   Pixel* const pixels = reinterpret_cast<Pixel*>(first_pixel(surface, {of.span.row, 0, 0}));
   for_each_vector(of, px, left,
                   [&](int32_t at_px, int32_t count_px, const LaneVectors& lanes) HWY_ATTR {
@@ -156,10 +155,11 @@ HWY_NOINLINE void draw_loads(const DividedSpan& of, const Surface& surface, int3
 
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_left(const Left& left, const DividedSpan& of, const Surface& surface) {
-  const FixedLanes<Address> fixed(of.exact, surface.texture, DividedVectors::lack_fx16(of.lanes));
+  const FixedLanes<Address> fixed(surface.texture, DividedVectors::lack_fx16(of.lanes));
   const DividedVectors vectors(of.lanes);
+  RowOfTies ties(of.exact, of.span, 0);
   for (int32_t i = 0; i < left.count; ++i) {
-    fixed.template draw<Pixel>(left.rest[i], surface,
+    fixed.template draw<Pixel>(left.rest[i], surface, ties,
                                vectors.lanes_from(left.rest[i].left_px - of.span.left_px));
   }
 }

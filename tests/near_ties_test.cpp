@@ -1,0 +1,141 @@
+// Coordinates next to whole numbers at every pixel: all kernels decide them alike, and margins stay
+// small where depth does not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "mapper/gentle_pieces.h"
+#include "mapper/kernel.h"
+#include "spec/canvas.h"
+#include "spec/random.h"
+#include "tests/span_support.h"
+
+namespace selvage::mapper {
+namespace {
+
+inline constexpr int32_t kWidth_px = 150, kHeight_px = 6, kTexture_texel = 32;
+inline constexpr int32_t kFar_px = 32766, kFar_fx16 = kFar_px << kTexelFraction;
+
+// u = x / `slow` + off where nothing is nudged, v as u or across.
+[[nodiscard]] std::vector<selvage_vertex> far_quad(spec::Random& random) {
+  constexpr int32_t far_fx8 = kFar_px * kSubpixels;
+  const int32_t off_fx16 = random.pick({0, 1 << 15, 3 << 14, (1 << 15) + (1 << 8)});
+  const int32_t slow = random.pick({1, 1, 2, 3, 6}), top_q = random.pick({1, 1 << 23, 1 << 24});
+  const int32_t bottom_q = random.pick({top_q, top_q, 1 << 24});
+  const bool across = random.percent(50);
+  const auto nudge = [&] { return random.percent(40) ? random.in(-2, 3) : 0; };
+  std::vector<selvage_vertex> quad;
+  for (const auto& [right, below] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+    const int32_t u_fx16 = off_fx16 + right * (kFar_fx16 / slow) + nudge();
+    const int32_t v_fx16 = off_fx16 + (across ? below : right) * (kFar_fx16 / slow) + nudge();
+    const int32_t q = (below != 0 ? bottom_q : top_q) + (random.percent(10) ? 1 : 0);
+    quad.push_back({right * far_fx8, below * far_fx8 - (right & below & random.in(0, 2)), u_fx16,
+                    v_fx16, std::min(q, SELVAGE_Q_MAX)});
+  }
+  return quad;
+}
+
+// Cut to the width of short rows, it is the same map only where that is affine.
+void narrow(std::vector<selvage_vertex>* quad, int32_t width_px) {
+  for (const size_t right : {size_t{1}, size_t{2}}) {
+    selvage_vertex& vertex = (*quad)[right];
+    const selvage_vertex& left = (*quad)[3 - right];
+    vertex.x = width_px * kSubpixels;
+    vertex.u = left.u + (width_px << kTexelFraction);
+    vertex.v = left.v + (width_px << kTexelFraction);
+  }
+}
+
+[[nodiscard]] spec::Canvas drawn(const std::vector<selvage_vertex>& polygon, selvage_filter filter,
+                                 selvage_kernel kernel) {
+  spec::Canvas texels(SELVAGE_RGBA8888, kTexture_texel, kTexture_texel, 0, false, 0);
+  for (int32_t t = 0; t < kTexture_texel; ++t) {
+    for (int32_t s = 0; s < kTexture_texel; ++s) {
+      texels.set_pixel(s, t, static_cast<uint32_t>(s * 40503 + t * 7919) * 2654435761U);
+    }
+  }
+  spec::Canvas target(SELVAGE_RGBA8888, kWidth_px, kHeight_px, 0, false, 0x11);
+  const selvage_image image = target.image();
+  const selvage_texture texture = texels.texture();
+  const selvage_options options{SELVAGE_PROFILE_EXACT, filter, SELVAGE_ADDRESS_WRAP, 0, kernel};
+  EXPECT_EQ(selvage_draw(&image, nullptr, polygon.data(), polygon.size(), &texture, &options),
+            SELVAGE_OK);
+  return target;
+}
+
+TEST(NearTies, AreDecidedAlikeByAllKernels) {
+  for (uint64_t seed = 1; seed <= 1500; ++seed) {
+    spec::Random random(seed);
+    std::vector<selvage_vertex> polygon = far_quad(random);
+    if (random.percent(40)) narrow(&polygon, random.in(1, 40));
+    if (random.percent(30)) polygon.pop_back();
+    const selvage_filter filter = random.pick({SELVAGE_FILTER_NEAREST, SELVAGE_FILTER_NEAREST,
+                                               SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR});
+    const spec::Canvas scalar = drawn(polygon, filter, SELVAGE_KERNEL_SCALAR);
+    for (selvage_kernel kernel = SELVAGE_KERNEL_SCALAR; kernel <= SELVAGE_KERNEL_NEON; ++kernel) {
+      if (!is_usable(kernel)) continue;
+      ASSERT_TRUE(drawn(polygon, filter, kernel) == scalar)
+          << "kernel " << kernel << ", seed " << seed;
+    }
+  }
+}
+
+// q from 1 to 2^24 and back, over `width_px` columns whose first centre has 1.
+[[nodiscard]] SpanMap steep(int32_t width_px, bool grows) {
+  const auto at = [&](int32_t x_px, int32_t q) {
+    return EdgePoint{.height = 256,
+                     .x = (int64_t{x_px} * kSubpixels + kHalfPixel) * 256,
+                     .uq = int128{x_px} * 65536 * q * 256,
+                     .vq = int128{7 - x_px} * 30000 * q * 256,
+                     .q = int64_t{q} * 256};
+  };
+  const int32_t first_q = grows ? 1 : SELVAGE_Q_MAX, last_q = grows ? SELVAGE_Q_MAX : 1;
+  return {at(0, first_q), at(width_px, last_q)};
+}
+
+TEST(NearTies, AreFewInPiecesOfSteepSpans) {
+  for (const int32_t width_px : {1, 2, 3, 1024, 1025, 1026, 40000, 65536}) {
+    for (const bool grows : {false, true}) {
+      const SpanMap map = steep(width_px, grows);
+      const Span span{0, grows ? 0 : 1, grows ? width_px : width_px + 1};
+      int32_t pieces = 0, pixels = 0;
+      for_each_gentle_piece(span, grows, [&](const Span& piece) {
+        ++pieces;
+        pixels += piece.width_px();
+        EXPECT_EQ(grows ? piece.right_px : span.right_px - piece.left_px,
+                  span.left_px * grows + pixels);
+        EXPECT_LE(ProjectiveLanes(map, piece).ratio(), kGentleRatio * (1 + 1e-9));
+      });
+      EXPECT_EQ(pixels, width_px);
+      EXPECT_LE(pieces, kMostPieces);
+    }
+  }
+}
+
+// A kernel takes steep spans whole, too.
+TEST(NearTies, MayBeAllPixelsOfASpan) {
+  const SpanMap map = steep(kWidth_px, true);
+  const ProjectiveSpan span{{0, 0, kWidth_px}, ProjectiveLanes(map, {0, 0, kWidth_px})};
+  ASSERT_GE(span.lanes.margin_fx32(), 1U << 24);
+  std::vector<uint32_t> texels(64 * 64);
+  for (size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<uint32_t>(i) * 2654435761U;
+  for (const selvage_filter filter : {SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR}) {
+    std::vector<std::vector<uint32_t>> rows;
+    for (selvage_kernel kernel = SELVAGE_KERNEL_SCALAR; kernel <= SELVAGE_KERNEL_NEON; ++kernel) {
+      if (!is_usable(kernel)) continue;
+      std::vector<uint32_t>& row = rows.emplace_back(kWidth_px);
+      const Surface surface{
+          {row.data(), kWidth_px, 1, kWidth_px * 4, SELVAGE_RGBA8888},
+          {texels.data(), 64, 64, 64 * 4, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr},
+          SELVAGE_ADDRESS_WRAP};
+      kernels_for(kernel, filter, surface, {})
+          .draw_projective({{&span, 1}, ExactMap(map)}, surface);
+      EXPECT_EQ(row, rows.front()) << "kernel " << kernel;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper
