@@ -32,7 +32,7 @@ inline constexpr int32_t kFar_px = 32766, kFar_fx16 = kFar_px << kTexelFraction;
     const int32_t v_fx16 = off_fx16 + (across ? below : right) * (kFar_fx16 / slow) + nudge();
     const int32_t q = (below != 0 ? bottom_q : top_q) + (random.percent(10) ? 1 : 0);
     quad.push_back({right * far_fx8, below * far_fx8 - (right & below & random.in(0, 2)), u_fx16,
-                    v_fx16, std::min(q, SELVAGE_Q_MAX)});
+                    v_fx16, std::min<int32_t>(q, SELVAGE_Q_MAX)});
   }
   return quad;
 }
