@@ -20,8 +20,7 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// ---- Points: floor(256 (u - 1/2)) and floor(256 (v - 1/2)) of kLanes pixels
-// ----------------------
+// ---- Points: floor(256 (u - 1/2)) and floor(256 (v - 1/2)) -------------------------------------
 
 struct PointVectors {
   V32 u_fx8, v_fx8;

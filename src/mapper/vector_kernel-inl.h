@@ -16,7 +16,7 @@
 #include "mapper/kernel.h"
 #include "mapper/layout.h"
 #include "mapper/vector_kernel.h"
-#include "mapper/vector_near_ties-inl.h"
+#include "mapper/vector_near_ties_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {

@@ -8,11 +8,11 @@
 // is a sum of products of 32-bit numbers by wide ones. Those are split into balanced digits
 // [-2^31, 2^31) to the base 2^32; sums of one digit stay below 2^60, and only their carries run
 // from digit to digit.
-#if defined(SELVAGE_VECTOR_NEAR_TIES_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SELVAGE_VECTOR_NEAR_TIES_INL_H
-#undef SELVAGE_VECTOR_NEAR_TIES_INL_H
+#if defined(SELVAGE_VECTOR_NEAR_TIES_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_NEAR_TIES_KERNEL_INL_H
+#undef SELVAGE_VECTOR_NEAR_TIES_KERNEL_INL_H
 #else
-#define SELVAGE_VECTOR_NEAR_TIES_INL_H
+#define SELVAGE_VECTOR_NEAR_TIES_KERNEL_INL_H
 #endif
 
 #include <hwy/highway.h>
