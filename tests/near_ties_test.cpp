@@ -32,7 +32,7 @@ inline constexpr int32_t kFar_px = 32766, kFar_fx16 = kFar_px << kTexelFraction;
     const int32_t v_fx16 = off_fx16 + (across ? below : right) * (kFar_fx16 / slow) + nudge();
     const int32_t q = (below != 0 ? bottom_q : top_q) + (random.percent(10) ? 1 : 0);
     quad.push_back({right * far_fx8, below * far_fx8 - (right & below & random.in(0, 2)), u_fx16,
-                    v_fx16, std::min(q, SELVAGE_Q_MAX)});
+                    v_fx16, std::min<int32_t>(q, SELVAGE_Q_MAX)});
   }
   return quad;
 }
@@ -117,8 +117,9 @@ TEST(NearTies, AreFewInPiecesOfSteepSpans) {
 // A kernel takes steep spans whole, too.
 TEST(NearTies, MayBeAllPixelsOfASpan) {
   const SpanMap map = steep(kWidth_px, true);
-  const ProjectiveSpan span{{0, 0, kWidth_px}, ProjectiveLanes(map, {0, 0, kWidth_px})};
-  ASSERT_GE(span.lanes.margin_fx32(), 1U << 24);
+  const Span whole{0, 0, kWidth_px};
+  const ProjectiveLanes lanes(map, whole);
+  ASSERT_GE(lanes.margin_fx32(), 1U << 24);
   std::vector<uint32_t> texels(64 * 64);
   for (size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<uint32_t>(i) * 2654435761U;
   for (const selvage_filter filter : {SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR}) {
@@ -131,7 +132,7 @@ TEST(NearTies, MayBeAllPixelsOfASpan) {
           {texels.data(), 64, 64, 64 * 4, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr},
           SELVAGE_ADDRESS_WRAP};
       kernels_for(kernel, filter, surface, {})
-          .draw_projective({{&span, 1}, ExactMap(map)}, surface);
+          .draw_projective({one_span(whole), lanes.field(whole), ExactMap(map)}, surface);
       EXPECT_EQ(row, rows.front()) << "kernel " << kernel;
     }
   }
