@@ -7,6 +7,7 @@
 #include "mapper/gentle_pieces.h"
 #include "mapper/plane.h"
 #include "mapper/polygon.h"
+#include "mapper/projective_plane.h"
 #include "mapper/span_walk.h"
 #include "mapper/texel_index.h"
 #include "mapper/vector_kernel.h"
@@ -27,11 +28,11 @@ using mapper::Span;
 
 class Counter {
  public:
-  Counter(const spec::Case& c, bool affine)
+  explicit Counter(const spec::Case& c)
       : case_(c),
         on_grid_(c.filter != SELVAGE_FILTER_NEAREST),
         shift_(on_grid_ ? mapper::kGridFraction : mapper::kLaneFraction),
-        extra_fx32_(affine && !on_grid_ ? kVectorsLack_fx32 : 0) {}
+        extra_fx32_(on_grid_ ? 0 : kVectorsLack_fx32) {}
 
   // The pixels of a row, and of its lanes.
   template <class LaneAt>
@@ -49,9 +50,10 @@ class Counter {
   NearTies found;
 
  private:
-  // Affine nearest lanes of the vector kernels have 16 bits less.
-  static constexpr int64_t kVectorsLack_fx32 = int64_t{mapper::kVectorTruncations_fx16 + 1}
-                                               << mapper::kTexelFraction;
+  // The nearest lanes of the vector kernels have 16 bits less.
+  static constexpr int64_t kVectorsLack_fx32 =
+      int64_t{std::max(mapper::kVectorTruncations_fx16, mapper::kDividedTruncations_fx16) + 1}
+      << mapper::kTexelFraction;
 
   void count(int64_t lane_fx32, uint32_t margin_fx32, const spec::Rational& texel) {
     const int64_t unit = int64_t{1} << shift_, most_lack = margin_fx32 + extra_fx32_;
@@ -79,6 +81,16 @@ void count_plane(const mapper::Plane& plane, mapper::SpanWalk& walk, Counter* co
   while (walk.next()) {
     const Span& span = walk.span();
     counter->count(span, field.margin_fx32, [&](int32_t px) { return field.at(px, span.row); });
+  }
+}
+
+void count_projective_plane(const mapper::ProjectivePlane& plane, mapper::SpanWalk& walk,
+                            Counter* counter) {
+  while (walk.next()) {
+    const Span& span = walk.span();
+    const mapper::DividedLanes lanes = plane.lanes().of(span);
+    counter->count(span, lanes.margin_fx32(),
+                   [&](int32_t px) { return lanes.at(px - span.left_px); });
   }
 }
 
@@ -121,13 +133,16 @@ NearTies count_near_ties(const spec::Case& c) {
       visible.left >= visible.right || visible.top >= visible.bottom) {
     return {};
   }
-  Counter counter(c, polygon.affine);
+  Counter counter(c);
   mapper::SpanWalk walk(polygon, visible);
   if (const std::optional<mapper::Plane> plane = mapper::Plane::of(polygon, visible)) {
     count_plane(*plane, walk, &counter);
   } else if (polygon.affine) {
     counter.found.kind = MapKind::kRuledAffine;
     count_ruled_affine(walk, &counter);
+  } else if (const auto in_depth = mapper::ProjectivePlane::of(polygon, visible)) {
+    counter.found.kind = MapKind::kInDepth;
+    count_projective_plane(*in_depth, walk, &counter);
   } else {
     counter.found.kind = MapKind::kSameDepthAlongRows;
     count_in_depth(walk, &counter);
