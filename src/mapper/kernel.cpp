@@ -10,13 +10,15 @@ bool is_usable(selvage_kernel kernel) {
          vector_kernels(kernel, SELVAGE_FILTER_NEAREST) != nullptr;
 }
 
-const Kernels& kernels_for(selvage_kernel kernel, selvage_filter filter, const Surface& surface,
+const Kernels& kernels_for(const selvage_options& options, const Surface& surface,
                            const Polygon& polygon) {
-  if (kernel == SELVAGE_KERNEL_SCALAR || !fits_vectors(surface, polygon)) {
+  const selvage_filter filter = options.filter;
+  if (options.kernel == SELVAGE_KERNEL_SCALAR || !fits_vectors(surface, polygon)) {
     return scalar_kernels(filter);
   }
-  const selvage_kernel chosen =
-      kernel == SELVAGE_KERNEL_FASTEST ? preferred_kernel(filter, work_of(polygon)) : kernel;
+  const selvage_kernel chosen = options.kernel == SELVAGE_KERNEL_FASTEST
+                                    ? preferred_kernel(filter, work_of(polygon, options.tolerance))
+                                    : options.kernel;
   const Kernels* const vector = vector_kernels(chosen, filter);
   return vector != nullptr ? *vector : scalar_kernels(filter);
 }

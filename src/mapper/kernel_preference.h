@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "mapper/polygon.h"
 #include "selvage.h"
@@ -14,8 +15,8 @@ using KernelOrder = std::array<selvage_kernel, 5>;
 
 [[nodiscard]] const KernelOrder& kernel_order(selvage_filter filter, selvage_work work);
 
-// What drawing a polygon is like.
-[[nodiscard]] selvage_work work_of(const Polygon& polygon);
+// What drawing a polygon is like: within a tolerance, perspective is as affine maps are.
+[[nodiscard]] selvage_work work_of(const Polygon& polygon, int32_t tolerance);
 
 // The first of the order that this machine can run.
 [[nodiscard]] selvage_kernel preferred_kernel(selvage_filter filter, selvage_work work);

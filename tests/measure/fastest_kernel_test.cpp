@@ -125,13 +125,14 @@ TEST(KernelPreference, OrdersEveryKernel) {
 TEST(KernelPreference, TellsPolygonsApart) {
   mapper::Polygon polygon;
   polygon.right_px = 32;
-  EXPECT_EQ(mapper::work_of(polygon), SELVAGE_WORK_MESH);
+  EXPECT_EQ(mapper::work_of(polygon, 0), SELVAGE_WORK_MESH);
   polygon.right_px = 33;
-  EXPECT_EQ(mapper::work_of(polygon), SELVAGE_WORK_LARGE);
-  polygon.left_px = 30;
-  EXPECT_EQ(mapper::work_of(polygon), SELVAGE_WORK_MESH);
+  EXPECT_EQ(mapper::work_of(polygon, 1), SELVAGE_WORK_LARGE);
   polygon.affine = false;
-  EXPECT_EQ(mapper::work_of(polygon), SELVAGE_WORK_PERSPECTIVE);
+  EXPECT_EQ(mapper::work_of(polygon, 0), SELVAGE_WORK_PERSPECTIVE);
+  EXPECT_EQ(mapper::work_of(polygon, 1), SELVAGE_WORK_LARGE);
+  polygon.left_px = 1;
+  EXPECT_EQ(mapper::work_of(polygon, 1), SELVAGE_WORK_MESH);
 }
 
 }  // namespace
