@@ -46,7 +46,8 @@ std::string simd_of(const std::string& cpuinfo) {
 std::string names_of(const std::vector<selvage_kernel>& kernels) {
   std::string names;
   for (const selvage_kernel kernel : kernels) {
-    names += (names.empty() ? "" : " ") + kernel_name(kernel);
+    if (!names.empty()) names += ' ';
+    names += kernel_name(kernel);
   }
   return names;
 }
