@@ -27,9 +27,9 @@ enum {
 
 /* Finds the kernel that draws such work fastest on this machine, by a clock: the answer is for
  * selvage_options.kernel. To be called once, at the start of a program: it draws a small picture of
- * its own with one kernel after another, again and again, which takes some milliseconds. What
- * counts is the shortest time of each, so that whatever else runs on the machine disturbs little,
- * and kernels within 1/16 of the shortest are as fast as each other: of these it is the one that
+ * its own with one kernel after another, again and again, for some milliseconds (1 to 13 on an AMD
+ * EPYC). What counts is the shortest time of each, so that whatever else runs disturbs little, and
+ * kernels within 1/16 of the shortest are as fast as each other: of these it is the one that
  * SELVAGE_KERNEL_FASTEST would be.
  *
  * filter         SELVAGE_FILTER_AREA is drawn by one and the same code whatever the kernel: it gets
