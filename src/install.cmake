@@ -16,6 +16,7 @@ if(SELVAGE_THREADS)
   install(EXPORT selvageThreadsTargets NAMESPACE selvage:: DESTINATION ${SELVAGE_PACKAGE_DIR})
 endif()
 install(FILES selvage.h selvage.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(DIRECTORY selvage DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h)
 
 write_basic_package_version_file(selvageConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(EXPORT selvageTargets NAMESPACE selvage:: DESTINATION ${SELVAGE_PACKAGE_DIR})

@@ -50,4 +50,11 @@ using Options = selvage_options;
                            &options, threads, scratch.data(), scratch.size(), failed);
 }
 
+// As selvage_fastest_kernel: the kernel for Options, found by a clock in some milliseconds.
+[[nodiscard]] inline selvage_status fastest_kernel(selvage_filter filter, selvage_format format,
+                                                   selvage_work work, std::span<std::byte> scratch,
+                                                   selvage_kernel& fastest) {
+  return selvage_fastest_kernel(filter, format, work, scratch.data(), scratch.size(), &fastest);
+}
+
 }  // namespace selvage

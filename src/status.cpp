@@ -119,6 +119,17 @@ const char* selvage_status_text(selvage_status status) {
              "lie apart";
     case SELVAGE_ERROR_CHOICE_NULL:
       return "choice is NULL; it must point to a selvage_choice to write to";
+    case SELVAGE_ERROR_MEASURE_WORK:
+      return "the work to measure is unknown; it must be LARGE, MESH or PERSPECTIVE";
+    case SELVAGE_ERROR_MEASURE_NULL:
+      return "the memory to measure in, or the kernel to write to, is NULL; both must point to "
+             "memory";
+    case SELVAGE_ERROR_MEASURE_ALIGNMENT:
+      return "the memory to measure in is misaligned; it must be aligned as max_align_t is";
+    case SELVAGE_ERROR_MEASURE_SIZE:
+      return "the memory to measure in is too small; it must have SELVAGE_FASTEST_KERNEL_BYTES";
+    case SELVAGE_ERROR_MEASURE_OVERLAP:
+      return "the kernel to write to lies in the memory to measure in; it must lie outside";
     default:
       return "unknown status";
   }

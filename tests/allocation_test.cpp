@@ -2,6 +2,7 @@
 // function that the mapper's objects may call, aligned and nothrow forms included.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -110,6 +111,18 @@ TEST(Allocation, DrawingAllocatesNothing) {
     if (status == SELVAGE_OK) ++drawn;
   }
   EXPECT_GT(drawn, 1000U);
+}
+
+TEST(Allocation, MeasuringAllocatesNothing) {
+  alignas(std::max_align_t) static std::array<std::byte, SELVAGE_FASTEST_KERNEL_BYTES> scratch;
+  selvage_kernel fastest = SELVAGE_KERNEL_FASTEST;
+  const size_t before = allocations;
+  const selvage_status status =
+      selvage_fastest_kernel(SELVAGE_FILTER_NEAREST, SELVAGE_RGBA8888, SELVAGE_WORK_MESH,
+                             scratch.data(), scratch.size(), &fastest);
+  const size_t after = allocations;
+  EXPECT_EQ(status, SELVAGE_OK);
+  EXPECT_EQ(after, before);
 }
 
 // What oneTBB allocates for its threads lies in its own library and is not counted.

@@ -131,7 +131,7 @@ TEST(NearTies, MayBeAllPixelsOfASpan) {
           {row.data(), kWidth_px, 1, kWidth_px * 4, SELVAGE_RGBA8888},
           {texels.data(), 64, 64, 64 * 4, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr},
           SELVAGE_ADDRESS_WRAP};
-      kernels_for(kernel, filter, surface, {})
+      kernels_for({SELVAGE_PROFILE_EXACT, filter, SELVAGE_ADDRESS_WRAP, 0, kernel}, surface, {})
           .draw_projective({one_span(whole), lanes.field(whole), ExactMap(map)}, surface);
       EXPECT_EQ(row, rows.front()) << "kernel " << kernel;
     }

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <thread>
 
+#include "reports/bench/kernels.h"
 #include "selvage.h"
 
 namespace selvage::reports {
@@ -42,16 +43,11 @@ std::string simd_of(const std::string& cpuinfo) {
   return found.empty() ? "unknown" : found;
 }
 
-// The mapper's kernels that this build has and this machine can run.
-std::string kernels() {
+std::string names_of(const std::vector<selvage_kernel>& kernels) {
   std::string names;
-  for (const auto& [kernel, name] :
-       {std::pair(SELVAGE_KERNEL_SCALAR, "scalar"), std::pair(SELVAGE_KERNEL_SSE4, "sse4"),
-        std::pair(SELVAGE_KERNEL_AVX2, "avx2"), std::pair(SELVAGE_KERNEL_AVX512, "avx512"),
-        std::pair(SELVAGE_KERNEL_NEON, "neon")}) {
-    if (selvage_has_kernel(kernel) == 0) continue;
+  for (const selvage_kernel kernel : kernels) {
     if (!names.empty()) names += ' ';
-    names += name;
+    names += kernel_name(kernel);
   }
   return names;
 }
@@ -84,7 +80,8 @@ std::vector<std::pair<std::string, std::string>> describe_machine(const SystemTe
           {"flags_mapper", SELVAGE_REPORTS_FLAGS},
           {"flags_others", SELVAGE_REPORTS_FLAGS " -O3"},
           {"selvage", selvage_version()},
-          {"selvage_kernels", kernels()},
+          {"selvage_kernels", names_of(kernels_here())},
+          {"selvage_kernels_untested", names_of(kernels_elsewhere())},
           {"benchmark", "Google Benchmark " SELVAGE_REPORTS_BENCHMARK_VERSION}};
 }
 

@@ -7,11 +7,12 @@ namespace selvage::reports {
 
 namespace {
 
-std::vector<Subject> all_subjects(std::vector<Subject> peers) {
+std::vector<Subject> all_subjects(std::vector<Subject> peers, bool with_kernels) {
   std::vector<Subject> all{subject_exact(), subject_exact_many(1)};
   const auto add = [&](std::vector<Subject> more) {
     for (Subject& subject : more) all.push_back(std::move(subject));
   };
+  if (with_kernels) add(subjects_by_kernel());
   add(subjects_tolerant());
   add(subjects_historic());
   add(subjects_arithmetic());
@@ -79,12 +80,12 @@ void list_subjects(Plan& plan, const std::vector<Subject>& all) {
 
 }  // namespace
 
-Plan make_plan(uint64_t seed, bool with_curves, const Wanted& wanted) {
+Plan make_plan(uint64_t seed, const Extras& extras, const Wanted& wanted) {
   Plan plan;
   Peers found = peers();
   plan.unavailable = std::move(found.absent);
   plan.build_information = std::move(found.build_information);
-  const std::vector<Subject> all = all_subjects(std::move(found.subjects));
+  const std::vector<Subject> all = all_subjects(std::move(found.subjects), extras.kernels);
   for (Workload& load : workloads(seed)) {
     if (mapper_takes(load.filter)) {
       add_item(plan, std::move(load), all, wanted);
@@ -97,7 +98,7 @@ Plan make_plan(uint64_t seed, bool with_curves, const Wanted& wanted) {
     add_item(plan, std::move(load), for_adversarial(all), wanted);
   plan.work_items = plan.items.size();
   list_subjects(plan, all);
-  if (with_curves) {
+  if (extras.curves) {
     for (const Curve& curve : curves()) add_curve(plan, curve, wanted);
   }
   return plan;

@@ -38,7 +38,13 @@ struct Plan {
 // Whether an item of that id is to be measured for a subject of that id.
 using Wanted = std::function<bool(std::string_view item, std::string_view subject)>;
 
+// What takes time of its own and is measured where it is asked for.
+struct Extras {
+  bool curves = false;
+  bool kernels = false;  // a subject for each kernel that this machine can run
+};
+
 // All subjects, in the order of the tables: exact first, the solid fill last.
-[[nodiscard]] Plan make_plan(uint64_t seed, bool with_curves, const Wanted& wanted);
+[[nodiscard]] Plan make_plan(uint64_t seed, const Extras& extras, const Wanted& wanted);
 
 }  // namespace selvage::reports

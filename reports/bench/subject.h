@@ -39,6 +39,7 @@ struct Subject {
 [[nodiscard]] Subject subject_exact();
 [[nodiscard]] Subject subject_exact_many(int32_t threads);
 [[nodiscard]] std::vector<Subject> subjects_tolerant();
+[[nodiscard]] std::vector<Subject> subjects_by_kernel();  // those of this machine
 [[nodiscard]] std::vector<Subject> subjects_in_layouts();
 [[nodiscard]] std::vector<Subject> subjects_historic();
 [[nodiscard]] std::vector<Subject> subjects_arithmetic();

@@ -2,27 +2,28 @@
 #include <array>
 #include <stdexcept>
 
+#include "reports/bench/kernels.h"
 #include "reports/bench/subject.h"
 
 namespace selvage::reports {
 
 namespace {
 
-Subject subject_with(std::string id, std::string title, int32_t tolerance_fx16) {
+Subject subject_with(std::string id, std::string title, const selvage_options& chosen) {
   Subject subject;
   subject.id = std::move(id);
   subject.title = std::move(title);
   subject.configuration = "selvage_draw once a polygon, clamp; set-up is timed";
   subject.group = "ours";
   subject.reference = true;
-  subject.tolerance_texel = tolerance_fx16 / static_cast<double>(SELVAGE_SUBTEXELS);
-  subject.bilinear = tolerance_fx16 == 0;  // the bound of a filtered colour is not that of a place
+  subject.tolerance_texel = chosen.tolerance / static_cast<double>(SELVAGE_SUBTEXELS);
+  subject.bilinear =
+      chosen.tolerance == 0;  // the bound of a filtered colour is not that of a place
   subject.refusal = [](const Workload&) { return std::string(); };
-  subject.prepare = [tolerance_fx16](const Workload& load, const Texture& texture,
-                                     Target& target) -> std::function<void()> {
-    selvage_options options{};
+  subject.prepare = [chosen](const Workload& load, const Texture& texture,
+                             Target& target) -> std::function<void()> {
+    selvage_options options = chosen;
     options.filter = load.filter;
-    options.tolerance = tolerance_fx16;
     return [&load, options, view = texture.view(), image = target.image()] {
       for (const auto& polygon : load.polygons) {
         const selvage_status status =
@@ -37,7 +38,19 @@ Subject subject_with(std::string id, std::string title, int32_t tolerance_fx16) 
 
 }  // namespace
 
-Subject subject_exact() { return subject_with("exact", "Selvage, exact", 0); }
+Subject subject_exact() { return subject_with("exact", "Selvage, exact", {}); }
+
+std::vector<Subject> subjects_by_kernel() {
+  std::vector<Subject> subjects;
+  for (const selvage_kernel kernel : kernels_here()) {
+    selvage_options options{};
+    options.kernel = kernel;
+    const std::string name = kernel_name(kernel);
+    subjects.push_back(
+        subject_with("kernel-" + name, "Selvage, exact, by its " + name + " kernel", options));
+  }
+  return subjects;
+}
 
 std::vector<Subject> subjects_tolerant() {
   struct Tolerance {
@@ -49,8 +62,10 @@ std::vector<Subject> subjects_tolerant() {
   std::vector<Subject> subjects;
   for (const Tolerance& tolerance : tolerances) {
     const std::string texel = tolerance.texel;
+    selvage_options options{};
+    options.tolerance = tolerance.fx16;
     subjects.push_back(
-        subject_with("tol-" + texel, "Selvage, tolerance " + texel + " texel", tolerance.fx16));
+        subject_with("tol-" + texel, "Selvage, tolerance " + texel + " texel", options));
   }
   return subjects;
 }

@@ -51,13 +51,15 @@ namespace {
 }
 
 [[nodiscard]] reports::Plan plan_of(const BenchOptions& options, uint64_t seed) {
-  reports::Plan plan = reports::make_plan(seed, options.curves, wanted_by(options.filter));
+  reports::Plan plan =
+      reports::make_plan(seed, {options.curves, options.kernels}, wanted_by(options.filter));
   if (!plan.items.empty()) return plan;
   std::string reasons;
   for (const std::string& sentence : plan.unavailable) reasons += "\nNot there: " + sentence + ".";
   throw UserError("--filter: '" + options.filter +
                   "' is found in no ITEM/SUBJECT; `selvage bench --list` tells what there is" +
-                  (options.curves ? "" : ", `--curves` adds the curves") + reasons);
+                  (options.curves ? "" : ", `--curves` adds the curves") +
+                  (options.kernels ? "" : ", `--kernels` one subject for each kernel") + reasons);
 }
 
 // What the system tells about itself in files; empty where it does not.
@@ -98,6 +100,7 @@ int run_plan(const reports::Plan& plan, const BenchOptions& options, const Conso
   report.machine =
       reports::describe_machine({text_of_system("/proc/cpuinfo"), text_of_system("/proc/meminfo"),
                                  text_of_system("/etc/os-release")});
+  report.fastest_kernels = reports::fastest_kernels();
   try {
     StatusLine status(console);
     report.results = reports::measure(plan, report.settings,

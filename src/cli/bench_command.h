@@ -21,6 +21,7 @@ struct BenchOptions {
   std::string repetitions = "15";
   std::string min_time = "0.03";
   bool curves = false;
+  bool kernels = false;
   bool json = false;
   bool brief = false;
   bool list = false;

@@ -138,6 +138,9 @@ void add_errors(ordered_json& values, const std::optional<ErrorCount>& judged, b
 
 std::string bench_json(const BenchReport& report) {
   ordered_json document = heading(report);
+  document["fastest_kernels"] = ordered_json::object();
+  for (const reports::FastestKernel& one : report.fastest_kernels)
+    document["fastest_kernels"][one.filter][one.work] = reports::kernel_name(one.kernel);
   document["filter"] = report.filter.empty() ? ordered_json() : ordered_json(report.filter);
   for (const char* key : {"subjects", "workloads", "curves"}) document[key] = ordered_json::array();
   for (const reports::Subject& subject : report.plan->subjects) {

@@ -11,6 +11,7 @@ constexpr const char* kFooter = R"(Examples:
   selvage bench --list                          what there is to measure
   selvage bench --filter '^W[1-6]/'             the work items, without the adversarial ones
   selvage bench --filter '/(exact|fill)$'       two subjects on everything
+  selvage bench --kernels --filter '/(kernel|exact$)'    kernel against kernel
   selvage bench --compare reports/baseline.json
   selvage bench --curves --json --output bench.json
   selvage bench --brief --output reports/baseline.json    records that baseline
@@ -52,6 +53,8 @@ CLI::App* add_bench(CLI::App& program, BenchOptions& options) {
   bench->add_flag(
       "--curves", options.curves,
       "Measure cost against polygon size, texture size, scale, off-screen share and threads too");
+  bench->add_flag("--kernels", options.kernels,
+                  "Measure each of the mapper's kernels that this machine can run too");
   bench->add_option("-o,--output", options.output, "Write the JSON to a file")->type_name("FILE");
   bench->add_flag("--json", options.json, "Print the JSON instead of the tables");
   bench->add_flag("--brief", options.brief, "As JSON, the machine and the medians only");

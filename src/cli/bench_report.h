@@ -8,6 +8,7 @@
 
 #include "cli/bench_command.h"
 #include "cli/bench_comparison.h"
+#include "reports/bench/kernels.h"
 #include "reports/bench/measurement.h"
 #include "reports/bench/plan.h"
 
@@ -17,6 +18,7 @@ struct BenchReport {
   reports::BenchSettings settings;
   std::string filter;
   std::vector<std::pair<std::string, std::string>> machine;
+  std::vector<reports::FastestKernel> fastest_kernels;
   const reports::Plan* plan = nullptr;
   std::vector<reports::ItemResult> results;  // one for each item of the plan
   std::optional<Comparison> comparison;
@@ -31,8 +33,8 @@ int run_plan(const reports::Plan& plan, const BenchOptions& options, const Conso
 // The items and the subjects of a plan, with their descriptions.
 [[nodiscard]] std::string bench_list(const reports::Plan& plan);
 
-// { machine, seed, rows, repetitions, min_time_s, filter, subjects, workloads, curves, unavailable,
-// build_information, comparison }; what was not measured is null.
+// { machine, seed, rows, repetitions, min_time_s, fastest_kernels, filter, subjects, workloads,
+// curves, unavailable, build_information, comparison }; what was not measured is null.
 [[nodiscard]] std::string bench_json(const BenchReport& report);
 
 // { machine, seed, rows, repetitions, min_time_s, medians_ns_per_px: { item: { subject: ns } } },

@@ -125,6 +125,21 @@ template <typename Number>
   return text + "\n";
 }
 
+// Which kernels there are, and what selvage_fastest_kernel says of them.
+[[nodiscard]] std::string kernel_notes(const BenchReport& report) {
+  std::string text = "Fastest kernels, RGBA8888:", last_filter;
+  for (const reports::FastestKernel& one : report.fastest_kernels) {
+    text +=
+        one.filter == last_filter ? ", " : (last_filter.empty() ? " " : "; ") + one.filter + " ";
+    text += one.work + " " + reports::kernel_name(one.kernel);
+    last_filter = one.filter;
+  }
+  text += ".";
+  for (const selvage_kernel kernel : reports::kernels_elsewhere())
+    text += " Not on this machine: " + reports::kernel_name(kernel) + ".";
+  return wrapped(text);
+}
+
 constexpr const char* kNotes =
     "ns/px: median time by covered pixel, with quartiles. / fill and / exact: ratios to the solid "
     "fill of the same pixels and to 'exact' (memcpy moves as many bytes). Errors are counted on "
@@ -142,7 +157,7 @@ std::string bench_table(const BenchReport& report) {
   text += adversarial(report);
   for (const reports::PlannedCurve& planned : report.plan->curves)
     text += curve_block(report, planned);
-  text += wrapped(kNotes);
+  text += wrapped(kNotes) + kernel_notes(report);
   for (const std::string& sentence : report.plan->unavailable)
     text += wrapped("Not there: " + sentence + ".", 2);
   return text;

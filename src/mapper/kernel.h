@@ -50,10 +50,10 @@ void draw_stepped_scalar(const SteppedRow& row, const Surface& surface);
 // Nearest, four and bilinear; the area filter has no kernels.
 [[nodiscard]] const Kernels& scalar_kernels(selvage_filter filter);
 
-// Those of a selvage_kernel that this machine can run, or the scalar ones, for what a vector kernel
+// Those of options.kernel, which this machine can run, or the scalar ones for what a vector kernel
 // cannot hold.
-[[nodiscard]] const Kernels& kernels_for(selvage_kernel kernel, selvage_filter filter,
-                                         const Surface& surface, const Polygon& polygon);
+[[nodiscard]] const Kernels& kernels_for(const selvage_options& options, const Surface& surface,
+                                         const Polygon& polygon);
 [[nodiscard]] bool is_usable(selvage_kernel kernel);
 
 }  // namespace selvage::mapper

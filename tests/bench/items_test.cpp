@@ -1,13 +1,17 @@
 // The work items are what they say they are.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <thread>
 
 #include "reports/bench/curves.h"
+#include "reports/bench/kernels.h"
+#include "reports/bench/plan.h"
 #include "reports/bench/spans.h"
 #include "reports/bench/statistics.h"
 #include "support.h"
@@ -206,7 +210,7 @@ TEST(Items, OfTheCurveOfThreadsAreTheWorkItemsUpToTwiceTheCores) {
 }
 
 TEST(Plan, HasEachItemOnceAndSaysWhatThereIsNot) {
-  const Plan plan = make_plan(1, true, everything);
+  const Plan plan = make_plan(1, {.curves = true}, everything);
   std::set<std::string> ids;
   for (const Item& item : plan.items) EXPECT_TRUE(ids.insert(item.load.id).second) << item.load.id;
   const bool bilinear = mapper_takes(kBilinear);
@@ -222,15 +226,40 @@ TEST(Plan, HasEachItemOnceAndSaysWhatThereIsNot) {
 }
 
 TEST(Plan, TakesWhatIsWantedOnly) {
-  const Plan plan = make_plan(1, true, [](std::string_view item, std::string_view subject) {
-    return (item == "W4" || item == "scale=2") && subject != "exact";
-  });
+  const Plan plan =
+      make_plan(1, {.curves = true}, [](std::string_view item, std::string_view subject) {
+        return (item == "W4" || item == "scale=2") && subject != "exact";
+      });
   ASSERT_EQ(plan.items.size(), 2u);
   EXPECT_EQ(plan.work_items, 1u);
   ASSERT_EQ(plan.curves.size(), 1u);
   EXPECT_EQ(plan.curves[0].xs, std::vector<double>{2});
   EXPECT_EQ(plan.items[plan.curves[0].items[0]].load.id, "scale=2");
   for (const Subject& subject : plan.subjects) EXPECT_NE(subject.id, "exact");
+}
+
+TEST(Plan, HasKernelsWhereAskedFor) {
+  const auto kernels_of = [](const Extras& extras) {
+    std::vector<std::string> ids;
+    for (const Subject& subject : make_plan(1, extras, everything).subjects) {
+      if (subject.id.rfind("kernel-", 0) == 0) ids.push_back(subject.id.substr(7));
+    }
+    return ids;
+  };
+  EXPECT_EQ(kernels_of({}), std::vector<std::string>{});
+  std::vector<std::string> here;
+  for (const selvage_kernel kernel : kernels_here()) here.push_back(kernel_name(kernel));
+  EXPECT_EQ(kernels_of({.kernels = true}), here);
+  EXPECT_EQ(here.front(), "scalar");
+  EXPECT_EQ(kernels_here().size() + kernels_elsewhere().size(), 5U);
+}
+
+TEST(FastestKernels, AreAnsweredForEachFilterAndWork) {
+  const std::vector<FastestKernel> all = fastest_kernels();
+  EXPECT_EQ(all.size(), 9U);
+  for (const FastestKernel& one : all) {
+    EXPECT_EQ(std::ranges::count(kernels_here(), one.kernel), 1) << one.filter << " " << one.work;
+  }
 }
 
 TEST(Spread, IsMedianAndQuartiles) {

@@ -32,5 +32,14 @@ int main(void) {
   const selvage_status many =
       selvage_draw_many(&second, NULL, &polygon, 1, NULL, 0, scratch, bytes, NULL);
   free(scratch);
+
+  selvage_kernel fastest = -1;
+  void* const picture = malloc(SELVAGE_FASTEST_KERNEL_BYTES);
+  if (picture == NULL) return 1;
+  const selvage_status measured =
+      selvage_fastest_kernel(SELVAGE_FILTER_NEAREST, SELVAGE_INDEX8, SELVAGE_WORK_LARGE, picture,
+                             SELVAGE_FASTEST_KERNEL_BYTES, &fastest);
+  free(picture);
+  if (measured != SELVAGE_OK || selvage_has_kernel(fastest) != 1) return 1;
   return many == SELVAGE_OK && memcmp(pixels, again, sizeof pixels) == 0 ? 0 : 1;
 }

@@ -1,0 +1,41 @@
+#include "mapper/kernel_preference.h"
+
+#include <algorithm>
+
+#include "mapper/kernel.h"
+#include "mapper/vector_kernel.h"
+
+namespace selvage::mapper {
+namespace {
+
+inline constexpr selvage_kernel kScalar = SELVAGE_KERNEL_SCALAR, kSse4 = SELVAGE_KERNEL_SSE4,
+                                kAvx2 = SELVAGE_KERNEL_AVX2, kAvx512 = SELVAGE_KERNEL_AVX512,
+                                kNeon = SELVAGE_KERNEL_NEON;
+
+// Measured on one machine (AMD EPYC, family 25, model 17); NEON was run in emulation only.
+inline constexpr KernelOrder kWidestFirst = {kAvx512, kAvx2, kSse4, kNeon, kScalar};
+// By a fifth faster there: long rows of nearest texels, small triangles of mixed ones.
+inline constexpr KernelOrder kAvx2First = {kAvx2, kAvx512, kSse4, kNeon, kScalar};
+// Two doubles in a vector gain less than taking them apart costs: SSE4 is slower than scalar.
+inline constexpr KernelOrder kByDoubles = {kAvx512, kAvx2, kNeon, kScalar, kSse4};
+
+// By selvage_work: large, mesh, perspective.
+inline constexpr KernelOrder kNearest[] = {kAvx2First, kWidestFirst, kByDoubles};
+inline constexpr KernelOrder kMixed[] = {kWidestFirst, kAvx2First, kWidestFirst};
+
+}  // namespace
+
+const KernelOrder& kernel_order(selvage_filter filter, selvage_work work) {
+  return (filter == SELVAGE_FILTER_NEAREST ? kNearest : kMixed)[work];
+}
+
+selvage_work work_of(const Polygon& polygon, int32_t tolerance) {
+  if (!polygon.affine && tolerance == 0) return SELVAGE_WORK_PERSPECTIVE;
+  return polygon.right_px - polygon.left_px > kNarrow_px ? SELVAGE_WORK_LARGE : SELVAGE_WORK_MESH;
+}
+
+selvage_kernel preferred_kernel(selvage_filter filter, selvage_work work) {
+  return *std::ranges::find_if(kernel_order(filter, work), is_usable);
+}
+
+}  // namespace selvage::mapper
