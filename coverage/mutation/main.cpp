@@ -24,6 +24,7 @@ struct Options {
   std::string sites, results, key;
   uint64_t seeds = 300, first_seed = 1, sample_seed = 1;
   size_t sample = 0;
+  double most_s = 1e9;
   std::vector<int> only;
 };
 
@@ -84,7 +85,7 @@ int run(const Options& options) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   silence_stdout();
   std::vector<Item> items = all_items(options.first_seed, options.seeds);
-  const std::vector<std::string> broken = record(&items);
+  const std::vector<std::string> broken = record(&items, options.most_s);
   for (const std::string& name : broken) {
     std::cerr << "broken although nothing is mutated: " << name << "\n";
   }
@@ -124,6 +125,7 @@ int main(int argc, char** argv) {
   app.add_option("--first-seed", options.first_seed, "of these cases");
   app.add_option("--sample", options.sample, "so many mutants, chosen at random");
   app.add_option("--seed", options.sample_seed, "of that choice");
+  app.add_option("--most-seconds", options.most_s, "what costs more, unmutated, is left out");
   app.add_option("--mutant", options.only, "only these numbers");
   CLI11_PARSE(app, argc, argv);
   try {

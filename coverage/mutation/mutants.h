@@ -136,7 +136,7 @@ template <int kFirst, class A>
 // 0: 1 and -1); of truth the opposite.
 template <int kFirst, class A>
 [[nodiscard]] constexpr A constant(A a) {
-  const int which = chosen<kFirst>();
+  int which = chosen<kFirst>();  // not const: that would ask the compiler to evaluate it
   note_that_it_applies<kFirst>();
   if constexpr (std::is_same_v<A, bool>) {
     return a != (which == 1);

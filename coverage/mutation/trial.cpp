@@ -20,6 +20,7 @@ namespace selvage::mutation {
 namespace {
 
 inline constexpr double kLeastLimit_s = 1, kLimitPerCost = 20;
+inline constexpr double kCostly_s = 0.1;
 inline constexpr rlim_t kMostMemory_bytes = rlim_t{4} << 30;
 inline constexpr int kStatusKilled = 42;
 
@@ -71,7 +72,7 @@ void limit_time(double limit_s) {
 
 }  // namespace
 
-std::vector<std::string> record(std::vector<Item>* items) {
+std::vector<std::string> record(std::vector<Item>* items, double most_s) {
   std::vector<std::string> broken;
   for (Item& item : *items) {
     std::memset(mutants::reached, 0, sizeof mutants::reached);
@@ -80,6 +81,8 @@ std::vector<std::string> record(std::vector<Item>* items) {
     item.cost_s = processor_s() - start_s;
     item.reaches.assign(std::begin(mutants::reached), std::end(mutants::reached));
   }
+  std::erase_if(*items, [&](const Item& item) { return item.cost_s > most_s; });
+  std::ranges::stable_partition(*items, [](const Item& item) { return item.cost_s < kCostly_s; });
   return broken;
 }
 

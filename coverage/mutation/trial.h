@@ -23,7 +23,7 @@ struct Outcome {
 
 // Runs every item once with no mutant, noting what it reaches and costs. Names those that are
 // broken although nothing is mutated.
-[[nodiscard]] std::vector<std::string> record(std::vector<Item>* items);
+[[nodiscard]] std::vector<std::string> record(std::vector<Item>* items, double most_s);
 
 // The items after record().
 [[nodiscard]] Outcome try_mutant(const Mutant& mutant, const std::vector<Item>& items);
