@@ -157,7 +157,7 @@ class Finder:
             i = source.index_from(parent.extent.start.offset)
             if source.tokens[i + 1].text == "constexpr":
                 return "the condition of an if constexpr"
-        if parent.kind in (K.VAR_DECL, K.FIELD_DECL) and child.kind.is_expression():
+        if parent.kind in (K.VAR_DECL, K.FIELD_DECL, K.PARM_DECL) and child.kind.is_expression():
             i = source.index_from(child.extent.end.offset)
             if i < len(source.tokens) and source.tokens[i].text == "]":
                 return "the bound of an array"
