@@ -4,6 +4,7 @@ import json
 import os
 import re
 import sys
+from collections import Counter
 
 import clang.cindex as clang
 
@@ -17,6 +18,8 @@ ROOMS = ["CMakeLists.txt", "src", "spec", "tests", "coverage"]
 BESIDE = ["src/snap.cpp", "src/fit.cpp"]  # mutated too, besides src/mapper
 NOT_BUILT = ["src/mapper/no_vector_kernel.cpp"]
 FIRST = 1  # the number of the first mutant
+# Debian names its file so.
+clang.Config.set_library_file("/usr/lib/llvm-19/lib/libclang-19.so.1")
 MACROS = re.compile(r"\bHWY_(MIN|MAX|LIKELY|UNLIKELY)\b(?=\()")
 
 
@@ -26,9 +29,7 @@ def mutated_files():
 
 
 def clang_arguments():
-    library = os.environ.get("SELVAGE_LIBCLANG", "/usr/lib/llvm-19/lib/libclang-19.so.1")
-    clang.Config.set_library_file(library)
-    headers = [f"/usr/lib/llvm-19/lib/clang/19/include"]
+    headers = ["/usr/lib/llvm-19/lib/clang/19/include"]
     return ["-x", "c++", "-std=c++20", "-Isrc", '-DSELVAGE_VERSION=""', "-isystem"] + headers
 
 
@@ -70,6 +71,10 @@ def write_if_changed(path, text):
         file.write(text)
 
 
+def is_built_from(name):
+    return name == "CMakeLists.txt" or not name.endswith((".py", ".pyc", ".txt", ".md", ".svg"))
+
+
 def mirror(tree, mutated):
     """The project, with the mutated files in the place of their originals."""
     kept = set()
@@ -77,7 +82,7 @@ def mirror(tree, mutated):
         for folder, _, names in os.walk(room) if os.path.isdir(room) else [(".", [], [room])]:
             if folder.startswith("coverage/out"):
                 continue
-            for name in names:
+            for name in filter(is_built_from, names):
                 path = os.path.normpath(os.path.join(folder, name))
                 with open(path, encoding="utf-8", errors="surrogateescape") as file:
                     write_if_changed(f"{tree}/{path}", mutated.get(path) or file.read())
@@ -99,6 +104,15 @@ def switched(source, numbered):
     if anchor in text:
         text = text.replace(anchor, anchor + '#include "mapper/mutants-inl.h"\n')
     return '#include "mapper/mutants.h"\n' + text
+
+
+def count_occurrences(mutants):
+    """Tells mutants apart that read the same: the first, second ... from the left."""
+    seen = Counter()
+    for mutant in mutants:
+        same = tuple(mutant[k] for k in ("file", "function", "text", "original", "mutated"))
+        seen[same] += 1
+        mutant["occurrence"] = seen[same]
 
 
 def main(build):
@@ -124,6 +138,7 @@ def main(build):
             mutants.append({"id": number, "site": per_file[site.source.path][-1][0], **place,
                             "kind": site.kind, "original": site.original, "mutated": alternative})
             number += 1
+    count_occurrences(mutants)
     mutated = {path: switched(source, per_file[path]) for path, source in sources.items()}
     mirror(f"{build}/tree", mutated)
     write_if_changed(f"{build}/mutants.json",

@@ -41,8 +41,9 @@ class Equivalents:
 
 
 def entry_of(mutant):
+    which = f" #{mutant['occurrence']}" if mutant["occurrence"] > 1 else ""
     return (f"{mutant['file']} | {mutant['function']} | {mutant['text']} | "
-            f"{mutant['original']} -> {mutant['mutated']}")
+            f"{mutant['original']}{which} -> {mutant['mutated']}")
 
 
 def fail(message):
@@ -72,13 +73,14 @@ def stale(equivalents, mutants, whole):
     return lines
 
 
-def tell(tried, survivors, equivalent, fixed):
+def tell(tried, survivors, equivalent, without, fixed):
     files = sorted({m["file"] for m in tried})
     print(f"{'file':<44}{'mutants':>8}{'killed':>8}{'alive':>7}{'equivalent':>12}")
     for file in files + [""]:
         of = [m for m in tried if file in ("", m["file"])]
         print(f"{file or 'all':<44}{len(of):>8}{sum(m['outcome'] in DEAD for m in of):>8}"
               f"{sum(m in survivors for m in of):>7}{sum(m in equivalent for m in of):>12}")
+    print(f"{len(without)} more do not apply: the operands' types lack the operator")
     print("how: " + ", ".join(f"{n} {what}" for what, n in
                               Counter(m["outcome"] for m in tried).most_common()))
     by = Counter(m["by"].split(" ")[0] + (" " + m["by"].split(" ")[1] if m["by"].startswith("law")
@@ -88,7 +90,7 @@ def tell(tried, survivors, equivalent, fixed):
           ", ".join(f"{n} {why}" for why, n in Counter(f["why"] for f in fixed).most_common()))
 
 
-def main(build, results, out, whole):
+def main(build, results, out, whole, floor):
     with open(f"{build}/mutants.json", encoding="utf-8") as file:
         listed = json.load(file)
     outcomes = read_outcomes(results)
@@ -113,14 +115,15 @@ def main(build, results, out, whole):
                    "equivalent": len(equivalent), "survivors": len(survivors),
                    "whole": whole, "mutants": [m for m in mutants if "outcome" in m],
                    "not_switched": listed["fixed"]}, file, indent=1)
-    tell(tried, survivors, equivalent, listed["fixed"])
+    without = [m for m in mutants if m.get("outcome") == "does not apply"]
+    tell(tried, survivors, equivalent, without, listed["fixed"])
     print(f"score: {score:.2f} %: {dead} of {counted} mutants that are not recorded as equivalent "
           f"are killed; survivors: {out}/survivors.txt")
     problems = stale(equivalents, mutants, whole)
     for problem in problems:
         print(f"coverage/equivalent.txt: {problem}", file=sys.stderr)
-    return 2 if problems else 1 if survivors else 0
+    return 2 if problems else 1 if score < floor else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(sys.argv[1], sys.argv[2], sys.argv[3], sys.argv[4] == "whole"))
+    sys.exit(main(*sys.argv[1:4], whole=sys.argv[4] == "whole", floor=float(sys.argv[5])))
