@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "spec/exact.h"
@@ -78,6 +79,8 @@ TEST(Plane, IsThatOfAllVertices) {
   EXPECT_TRUE(plane_of(quad));
   for (selvage_vertex& v : quad) v.x += 700, v.y += 300, v.u += 999, v.v -= 777;
   EXPECT_TRUE(plane_of(quad));
+  std::ranges::reverse(quad);
+  EXPECT_TRUE(plane_of(quad));
   quad[3].v += 1;
   EXPECT_FALSE(plane_of(quad));
   quad.pop_back();
@@ -86,6 +89,17 @@ TEST(Plane, IsThatOfAllVertices) {
   quad.push_back(quad.front());  // repeated vertices
   EXPECT_TRUE(plane_of(quad));
   quad.insert(quad.begin(), quad.front());
+  EXPECT_TRUE(plane_of(quad));
+}
+
+// Two vertices at one place that disagree about the texel there.
+TEST(Plane, IsThatOfARepeatedOriginToo) {
+  std::vector<selvage_vertex> quad = {{0, 0, 0, 0, 1},
+                                      {0, 0, 9, 0, 1},
+                                      {2560, 256, 655360, 65536, 1},
+                                      {256, 2560, 65536, 655360, 1}};
+  EXPECT_FALSE(plane_of(quad));
+  quad[1].u = 0;
   EXPECT_TRUE(plane_of(quad));
 }
 
