@@ -15,7 +15,7 @@ using spec::Case;
 inline constexpr int32_t kWidth_px = 531, kHeight_px = 2;  // three pieces, the last of odd length
 
 // u runs over the texture's width and as much on both sides of it, `texels_per_px` a pixel; q goes
-// from one to `far`.
+// from `far` to the greatest.
 [[nodiscard]] Case row(selvage_filter filter, selvage_address address, int32_t texels_per_px,
                        int32_t far) {
   Case c;
@@ -29,8 +29,8 @@ inline constexpr int32_t kWidth_px = 531, kHeight_px = 2;  // three pieces, the 
   const int32_t left_u = -150 * texels_per_px * SELVAGE_SUBTEXELS;
   const int32_t right_u = left_u + kWidth_px * texels_per_px * SELVAGE_SUBTEXELS + 12345;
   c.vertices = {{0, -40, left_u, -70000, far},
-                {kRight, -90, right_u, 90000, 1 << 20},
-                {kRight, 600, right_u, 180000, 1 << 20},
+                {kRight, -90, right_u, 90000, SELVAGE_Q_MAX},
+                {kRight, 600, right_u, 180000, SELVAGE_Q_MAX},
                 {0, 600, left_u, 260000, far}};
   return c;
 }
@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::Values(SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR,
                                      SELVAGE_FILTER_AREA),
                      testing::Values(SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP),
-                     testing::Values(1, 7), testing::Values(1 << 20, 1 << 18),
+                     testing::Values(1, 7), testing::Values(SELVAGE_Q_MAX, 1 << 22, 1),
                      testing::Values(SELVAGE_KERNEL_SCALAR, SELVAGE_KERNEL_FASTEST)));
 
 }  // namespace

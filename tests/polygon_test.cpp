@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "spec/exact.h"
@@ -56,7 +57,10 @@ TEST(Polygon, AcceptsLedgesAndRepeatedVerticesButNoSecondDescent) {
 TEST(Polygon, TellsItsExtents) {
   std::vector<selvage_vertex> v = {
       {-300, 0, 7, -5, 1}, {128, -129, 70, 9, 1}, {1000, 640, 70, 90, 1}, {129, 641, -6, 90, 1}};
-  for (size_t turn = 0; turn < v.size(); ++turn) {
+  for (size_t turn = 0; turn < 2 * v.size(); ++turn) {
+    if (turn == v.size()) {
+      for (selvage_vertex& each : v) std::swap(each.u, each.v);
+    }
     Polygon polygon;
     ASSERT_EQ(examine(v, &polygon), SELVAGE_OK);
     EXPECT_EQ(v[polygon.top].y, -129);

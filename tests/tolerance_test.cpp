@@ -134,6 +134,14 @@ TEST(Choice, NamesWhatIsExactWhateverTheTolerance) {
   expect_exact(chosen(c, 1 << 30), SELVAGE_METHOD_EXACT_PERSPECTIVE);
 }
 
+// What lanes lose by roundings alone is more.
+TEST(Choice, IsExactWithinTheLeastTolerances) {
+  const Case c = quad(640, 1 << 20, (1 << 20) + (1 << 18));
+  for (const int32_t tolerance : {0, 1, 2, 3, 4}) {
+    expect_exact(chosen(c, tolerance), SELVAGE_METHOD_EXACT_PERSPECTIVE);
+  }
+}
+
 TEST(Choice, ChecksItsArgumentsAsDrawDoes) {
   selvage_choice choice{-1, -1, -1};
   EXPECT_EQ(selvage_choose(nullptr, nullptr, nullptr, 0, nullptr, nullptr, &choice),
@@ -204,6 +212,19 @@ TEST(Stepped, AllKernelsDrawTheSameFromWhateverTexture) {
         }
       }
     }
+  }
+}
+
+TEST(Stepped, AllKernelsDrawTheSameOfManySegments) {
+  Case c = quad(6000, 1 << 20, (1 << 20) + (1 << 18));
+  constexpr int32_t kTolerance = 300;
+  const selvage_choice choice = chosen(c, kTolerance);
+  ASSERT_EQ(choice.method, SELVAGE_METHOD_SUBDIVIDED);
+  ASSERT_GT(c.target_width_px / choice.segment_px, 70) << choice.segment_px;
+  const Picture scalar = drawn(c, kTolerance, SELVAGE_KERNEL_SCALAR);
+  for (const selvage_kernel kernel : kKernels) {
+    if (selvage_has_kernel(kernel) == 0) continue;
+    EXPECT_EQ(drawn(c, kTolerance, kernel).pixels, scalar.pixels) << "kernel " << kernel;
   }
 }
 
