@@ -12,9 +12,9 @@ namespace {
 
 using spec::Case;
 
-inline constexpr int32_t kWidth_px = 531, kHeight_px = 2;  // three pieces, the last of odd length
+inline constexpr int32_t kWidth_px = 301, kHeight_px = 1;  // two pieces, the last of odd length
 
-// u runs over the texture's width and as much on both sides of it, `texels_per_px` a pixel; q goes
+// u runs over the texture and beyond it on both sides, `texels_per_px` a pixel; q goes
 // from `far` to the greatest.
 [[nodiscard]] Case row(selvage_filter filter, selvage_address address, int32_t texels_per_px,
                        int32_t far) {
@@ -26,7 +26,7 @@ inline constexpr int32_t kWidth_px = 531, kHeight_px = 2;  // three pieces, the 
   c.texture_width_texel = 200 * texels_per_px - 23;
   c.texture_height_texel = 5;
   constexpr int32_t kRight = kWidth_px * SELVAGE_SUBPIXELS - 77;
-  const int32_t left_u = -150 * texels_per_px * SELVAGE_SUBTEXELS;
+  const int32_t left_u = -60 * texels_per_px * SELVAGE_SUBTEXELS;
   const int32_t right_u = left_u + kWidth_px * texels_per_px * SELVAGE_SUBTEXELS + 12345;
   c.vertices = {{0, -40, left_u, -70000, far},
                 {kRight, -90, right_u, 90000, SELVAGE_Q_MAX},
