@@ -82,14 +82,26 @@ class Asked {
     return "no method is told";
   }
   if (choice.bound < 0 || choice.bound > tolerance_fx16) return "the bound exceeds the tolerance";
-  if (!is_stepped(choice)) return choice.bound == 0 ? "" : "an exact method has a bound";
   if ((choice.segment_px != 0) != (choice.method == SELVAGE_METHOD_SUBDIVIDED)) {
     return "segments without subdivision, or it without them";
   }
+  if (!is_stepped(choice)) return choice.bound == 0 ? "" : "an exact method has a bound";
   if (choice.segment_px % 16 != 0) return "segments are no multiple of 16 px";
   return texels(choice.bound) >= chord_bound(line, choice.segment_px)
              ? ""
              : "the bound is less than the derived one";
+}
+
+// What is told of some rows, and of one more.
+[[nodiscard]] selvage_choice together(const selvage_choice& some, const selvage_choice& row) {
+  const bool shorter = row.segment_px != 0 && row.segment_px < some.segment_px;
+  return {std::max(some.method, row.method),
+          some.segment_px == 0 || shorter ? row.segment_px : some.segment_px,
+          std::max(some.bound, row.bound)};
+}
+
+[[nodiscard]] bool same(const selvage_choice& a, const selvage_choice& b) {
+  return a.method == b.method && a.segment_px == b.segment_px && a.bound == b.bound;
 }
 
 [[nodiscard]] std::string text_of(const selvage_choice& choice) {
@@ -110,7 +122,7 @@ class TolerantCase {
 
   [[nodiscard]] Judgement judge() {
     Judgement judgement = judge_coverage();
-    int32_t greatest_fx16 = 0;
+    selvage_choice all{SELVAGE_METHOD_NONE, 0, 0};
     for (int32_t y = 0; !judgement.violation && y < case_.target_height_px; ++y) {
       const std::optional<ScanLine> line = scan_line(case_.vertices, y);
       if (!line || columns_of(*line).empty()) continue;
@@ -119,7 +131,7 @@ class TolerantCase {
         const selvage_choice choice = asked_.row(y);
         const std::string fault = fault_of(choice, *line, tolerance_fx16_);
         if (!fault.empty()) return blame(std::move(judgement), fault, choice, y);
-        greatest_fx16 = std::max(greatest_fx16, choice.bound);
+        all = together(all, choice);
         allowed = is_stepped(choice) ? std::min(texels(choice.bound),
                                                 Rational(chord_bound(*line, choice.segment_px) +
                                                          texels(rounding_bound_fx16(*line))))
@@ -127,9 +139,11 @@ class TolerantCase {
       }
       add(&judgement, judge_row(y, *line, allowed));
     }
-    if (!judgement.violation && subject_.choose && asked_.all().bound != greatest_fx16) {
-      return blame(std::move(judgement), "the bound of all rows is not the greatest of each",
-                   asked_.all(), -1);
+    if (!judgement.violation && subject_.choose && !same(asked_.all(), all)) {
+      return blame(
+          std::move(judgement),
+          "of all rows the last method, the shortest segments, the greatest bound are told",
+          asked_.all(), -1);
     }
     return judgement;
   }

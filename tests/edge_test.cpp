@@ -85,6 +85,23 @@ TEST(Chain, JumpsWithinAnEdgeAndPastSome) {
   }
 }
 
+TEST(Chain, WritesNoColumnBeyondTheLastRow) {
+  const std::vector<selvage_vertex> v = {
+      {0, 0, 0, 0, 1}, {2560, 300, 0, 0, 1}, {3000, 2000, 0, 0, 1}, {-500, 2560, 0, 0, 1}};
+  Polygon polygon;
+  ASSERT_EQ(examine(v, &polygon), SELVAGE_OK);
+  constexpr int32_t kUntouched = -12345;
+  for (int32_t rows = 1; rows <= polygon.bottom_row; ++rows) {
+    Chain chain(polygon, Chain::Direction::kForward), walked(polygon, Chain::Direction::kForward);
+    std::vector<int32_t> first_px(static_cast<size_t>(rows) + 1, kUntouched);
+    chain.columns(0, rows, first_px.data());
+    for (int32_t row = 0; row < rows; ++row) {
+      ASSERT_EQ(first_px[static_cast<size_t>(row)], walked.at_row(row).first_px()) << row;
+    }
+    ASSERT_EQ(first_px.back(), kUntouched) << rows << " rows";
+  }
+}
+
 TEST(Chain, JumpsToARowAndWalksOnFromThere) {
   const std::vector<selvage_vertex> v = {
       {0, 0, 0, 0, 1}, {2560, 300, 0, 0, 1}, {3000, 2000, 0, 0, 1}, {-500, 2560, 0, 0, 1}};

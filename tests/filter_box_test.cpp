@@ -137,6 +137,20 @@ TEST(BoxSum, HoldsTheLargestBoxes) {
   }
 }
 
+// The quotient is whole then, and an estimate of it may lie just below.
+TEST(BoxMean, RoundsHalvesUpWhateverTheArea) {
+  const std::vector<uint32_t> texels = {0x00FD0200, 0x01FE0301};  // a column each
+  const selvage_texture texture{texels.data(),       2,      1, 8, SELVAGE_RGBA8888,
+                                SELVAGE_LAYOUT_ROWS, nullptr};
+  for (int32_t half_fx8 = 128; half_fx8 < 1500; ++half_fx8) {
+    for (const int32_t height_fx8 : {256, 259, 1001, 65537}) {
+      const Box box{256 - half_fx8, 0, 2 * half_fx8, height_fx8};
+      ASSERT_EQ(box_mean(texture, SELVAGE_ADDRESS_CLAMP, box), 0x01FE0301U)
+          << half_fx8 << " " << height_fx8;
+    }
+  }
+}
+
 TEST(BoxMean, OfTheLeastBoxIsBilinear) {
   spec::Random random(2);
   for (int i = 0; i < 2000; ++i) {

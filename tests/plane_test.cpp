@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "spec/exact.h"
@@ -76,6 +77,10 @@ TEST(Plane, IsThatOfAllVertices) {
                                       {2816, 2816, 720896, 720896, 1},
                                       {256, 2560, 65536, 655360, 1}};
   EXPECT_TRUE(plane_of(quad));
+  for (selvage_vertex& v : quad) v.x += 700, v.y += 300, v.u += 999, v.v -= 777;
+  EXPECT_TRUE(plane_of(quad));
+  std::ranges::reverse(quad);
+  EXPECT_TRUE(plane_of(quad));
   quad[3].v += 1;
   EXPECT_FALSE(plane_of(quad));
   quad.pop_back();
@@ -84,6 +89,17 @@ TEST(Plane, IsThatOfAllVertices) {
   quad.push_back(quad.front());  // repeated vertices
   EXPECT_TRUE(plane_of(quad));
   quad.insert(quad.begin(), quad.front());
+  EXPECT_TRUE(plane_of(quad));
+}
+
+// Two vertices at one place that disagree about the texel there.
+TEST(Plane, IsThatOfARepeatedOriginToo) {
+  std::vector<selvage_vertex> quad = {{0, 0, 0, 0, 1},
+                                      {0, 0, 9, 0, 1},
+                                      {2560, 256, 655360, 65536, 1},
+                                      {256, 2560, 65536, 655360, 1}};
+  EXPECT_FALSE(plane_of(quad));
+  quad[1].u = 0;
   EXPECT_TRUE(plane_of(quad));
 }
 
@@ -99,6 +115,19 @@ TEST(Plane, RefusesWhatIsTooSteep) {
                         {0, 0, 32768, 32768}));
   EXPECT_FALSE(
       plane_of({{0, 0, 0, 0, 1}, {8000000, 1, INT32_MAX, 0, 1}, {8000000, 0, INT32_MIN, 0, 1}}));
+}
+
+// Each of the four terms by itself, or two that cancel, rising or falling.
+TEST(Plane, RefusesWhatIsTooSteepInAnyTerm) {
+  const selvage_rect visible{0, 0, 32768, 32768};
+  for (const int32_t end : {INT32_MAX, -INT32_MAX}) {
+    // From pixel (0, 0), whose centre is the origin: right, down.
+    EXPECT_FALSE(plane_of({{128, 128, 0, 0, 1}, {129, 128, end, 0, 1}, {128, 129, 0, 0, 1}}));
+    EXPECT_FALSE(plane_of({{128, 128, 0, 0, 1}, {129, 128, 0, 0, 1}, {128, 129, end, 0, 1}}));
+    // A sliver along a diagonal, its origin far from the first pixel.
+    EXPECT_FALSE(plane_of(
+        {{8000000, 8000000, 0, 0, 1}, {0, 0, 0, 0, 1}, {8000000, 8000256, end, 0, 1}}, visible));
+  }
 }
 
 // Where gradients are dyadic, lanes hit ties exactly and nothing needs a decision.

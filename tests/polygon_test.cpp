@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "spec/exact.h"
@@ -49,6 +51,64 @@ TEST(Polygon, AcceptsLedgesAndRepeatedVerticesButNoSecondDescent) {
   EXPECT_EQ(polygon.top_row, polygon.bottom_row);
   const std::vector zigzag = {at(0, 0), at(4, 9), at(8, 3), at(12, 9)};
   EXPECT_EQ(examine(zigzag, &polygon), SELVAGE_ERROR_NOT_MONOTONE);
+}
+
+// Whichever vertex comes first.
+TEST(Polygon, TellsItsExtents) {
+  std::vector<selvage_vertex> v = {
+      {-300, 0, 7, -5, 1}, {128, -129, 70, 9, 1}, {1000, 640, 70, 90, 1}, {129, 641, -6, 90, 1}};
+  for (size_t turn = 0; turn < 2 * v.size(); ++turn) {
+    if (turn == v.size()) {
+      for (selvage_vertex& each : v) std::swap(each.u, each.v);
+    }
+    Polygon polygon;
+    ASSERT_EQ(examine(v, &polygon), SELVAGE_OK);
+    EXPECT_EQ(v[polygon.top].y, -129);
+    EXPECT_EQ(polygon.top_row, -1);
+    EXPECT_EQ(polygon.bottom_row, 3);
+    EXPECT_EQ(polygon.left_px, -1);
+    EXPECT_EQ(polygon.right_px, 4);
+    EXPECT_EQ(polygon.least_texel_fx16, -6);
+    std::ranges::rotate(v, v.begin() + 1);
+  }
+}
+
+TEST(Polygon, IsUntransformedByWholeTexelsAlone) {
+  const auto shifted = [](int32_t u_fx16, int32_t v_fx16) {
+    std::vector v = {at(-300, 0), at(500, -129), at(200, 640)};
+    for (selvage_vertex& each : v) {
+      each.u = each.x * 256 + u_fx16;
+      each.v = each.y * 256 + v_fx16;
+    }
+    return v;
+  };
+  const auto is_untransformed = [](const std::vector<selvage_vertex>& v) {
+    Polygon polygon;
+    EXPECT_EQ(examine(v, &polygon), SELVAGE_OK);
+    return polygon.untransformed;
+  };
+  constexpr int32_t kTexel = SELVAGE_SUBTEXELS;
+  const std::vector whole = shifted(3 * kTexel, -5 * kTexel);
+  Polygon polygon;
+  ASSERT_EQ(examine(whole, &polygon), SELVAGE_OK);
+  EXPECT_TRUE(polygon.untransformed);
+  EXPECT_EQ(polygon.ds, 3);
+  EXPECT_EQ(polygon.dt, -5);
+  for (const int32_t part : {1, 2, kTexel / 2, kTexel - 1}) {
+    EXPECT_FALSE(is_untransformed(shifted(kTexel + part, 0))) << part;
+    EXPECT_FALSE(is_untransformed(shifted(0, kTexel + part))) << part;
+    EXPECT_FALSE(is_untransformed(shifted(part, part))) << part;
+  }
+  for (size_t i = 0; i < whole.size(); ++i) {
+    for (int32_t selvage_vertex::*axis : {&selvage_vertex::u, &selvage_vertex::v}) {
+      std::vector odd = whole;
+      odd[i].*axis += kTexel;
+      EXPECT_FALSE(is_untransformed(odd)) << i;
+    }
+    std::vector deep = whole;
+    deep[i].q = 2;
+    EXPECT_FALSE(is_untransformed(deep)) << i;
+  }
 }
 
 // Two definitions of y-monotone, directions around the outline and lines through the vertices.

@@ -24,6 +24,7 @@ declare -A selvage_groups=(
   [fuzz]="clang-19 libclang-rt-19-dev llvm-19 zip
           libgmp-dev libpng-dev libturbojpeg0-dev libcli11-dev nlohmann-json3-dev"
   [coverage]="clang-19 libclang-rt-19-dev llvm-19 lcov"
+  [mutants]="clang-19 python3 python3-clang-19"
   [format]="clang-format"
   [reports]="xplanet-images gnuplot-nox libbenchmark-dev"
   [peers]="qt6-base-dev liballegro4-dev libosmesa6-dev libsdl2-dev libpixman-1-dev libcairo2-dev

@@ -63,5 +63,19 @@ TEST(SpanMap, DecidesBetweenTwoTexels) {
       });
 }
 
+// A tie belongs to the next texel, and what is one unit short of it does not.
+TEST(ExactRow, ReachesATexelAtTheTieAndNotAUnitBefore) {
+  for (const int32_t texel : {-3, 0, 5}) {
+    for (const int64_t d : {int64_t{1} << 16, int64_t{77} << 16, int64_t{1} << 40}) {
+      const auto line = [](int128 start) { return ExactLine{static_cast<uint128>(start), 0}; };
+      const int128 tie = int128{d} * texel;
+      for (const int offset : {-1, 0, 1}) {
+        const ExactRow row{line(tie + offset), line(0), line(d)};
+        EXPECT_EQ(row.reaches(row.u, 4, texel), offset >= 0) << texel << " " << d << " " << offset;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace selvage::mapper

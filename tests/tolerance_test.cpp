@@ -106,26 +106,40 @@ TEST(Choice, HasTheLongestSegmentsThatItsBoundAllows) {
   }
 }
 
+void expect_exact(const selvage_choice& choice, selvage_method method) {
+  EXPECT_EQ(choice.method, method);
+  EXPECT_EQ(choice.segment_px, 0);
+  EXPECT_EQ(choice.bound, 0);
+}
+
 TEST(Choice, NamesWhatIsExactWhateverTheTolerance) {
   Case c = quad(640, 7, 7);
-  EXPECT_EQ(chosen(c, 65536).method, SELVAGE_METHOD_EXACT_AFFINE);
+  expect_exact(chosen(c, 65536), SELVAGE_METHOD_EXACT_AFFINE);
   c = quad(64, 100, 101);  // narrow rows
-  EXPECT_EQ(chosen(c, 65536).method, SELVAGE_METHOD_EXACT_PERSPECTIVE);
+  expect_exact(chosen(c, 65536), SELVAGE_METHOD_EXACT_PERSPECTIVE);
   c = quad(640, 100, 101);
   c.filter = SELVAGE_FILTER_BILINEAR;
-  EXPECT_EQ(chosen(c, 65536).method, SELVAGE_METHOD_FILTER);
+  expect_exact(chosen(c, 65536), SELVAGE_METHOD_FILTER);
   c = quad(256, 7, 7);
   for (selvage_vertex& v : c.vertices) v.v = v.y * 256, v.u = v.x * 256;
-  EXPECT_EQ(chosen(c, 65536).method, SELVAGE_METHOD_COPY);
+  expect_exact(chosen(c, 65536), SELVAGE_METHOD_COPY);
   c.profile = SELVAGE_PROFILE_ABRASH56;
-  EXPECT_EQ(chosen(c, 65536).method, SELVAGE_METHOD_HISTORIC);
+  expect_exact(chosen(c, 65536), SELVAGE_METHOD_HISTORIC);
   c = quad(640, 100, 101);
   c.has_clip = true;  // an empty one
-  EXPECT_EQ(chosen(c, 65536).method, SELVAGE_METHOD_NONE);
+  expect_exact(chosen(c, 65536), SELVAGE_METHOD_NONE);
   // The lowest coordinates there are: lanes could leave 32 bits.
   c = quad(640, 100, 101);
   c.vertices[0].u = INT32_MIN;
-  EXPECT_EQ(chosen(c, 1 << 30).method, SELVAGE_METHOD_EXACT_PERSPECTIVE);
+  expect_exact(chosen(c, 1 << 30), SELVAGE_METHOD_EXACT_PERSPECTIVE);
+}
+
+// What lanes lose by roundings alone is more.
+TEST(Choice, IsExactWithinTheLeastTolerances) {
+  const Case c = quad(640, 1 << 20, (1 << 20) + (1 << 18));
+  for (const int32_t tolerance : {0, 1, 2, 3, 4}) {
+    expect_exact(chosen(c, tolerance), SELVAGE_METHOD_EXACT_PERSPECTIVE);
+  }
 }
 
 TEST(Choice, ChecksItsArgumentsAsDrawDoes) {
@@ -198,6 +212,19 @@ TEST(Stepped, AllKernelsDrawTheSameFromWhateverTexture) {
         }
       }
     }
+  }
+}
+
+TEST(Stepped, AllKernelsDrawTheSameOfManySegments) {
+  Case c = quad(6000, 1 << 20, (1 << 20) + (1 << 18));
+  constexpr int32_t kTolerance = 300;
+  const selvage_choice choice = chosen(c, kTolerance);
+  ASSERT_EQ(choice.method, SELVAGE_METHOD_SUBDIVIDED);
+  ASSERT_GT(c.target_width_px / choice.segment_px, 70) << choice.segment_px;
+  const Picture scalar = drawn(c, kTolerance, SELVAGE_KERNEL_SCALAR);
+  for (const selvage_kernel kernel : kKernels) {
+    if (selvage_has_kernel(kernel) == 0) continue;
+    EXPECT_EQ(drawn(c, kTolerance, kernel).pixels, scalar.pixels) << "kernel " << kernel;
   }
 }
 

@@ -4,6 +4,8 @@
 
 #include <gmpxx.h>
 
+#include <compare>
+
 #include "spec/random.h"
 
 namespace selvage::mapper {
@@ -30,6 +32,23 @@ namespace {
 [[nodiscard]] int128 any_signed(spec::Random& random, int most_bits) {
   const auto number = static_cast<int128>(any(random, most_bits));
   return random.percent(50) ? -number : number;
+}
+
+TEST(Wide, ComparesTheHighHalvesFirst) {
+  constexpr auto kLess = std::strong_ordering::less, kEqual = std::strong_ordering::equal,
+                 kGreater = std::strong_ordering::greater;
+  EXPECT_EQ((Wide{1, 5} <=> Wide{1, 5}), kEqual);
+  EXPECT_EQ((Wide{1, 4} <=> Wide{1, 5}), kLess);
+  EXPECT_EQ((Wide{1, 6} <=> Wide{1, 5}), kGreater);
+  EXPECT_EQ((Wide{0, 6} <=> Wide{1, 5}), kLess);
+  EXPECT_EQ((Wide{2, 4} <=> Wide{1, 5}), kGreater);
+}
+
+TEST(Wide, MagnitudesHaveNoSign) {
+  for (const int n : {0, 1, 2, 77}) {
+    EXPECT_TRUE(magnitude(n) == static_cast<uint128>(n)) << n;
+    EXPECT_TRUE(magnitude(-n) == static_cast<uint128>(n)) << n;
+  }
 }
 
 TEST(Wide, MultipliesAddsAndCompares) {

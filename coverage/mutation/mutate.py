@@ -1,0 +1,153 @@
+"""Writes the tree with all mutants in it, and the list of them."""
+
+import json
+import os
+import re
+import sys
+from collections import Counter
+
+import clang.cindex as clang
+
+from calls import calls
+from rewrite import rewritten
+from sites import Finder
+from tokens import Source
+
+TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+ROOMS = ["CMakeLists.txt", "src", "spec", "tests", "coverage"]
+BESIDE = ["src/snap.cpp", "src/fit.cpp"]  # mutated too, besides src/mapper
+NOT_BUILT = ["src/mapper/no_vector_kernel.cpp"]
+FIRST = 1  # the number of the first mutant
+# Debian names its file so.
+clang.Config.set_library_file("/usr/lib/llvm-19/lib/libclang-19.so.1")
+MACROS = re.compile(r"\bHWY_(MIN|MAX|LIKELY|UNLIKELY)\b(?=\()")
+
+
+def mutated_files():
+    files = sorted(f"src/mapper/{name}" for name in os.listdir("src/mapper"))
+    return [f for f in files + BESIDE if f not in NOT_BUILT]
+
+
+def clang_arguments():
+    headers = ["/usr/lib/llvm-19/lib/clang/19/include"]
+    return ["-x", "c++", "-std=c++20", "-Isrc", '-DSELVAGE_VERSION=""', "-isystem"] + headers
+
+
+def find(sources):
+    arguments, index, finder = clang_arguments(), clang.Index.create(), Finder(sources)
+    unsaved = [(path, source.text) for path, source in sources.items()]
+    stand_ins = ["-include", os.path.join(os.path.dirname(__file__), "mutants.h")]
+    for path in sources:
+        if not path.endswith(".cpp"):
+            continue
+        unit = index.parse(path, args=arguments + stand_ins, unsaved_files=unsaved)
+        errors = [str(d) for d in unit.diagnostics if d.severity >= clang.Diagnostic.Error]
+        if errors:
+            sys.exit(f"mutate: clang cannot read {path}:\n" + "\n".join(errors[:5]))
+        finder.visit_unit(unit.cursor)
+    sites = list(finder.sites.values())
+    for path, source in sources.items():
+        sites += calls(source, lambda offset, path=path: finder.function_at(path, offset))
+    return sites
+
+
+def in_shifts(sites):
+    """What a switched shift by a constant holds cannot be switched by itself."""
+    shifts = [s for s in sites if s.kind == "vector_shift"]
+    for site in sites:
+        for shift in shifts:
+            inside = shift.start <= site.start and site.end <= shift.end
+            if site is not shift and site.source is shift.source and inside:
+                site.fixed = "a template's argument"
+
+
+def write_if_changed(path, text):
+    os.makedirs(os.path.dirname(path), exist_ok=True)
+    if os.path.exists(path):
+        with open(path, encoding="utf-8", errors="surrogateescape") as file:
+            if file.read() == text:
+                return
+    with open(path, "w", encoding="utf-8", errors="surrogateescape") as file:
+        file.write(text)
+
+
+def is_built_from(name):
+    return name == "CMakeLists.txt" or not name.endswith((".py", ".pyc", ".txt", ".md", ".svg"))
+
+
+def mirror(tree, mutated):
+    """The project, with the mutated files in the place of their originals."""
+    kept = set()
+    for room in ROOMS:
+        for folder, _, names in os.walk(room) if os.path.isdir(room) else [(".", [], [room])]:
+            if folder.startswith("coverage/out"):
+                continue
+            for name in filter(is_built_from, names):
+                path = os.path.normpath(os.path.join(folder, name))
+                with open(path, encoding="utf-8", errors="surrogateescape") as file:
+                    write_if_changed(f"{tree}/{path}", mutated.get(path) or file.read())
+                kept.add(path)
+    for name in ("mutants.h", "mutants-inl.h"):
+        with open(f"coverage/mutation/{name}", encoding="utf-8") as file:
+            write_if_changed(f"{tree}/src/mapper/{name}", file.read())
+        kept.add(f"src/mapper/{name}")
+    for folder, _, names in os.walk(tree):
+        for name in names:
+            path = os.path.relpath(os.path.join(folder, name), tree)
+            if path not in kept:
+                os.remove(os.path.join(tree, path))
+
+
+def switched(source, numbered):
+    text = rewritten(source, numbered)
+    anchor = "namespace hn = hwy::HWY_NAMESPACE;\n"
+    if anchor in text:
+        text = text.replace(anchor, anchor + '#include "mapper/mutants-inl.h"\n')
+    return '#include "mapper/mutants.h"\n' + text
+
+
+def count_occurrences(mutants):
+    """Tells mutants apart that read the same: the first, second ... from the left."""
+    seen = Counter()
+    for mutant in mutants:
+        same = tuple(mutant[k] for k in ("file", "function", "text", "original", "mutated"))
+        seen[same] += 1
+        mutant["occurrence"] = seen[same]
+
+
+def main(build):
+    os.chdir(TOP)
+    sources = {}
+    for path in mutated_files():
+        with open(path, encoding="utf-8") as file:
+            text = MACROS.sub(lambda m: m.group().lower(), file.read())
+        sources[path] = Source(path, text)
+    sites = find(sources)
+    in_shifts(sites)
+    sites.sort(key=lambda s: (s.source.path, s.start, -s.end, s.kind))
+    mutants, fixed, per_file, number = [], [], {path: [] for path in sources}, FIRST
+    for site in sites:
+        line, column = site.source.place(site.start)
+        place = {"file": site.source.path, "line": line, "column": column,
+                 "function": site.function, "text": site.source.line(site.start).replace("hwy_", "HWY_")}
+        if site.fixed:
+            fixed.append(place | {"original": site.original, "why": site.fixed})
+            continue
+        per_file[site.source.path].append((number, site))
+        for alternative in site.alternatives:
+            mutants.append({"id": number, "site": per_file[site.source.path][-1][0], **place,
+                            "kind": site.kind, "original": site.original, "mutated": alternative})
+            number += 1
+    count_occurrences(mutants)
+    mutated = {path: switched(source, per_file[path]) for path, source in sources.items()}
+    mirror(f"{build}/tree", mutated)
+    write_if_changed(f"{build}/mutants.json",
+                     json.dumps({"mutants": mutants, "fixed": fixed}, indent=1))
+    write_if_changed(f"{build}/sites.txt",
+                     "".join(f"{m['id']} {m['site']}\n" for m in mutants))
+    print(f"{len(mutants)} mutants at {sum(map(len, per_file.values()))} sites; "
+          f"{len(fixed)} sites that the compiler evaluates")
+
+
+if __name__ == "__main__":
+    main(os.path.abspath(sys.argv[1]))

@@ -1,0 +1,91 @@
+"""Mutates a small source and looks at what comes out."""
+
+import os
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+from mutate import find, in_shifts
+from rewrite import rewritten
+from tokens import Source
+
+TEXT = """\
+#include <algorithm>
+constexpr int kMost = 1 << 3;
+static_assert(kMost == 8);
+bool any(int a, bool on) { return a <= kMost && !on; }
+int step(int a) {
+  for (int i = 0; i < 2; ++i) a -= -std::min(a, 5);
+  return a;
+}
+template <class T> T half(T a) { return a / 2.0; }
+int labelled(int a) {
+  switch (a) { case 4: return sizeof(int) * 1; }
+  int held[kMost + 1] = {};
+  return held[0]; // + 1 in a comment
+}
+"""
+
+
+def sites_of(text):
+    with tempfile.TemporaryDirectory() as folder:
+        path = os.path.join(folder, "small.cpp")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        source = Source(path, text)
+        sites = find({path: source})
+    in_shifts(sites)
+    return source, sorted(sites, key=lambda s: (s.start, -s.end))
+
+
+class Mutate(unittest.TestCase):
+    def setUp(self):
+        self.source, self.sites = sites_of(TEXT)
+        self.switched = [s for s in self.sites if not s.fixed]
+
+    def mutations(self, function):
+        return [(s.original, a) for s in self.switched if s.function == function
+                for a in s.alternatives]
+
+    def test_operators_and_constants(self):
+        self.assertEqual(self.mutations("any"), [
+            ("a <= kMost && !on", "a <= kMost || !on"),
+            ("a <= kMost", "a < kMost"), ("a <= kMost", "a > kMost"),
+            ("kMost", "kMost + 1"), ("kMost", "kMost - 1"), ("!on", "on")])
+        self.assertEqual(self.mutations("step"), [
+            ("0", "0 + 1"), ("0", "0 - 1"), ("i < 2", "i <= 2"), ("i < 2", "i >= 2"),
+            ("2", "2 + 1"), ("2", "2 - 1"), ("++i", "--i"),
+            ("a -= -std::min(a, 5)", "a += -std::min(a, 5)"),
+            ("-std::min(a, 5)", "std::min(a, 5)"), ("std::min", "std::max"),
+            ("5", "5 + 1"), ("5", "5 - 1")])
+
+    def test_templates(self):
+        self.assertEqual(self.mutations("half"), [
+            ("a / 2.0", "a * 2.0"), ("2.0", "2 * 2.0"), ("2.0", "2.0 / 2")])
+
+    def test_what_the_compiler_evaluates_is_listed(self):
+        told = {(s.original, s.fixed) for s in self.sites if s.fixed}
+        for wanted in [("1 << 3", "in the definition of a constant, which is mutated at its uses"),
+                       ("kMost == 8", "in a static_assert"), ("kMost + 1", "the bound of an array"),
+                       ("4", "a case label")]:
+            self.assertIn(wanted, told)
+
+    def test_the_text_with_switches(self):
+        number, numbered = 1, []
+        for site in self.switched:
+            numbered.append((number, site))
+            number += len(site.alternatives)
+        text = rewritten(self.source, numbered)
+        m = "::selvage::mutants::"
+        self.assertIn(f"return {m}turned<1>({m}turned<1>({m}binary<2, {m}LessEqual, {m}Less, "
+                      f"{m}Greater>(a , {m}constant<4>(kMost)) ) && {m}turned<1>( "
+                      f"{m}negation<6>(on)));", text)
+        self.assertIn("static_assert(kMost == 8);\nbool any", text)
+        self.assertIn("int held[kMost + 1] = {};", text)
+        self.assertIn("// + 1 in a comment", text)
+
+
+if __name__ == "__main__":
+    unittest.main()

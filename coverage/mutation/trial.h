@@ -1,0 +1,31 @@
+// One mutant's trial: a process of its own, in which the items run until one is broken.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "coverage/mutation/items.h"
+
+namespace selvage::mutation {
+
+struct Mutant {
+  int number = 0, site = 0;  // site: the number of its first alternative
+};
+
+struct Outcome {
+  // killed, crashed, hung, survived; "not reached": no item runs its site; "does not apply": the
+  // operands' types lack the operator
+  std::string what;
+  std::string killer{}, on{};  // of the last item that ran
+  size_t tried = 0;            // items
+};
+
+// Runs every item once with no mutant, noting what it reaches and costs. Names those that are
+// broken although nothing is mutated.
+[[nodiscard]] std::vector<std::string> record(std::vector<Item>* items, double most_s);
+
+// The items after record().
+[[nodiscard]] Outcome try_mutant(const Mutant& mutant, const std::vector<Item>& items);
+
+}  // namespace selvage::mutation

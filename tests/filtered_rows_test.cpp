@@ -1,0 +1,72 @@
+// Filtered rows that are longer than the pieces they are drawn in, and that leave the texture on
+// both sides: against the model, pixel for pixel.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <tuple>
+
+#include "spec/picture.h"
+
+namespace selvage {
+namespace {
+
+using spec::Case;
+
+inline constexpr int32_t kWidth_px = 301, kHeight_px = 1;  // two pieces, the last of odd length
+
+// u runs over the texture and beyond it on both sides, `texels_per_px` a pixel; q goes
+// from `far` to the greatest.
+[[nodiscard]] Case row(selvage_filter filter, selvage_address address, int32_t texels_per_px,
+                       int32_t far) {
+  Case c;
+  c.filter = filter;
+  c.address = address;
+  c.target_width_px = kWidth_px;
+  c.target_height_px = kHeight_px;
+  c.texture_width_texel = 200 * texels_per_px - 23;
+  c.texture_height_texel = 5;
+  constexpr int32_t kRight = kWidth_px * SELVAGE_SUBPIXELS - 77;
+  const int32_t left_u = -60 * texels_per_px * SELVAGE_SUBTEXELS;
+  const int32_t right_u = left_u + kWidth_px * texels_per_px * SELVAGE_SUBTEXELS + 12345;
+  c.vertices = {{0, -40, left_u, -70000, far},
+                {kRight, -90, right_u, 90000, SELVAGE_Q_MAX},
+                {kRight, 600, right_u, 180000, SELVAGE_Q_MAX},
+                {0, 600, left_u, 260000, far}};
+  return c;
+}
+
+using Parameters = std::tuple<selvage_filter, selvage_address, int32_t, int32_t, selvage_kernel>;
+class FilteredRows : public testing::TestWithParam<Parameters> {};
+
+TEST_P(FilteredRows, AreTheModels) {
+  const auto [filter, address, texels_per_px, far, kernel] = GetParam();
+  const Case c = row(filter, address, texels_per_px, far);
+  spec::Subject subject = spec::built_in();
+  subject.draw = [kernel = kernel](const selvage_image* target, const selvage_rect* clip,
+                                   const selvage_vertex* vertices, size_t count,
+                                   const selvage_texture* texture, const selvage_options* options) {
+    selvage_options by_kernel = *options;
+    by_kernel.kernel = kernel;
+    by_kernel.tolerance = SELVAGE_SUBTEXELS;  // filters are exact whatever the tolerance
+    return selvage_draw(target, clip, vertices, count, texture, &by_kernel);
+  };
+  const spec::Picture drawn = spec::draw(subject, c), model = spec::expected(c);
+  ASSERT_EQ(drawn.status, SELVAGE_OK);
+  EXPECT_EQ(drawn.memory_fault, "");
+  for (int32_t y = 0; y < kHeight_px; ++y) {
+    for (int32_t x = 0; x < kWidth_px; ++x) {
+      ASSERT_EQ(drawn.at(x, y), model.at(x, y)) << "pixel " << x << ", " << y;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , FilteredRows,
+    testing::Combine(testing::Values(SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR,
+                                     SELVAGE_FILTER_AREA),
+                     testing::Values(SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP),
+                     testing::Values(1, 7), testing::Values(SELVAGE_Q_MAX, 1 << 22, 1),
+                     testing::Values(SELVAGE_KERNEL_SCALAR, SELVAGE_KERNEL_FASTEST)));
+
+}  // namespace
+}  // namespace selvage
