@@ -137,8 +137,28 @@ std::string TexelRange::text() const {
   return std::to_string(first) + " .. " + std::to_string(last);
 }
 
+double distance_to_texel(const Rational& exact, int32_t texel, int32_t size,
+                         selvage_address address) {
+  const int32_t at = floor(exact);
+  int64_t nearest = texel;
+  if (address == SELVAGE_ADDRESS_WRAP) {
+    const int64_t above_before = address_texel(at - texel, size, SELVAGE_ADDRESS_WRAP);
+    nearest = at - above_before + (2 * above_before > size ? size : 0);
+  } else if ((texel == 0 && at <= 0) || (texel == size - 1 && at >= texel)) {
+    return 0;
+  }
+  if (at == nearest) return 0;
+  const double u = exact.get_d();
+  return static_cast<double>(at < nearest ? nearest : nearest + 1) - u;
+}
+
+void add(std::optional<Margin>* nearest, const std::optional<Margin>& other) {
+  if (other && (!*nearest || other->share() > (*nearest)->share())) *nearest = other;
+}
+
 bool add(Judgement* total, Judgement part) {
   total->judged_px += part.judged_px;
+  add(&total->margin, part.margin);
   if (!total->violation) total->violation = std::move(part.violation);
   return total->violation.has_value();
 }

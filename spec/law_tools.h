@@ -97,7 +97,15 @@ struct TexelRange {
   [[nodiscard]] std::string text() const;
 };
 
-// Adds up the pixels and keeps the first violation; true if there is one.
+// How far the texels that address to `texel` of `size` are from an exact coordinate, in texels:
+// positive where the nearest lies above it, negative where below, 0 where it holds it.
+[[nodiscard]] double distance_to_texel(const Rational& exact, int32_t texel, int32_t size,
+                                       selvage_address address);
+
+// Keeps the margin that is nearer to its bound.
+void add(std::optional<Margin>* nearest, const std::optional<Margin>& other);
+
+// Adds up the pixels and keeps the first violation and the nearest margin; true if there is one.
 bool add(Judgement* total, Judgement part);
 
 }  // namespace selvage::spec

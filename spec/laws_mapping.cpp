@@ -1,6 +1,7 @@
 // Laws of the mapping: VERT, MAP, GAMUT, IDENTITY.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -101,7 +102,7 @@ Judgement check_vert(const Subject& subject, const Case& any) {
       const auto outline = turned(*side, quarters);
       if (!outline) continue;
       Case shown = with_vertices(c, *outline);
-      make_visible(profile_of(c), &shown.vertices);
+      make_visible(profile_of(c), subject.claims, &shown.vertices);
       if (add(&judgement, judge_outline(subject, shown))) return judgement;
     }
   }
@@ -128,6 +129,26 @@ namespace {
   return {floor(exact - below + rounding), floor(exact + above + rounding), size_texel, c.address};
 }
 
+// How far from the exact coordinate a texel's own ones are, of how far they may be.
+[[nodiscard]] std::optional<Margin> margin_along(const Rational& exact, const Rational& below,
+                                                 const Rational& above, int32_t texel, int32_t size,
+                                                 const Case& c) {
+  Rational rounding(profile_of(c).rounding_fx16, SELVAGE_SUBTEXELS);
+  rounding.canonicalize();
+  const double distance = distance_to_texel(exact + rounding, texel, size, c.address);
+  const double bound = (distance > 0 ? above : below).get_d();
+  if (bound <= 0) return std::nullopt;
+  return Margin{std::abs(distance), bound};
+}
+
+[[nodiscard]] std::optional<Margin> margin_of(const Reach& point, Texel texel, const Case& c) {
+  std::optional<Margin> nearest =
+      margin_along(point.u, point.u_below, point.u_above, texel.s, c.texture_width_texel, c);
+  add(&nearest,
+      margin_along(point.v, point.v_below, point.v_above, texel.t, c.texture_height_texel, c));
+  return nearest;
+}
+
 [[nodiscard]] Judgement judge_within_reach(const Subject& subject, const Case& c) {
   const Picture drawn = draw(subject, c);
   Judgement judgement;
@@ -144,7 +165,10 @@ namespace {
       const TexelRange t =
           range_of(point->v, point->v_below, point->v_above, c, c.texture_height_texel);
       const int32_t mask = texel_mask(c.format);
-      if (s.holds_bits(texel.s, mask) && t.holds_bits(texel.t, mask)) continue;
+      if (s.holds_bits(texel.s, mask) && t.holds_bits(texel.t, mask)) {
+        if (read_texel(c, *pixel)) add(&judgement.margin, margin_of(*point, texel, c));
+        continue;
+      }
       judgement.violation =
           violation_at("MAP", "a texel lies within the derived bound of its exact (u, v)", c, x, y,
                        "columns " + s.text() + ", rows " + t.text() + ", addressed", pixel);
