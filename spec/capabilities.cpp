@@ -36,6 +36,7 @@ using Outline = std::vector<selvage_vertex>;
   };
   outline.erase(std::unique(outline.begin(), outline.end(), same_place), outline.end());
   while (outline.size() > 1 && same_place(outline.front(), outline.back())) outline.pop_back();
+  if (outline.size() < 3) return true;
   bool left = false, right = false;
   for (size_t i = 0; i < outline.size(); ++i) {
     const selvage_vertex& at = outline[i];
@@ -90,7 +91,8 @@ void take_outline(const Capabilities& claims, Case* c) {
   const auto most = static_cast<size_t>(claims.most_vertices);
   if (c->vertices.size() > most || (wants_convex(claims) && !is_convex(*c))) {
     Outline hull = convex_hull(c->vertices);
-    c->vertices = thinned(hull.size() >= 3 ? hull : c->vertices, most);
+    while (hull.size() < 3) hull.push_back(hull.back());  // a line, there and back
+    c->vertices = thinned(hull, most);
   }
   if (!claims.perspective) {
     for (selvage_vertex& v : c->vertices) v.q = c->vertices.front().q;

@@ -66,8 +66,12 @@ void add_claims(CLI::App& verify, VerifyOptions& options) {
         ->group(kClaims);
   };
   const auto add_flag = [&](const char* name, std::optional<bool>& value, const char* what) {
-    const std::string both = "--" + std::string(name) + ",!--no-" + std::string(name);
-    verify.add_flag(both, value, what)->group(kClaims);
+    const std::string yes = "--" + std::string(name), no = "--no-" + std::string(name);
+    verify
+        .add_flag_callback(
+            yes, [&value] { value = true; }, what + (" (or " + no + ")"))
+        ->group(kClaims);
+    verify.add_flag_callback(no, [&value] { value = false; })->group("");  // told with the other
   };
   add("--name", subject.name, "TEXT", "Its name in the verdict");
   add("--winding", subject.winding, "NAME", "both, clockwise or counter-clockwise");

@@ -136,8 +136,10 @@ void keep(Control& control, const std::string& library, int output, pid_t parent
   const DrawFunction draw = load(control, library);
   control.step = static_cast<uint32_t>(Step::kDone);
   set_state(control, State::kNoWorker);
-  for (State state = State::kNoWorker;; state = wait_while(control, state)) {
+  for (State state = State::kNoWorker;;) {
     if (state == State::kFork) fork_worker(control, draw);
+    state = static_cast<State>(control.state.load());  // which may be kFork again
+    if (state != State::kFork) state = wait_while(control, state);
   }
 }
 

@@ -77,7 +77,7 @@ template <class Structure>
 }
 
 [[nodiscard]] std::string relation(uintptr_t address, const Range& range, const std::string& name) {
-  if (range.is_empty()) return "the " + name + ", which is to be refused";
+  if (range.is_empty()) return "through the " + name + ", which is to be refused";
   if (address == range.end) return "just after the end of the " + name;
   if (address > range.end) {
     return number_of_bytes(address - range.end) + " after the end of the " + name;
@@ -85,7 +85,7 @@ template <class Structure>
   if (address < range.begin) {
     return number_of_bytes(range.begin - address) + " before the start of the " + name;
   }
-  return "the " + name;
+  return "in the " + name;
 }
 
 }  // namespace
@@ -149,7 +149,7 @@ std::string Placement::place_of(uintptr_t address) const {
     if (target_.from.is_empty()) return where;
     const auto offset = static_cast<intptr_t>(address - target_.moved(call_.target->pixels));
     return where + ", where pixel " + pixel_at(offset, call_.target->pitch, call_.target->format) +
-           " would be";
+           (target_.range().holds(address) ? " is" : " would be");
   }
   if (arenas_.texture.guarded().holds(address)) {
     const std::string where = relation(address, texture_.range(), "texture");
@@ -161,7 +161,7 @@ std::string Placement::place_of(uintptr_t address) const {
     return relation(address, vertices_.range(), "vertices");
   }
   if (arenas_.structures.guarded().holds(address)) {
-    return "the structures that hold its arguments";
+    return "in the structures that hold its arguments";
   }
   return {};
 }
