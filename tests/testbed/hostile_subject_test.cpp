@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"divides", "divided by zero, or alike (SIGFPE)"},
         Hostile{"aborts", "aborted (SIGABRT)"}, Hostile{"exits", "exited with status 3"},
         Hostile{"throws", "threw an exception through the C interface"}),
-    [](const auto& info) { return std::string(info.param.library); });
+    [](const auto& test) { return std::string(test.param.library); });
 
 TEST(HostileSubjectThatHangs, TakesItsTimeAndNoMore) {
   const spec::Subject subject = Host::subject(host_of("hangs", std::chrono::milliseconds(200)));
