@@ -1,7 +1,6 @@
 // Laws of the mapping: VERT, MAP, GAMUT, IDENTITY.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -129,23 +128,13 @@ namespace {
   return {floor(exact - below + rounding), floor(exact + above + rounding), size_texel, c.address};
 }
 
-// How far from the exact coordinate a texel's own ones are, of how far they may be.
-[[nodiscard]] std::optional<Margin> margin_along(const Rational& exact, const Rational& below,
-                                                 const Rational& above, int32_t texel, int32_t size,
-                                                 const Case& c) {
+[[nodiscard]] std::optional<Margin> margin_of(const Reach& point, Texel texel, const Case& c) {
   Rational rounding(profile_of(c).rounding_fx16, SELVAGE_SUBTEXELS);
   rounding.canonicalize();
-  const double distance = distance_to_texel(exact + rounding, texel, size, c.address);
-  const double bound = (distance > 0 ? above : below).get_d();
-  if (bound <= 0) return std::nullopt;
-  return Margin{std::abs(distance), bound};
-}
-
-[[nodiscard]] std::optional<Margin> margin_of(const Reach& point, Texel texel, const Case& c) {
-  std::optional<Margin> nearest =
-      margin_along(point.u, point.u_below, point.u_above, texel.s, c.texture_width_texel, c);
-  add(&nearest,
-      margin_along(point.v, point.v_below, point.v_above, texel.t, c.texture_height_texel, c));
+  std::optional<Margin> nearest = margin_along({point.u + rounding, point.u_below, point.u_above},
+                                               texel.s, c.texture_width_texel, c.address);
+  add(&nearest, margin_along({point.v + rounding, point.v_below, point.v_above}, texel.t,
+                             c.texture_height_texel, c.address));
   return nearest;
 }
 

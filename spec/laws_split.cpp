@@ -75,11 +75,11 @@ Judgement check_split(const Subject& subject, const Case& c) {
   std::vector<selvage_vertex> one(outline.begin(), middle + 1), other(middle, outline.end());
   other.push_back(outline.front());
 
-  const Case whole_case = with_vertices(
-      c, outline.size() > static_cast<size_t>(subject.claims.most_vertices) ? triangle : outline);
+  const bool is_too_much = outline.size() > static_cast<size_t>(subject.claims.most_vertices);
+  const Case whole_case = visible(subject, with_vertices(c, is_too_much ? triangle : outline));
   const Picture whole = draw(subject, whole_case);
-  const Picture a = draw(subject, with_vertices(c, one));
-  const Picture b = draw(subject, with_vertices(c, other));
+  const Picture a = draw(subject, visible(subject, with_vertices(c, one)));
+  const Picture b = draw(subject, visible(subject, with_vertices(c, other)));
   Picture parts = a;
   for (size_t i = 0; i < parts.pixels.size(); ++i) {
     if (b.pixels[i]) parts.pixels[i] = b.pixels[i];

@@ -2,7 +2,6 @@
 // within the tolerance.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -177,12 +176,13 @@ class TolerantCase {
     return judgement;
   }
 
-  [[nodiscard]] Margin margin_of(const Sample& exact, Texel texel, const Rational& allowed) const {
-    const double along_u =
-        distance_to_texel(exact.u, texel.s, case_.texture_width_texel, case_.address);
-    const double along_v =
-        distance_to_texel(exact.v, texel.t, case_.texture_height_texel, case_.address);
-    return {std::max(std::abs(along_u), std::abs(along_v)), allowed.get_d()};
+  [[nodiscard]] std::optional<Margin> margin_of(const Sample& exact, Texel texel,
+                                                const Rational& allowed) const {
+    std::optional<Margin> nearest = margin_along({exact.u, allowed, allowed}, texel.s,
+                                                 case_.texture_width_texel, case_.address);
+    add(&nearest, margin_along({exact.v, allowed, allowed}, texel.t, case_.texture_height_texel,
+                               case_.address));
+    return nearest;
   }
 
   [[nodiscard]] Judgement blame(Judgement judgement, const std::string& fault,
