@@ -44,7 +44,7 @@ TEST(Capabilities, HoldEveryCaseThatIsBroughtWithinThem) {
       const Case c = generate(seed, SELVAGE_PROFILE_EXACT);
       const Case taken = within(claims, c);
       EXPECT_EQ(beyond(claims, taken), std::nullopt) << print(c) << print(taken);
-      if (!beyond(claims, c) && is_valid(c)) EXPECT_EQ(taken, c) << print(c);
+      EXPECT_TRUE(beyond(claims, c) || !is_valid(c) || taken == c) << print(c);
       changed += taken == c ? 0 : 1;
     }
     EXPECT_GT(changed, 50);

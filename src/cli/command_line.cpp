@@ -27,6 +27,7 @@ constexpr const char* kProgramExamples = R"(Examples:
   selvage draw --texture earth.jpg --polygon '10,10,0,0 200,20,640,0 190,180,640,480' \
                --size 256x192 -o out.png
   selvage verify --cases 1000
+  selvage verify --subject ./theirs.so
   selvage stability --list
   selvage bench --filter '^W1/'
   selvage laws

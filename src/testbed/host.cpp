@@ -113,9 +113,13 @@ Host::Host(const std::filesystem::path& library, std::chrono::nanoseconds call_l
   if (!std::filesystem::is_regular_file(library, error)) {
     throw cannot_use(name_, "there is no such file");
   }
-  Control& control = keeper_->control;
-  keeper_->start(std::filesystem::absolute(library).string());
-  const State state = keeper_->next(State::kLoading, call_limit);
+  load();
+}
+
+void Host::load() {
+  Control& control = *new (&keeper_->control) Control;
+  keeper_->start(std::filesystem::absolute(name_).string());
+  const State state = keeper_->next(State::kLoading, call_limit_);
   if (state == State::kNoWorker) return;
   if (state == State::kRefused) throw cannot_use(name_, control.refusal.data());
   const bool is_described = static_cast<Step>(control.step.load()) == Step::kDescribe;
@@ -140,17 +144,21 @@ selvage_status Host::draw(const selvage_image* target, const selvage_rect* clip,
   control.call = placement.copy_in();
   set_state(control, State::kCall);
   State state = keeper_->next(State::kCall, call_limit_);
-  const bool hung = state == State::kCall;
+  const bool is_held = keeper_->is_alive();
+  const bool hung = is_held && state == State::kCall;
   if (hung) {
     keeper_->end_worker();
     state = keeper_->next(State::kCall, kForkLimit);
     if (state == State::kIdle) state = keeper_->next(State::kIdle, kForkLimit);  // a tie
   }
   placement.copy_out();
-  if (hung && state == State::kGone) throw spec::SubjectFailure{describe_hang(call_limit_), true};
-  if (state == State::kIdle) return control.status;
+  if (!is_held) {
+    load();
+    throw spec::SubjectFailure{"ended the process that holds it"};
+  }
+  if (hung) throw spec::SubjectFailure{describe_hang(call_limit_), true};
   if (state == State::kGone) throw spec::SubjectFailure{describe_end(control, placement)};
-  throw LibraryError("the process that holds '" + name_ + "' has ended");
+  return control.status;
 }
 
 spec::Subject Host::subject(const std::shared_ptr<Host>& host) {

@@ -46,6 +46,8 @@ class Host {
 
  private:
   struct Keeper;
+  void load();  // in a process of its own; throws LibraryError
+
   std::unique_ptr<Keeper> keeper_;
   std::string name_;
   std::chrono::nanoseconds call_limit_;
