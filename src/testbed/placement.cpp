@@ -21,11 +21,14 @@ inline constexpr size_t kGreatestUnit = 4;
 [[nodiscard]] Range rows_of(const void* pixels, int32_t width, int32_t height, ptrdiff_t pitch,
                             selvage_format format, size_t most_bytes) {
   const Range none{address_of(pixels), address_of(pixels)};
-  if (pixels == nullptr || width < 1 || height < 1 || pitch == PTRDIFF_MIN) return none;
+  const bool is_known = SELVAGE_INDEX8 <= format && format <= SELVAGE_RGBA8888;
+  if (pixels == nullptr || !is_known || width < 1 || height < 1 || pitch == PTRDIFF_MIN) {
+    return none;
+  }
   const size_t row = static_cast<size_t>(width) * bytes_per_pixel(format);
   const auto stride = static_cast<size_t>(pitch < 0 ? -pitch : pitch);
   const size_t steps = static_cast<size_t>(height) - 1;
-  if (row > stride || row > most_bytes) return none;
+  if (row > stride || row > most_bytes || stride % bytes_per_pixel(format) != 0) return none;
   if (steps > 0 && stride > (most_bytes - row) / steps) return none;
   const uintptr_t begin = none.begin - (pitch < 0 ? steps * stride : 0);
   return {begin, begin + steps * stride + row};

@@ -76,6 +76,14 @@ TEST_F(PlacementTest, OfBadArgumentsTouchesNothing) {
   EXPECT_EQ(reinterpret_cast<uintptr_t>(call.target->pixels), arenas_.target.range().end);
   EXPECT_EQ(placed(true).place_of(arenas_.target.range().end),
             "through the target, which is to be refused");
+  target_.width = 2;
+  target_.pitch = 33;  // splits a pixel
+  EXPECT_EQ(reinterpret_cast<uintptr_t>(placed(true).copy_in().target->pixels),
+            arenas_.target.range().end);
+  target_.pitch = 32;
+  target_.format = 77;  // who knows how many bytes there are
+  EXPECT_EQ(reinterpret_cast<uintptr_t>(placed(true).copy_in().target->pixels),
+            arenas_.target.range().end);
   target_.pixels = nullptr;
   EXPECT_EQ(placed(true).copy_in().target->pixels, nullptr);
 }
