@@ -61,7 +61,8 @@ void draw_once(Control& control, DrawFunction draw) {
 void work(Control& control, DrawFunction draw) {
   noted_in = &control;
   const pid_t self = getpid();
-  control.stack = reinterpret_cast<uintptr_t>(&self);
+  // A local variable may lie elsewhere, under a sanitizer.
+  control.stack = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
   catch_faults();
   State state = State::kIdle;
   for (set_state(control, state);; state = wait_while(control, state)) {
