@@ -76,7 +76,8 @@ void add_claims(CLI::App& verify, VerifyOptions& options) {
   add("--name", subject.name, "TEXT", "Its name in the verdict");
   add("--winding", subject.winding, "NAME", "both, clockwise or counter-clockwise");
   add_list("--formats", subject.formats, "Of index8, rgb565, rgba8888");
-  add_list("--filters", subject.filters, "Of nearest (always), four, bilinear, area; others must be refused");
+  add_list("--filters", subject.filters,
+           "Of nearest (always), four, bilinear, area; others must be refused");
   add_list("--addresses", subject.addresses, "Of clamp, wrap");
   add_flag("perspective", subject.perspective, "Whether q may differ");
   add_flag("clip", subject.clip, "Whether it takes a clip rectangle");
