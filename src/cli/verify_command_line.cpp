@@ -25,8 +25,9 @@ is reported as a violation. What it claims, it says by selvage_subject.h, or the
 )";
 
 constexpr const char* kMergeExamples = R"(Examples:
-  for i in 1 2 3 4; do selvage verify --seed 1 --cases 4000 --shard $i/4 --json >$i.json; done
   selvage merge 1.json 2.json 3.json 4.json --junit verdict.xml
+of the shards that this has made:
+  for i in 1 2 3 4; do selvage verify --seed 1 --cases 4000 --shard $i/4 --json >$i.json; done
 
 All shards of one run are needed. The verdict is that of the run in one piece, its times are summed.
 )";
