@@ -32,14 +32,14 @@ void spoil_options(Calls* calls) {
 }
 
 // Filters that mix texels: what has colours can be mixed, in the exact profile.
-void choose_filters(Calls* calls, const Case& c, bool nearest_only) {
-  const selvage_status wanted = nearest_only                         ? SELVAGE_ERROR_FILTER
-                                : c.profile != SELVAGE_PROFILE_EXACT ? SELVAGE_ERROR_FILTER_PROFILE
-                                : c.format != SELVAGE_RGBA8888       ? SELVAGE_ERROR_FILTER_FORMAT
-                                                                     : SELVAGE_OK;
+void choose_filters(Calls* calls, const Case& c, ValueSet claimed) {
+  const selvage_status allowed = c.profile != SELVAGE_PROFILE_EXACT ? SELVAGE_ERROR_FILTER_PROFILE
+                                 : c.format != SELVAGE_RGBA8888     ? SELVAGE_ERROR_FILTER_FORMAT
+                                                                    : SELVAGE_OK;
   for (const selvage_filter filter :
        {SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR, SELVAGE_FILTER_AREA}) {
-    calls->push_back({"filter " + std::to_string(filter), wanted,
+    calls->push_back({"filter " + std::to_string(filter),
+                      holds(claimed, filter) ? allowed : SELVAGE_ERROR_FILTER,
                       [=](Arguments& a) { a.options.filter = filter; }});
   }
 }
@@ -99,7 +99,7 @@ void spoil_images(Calls* calls, selvage_format format) {
       format, [](Arguments& a) -> selvage_texture& { return a.texture; });
 }
 
-void spoil_pointers(Calls* calls, selvage_format format) {
+void spoil_pointers(Calls* calls, selvage_format format, const Capabilities& claims) {
   const auto add = [&](std::string what, selvage_status wanted, auto spoil) {
     calls->push_back({std::move(what), wanted, spoil});
   };
@@ -120,12 +120,15 @@ void spoil_pointers(Calls* calls, selvage_format format) {
   add("vertices inside the target", SELVAGE_ERROR_OVERLAP, [](Arguments& a) {
     a.vertices_pointer = static_cast<const selvage_vertex*>(a.target.pixels);
   });
-  add("formats that differ", SELVAGE_ERROR_FORMAT_MISMATCH, [](Arguments& a) {
-    a.texture.format = a.texture.format == SELVAGE_INDEX8 ? SELVAGE_RGB565 : SELVAGE_INDEX8;
-    a.texture.width = a.texture.height = 1;
-    a.texture.pitch = 4;
-    a.texture.texels = &a.options;  // aligned for every format
-  });
+  // Which of two errors is named of a format that it does not draw is not claimed.
+  const bool all_formats = claims.formats == Capabilities{}.formats;
+  if (all_formats)
+    add("formats that differ", SELVAGE_ERROR_FORMAT_MISMATCH, [](Arguments& a) {
+      a.texture.format = a.texture.format == SELVAGE_INDEX8 ? SELVAGE_RGB565 : SELVAGE_INDEX8;
+      a.texture.width = a.texture.height = 1;
+      a.texture.pitch = 4;
+      a.texture.texels = &a.options;  // aligned for every format
+    });
   if (format == SELVAGE_INDEX8) return;
   add("misaligned pixels", SELVAGE_ERROR_TARGET_ALIGNMENT,
       [](Arguments& a) { a.target.pixels = static_cast<char*>(a.target.pixels) + 1; });
@@ -133,7 +136,7 @@ void spoil_pointers(Calls* calls, selvage_format format) {
       [](Arguments& a) { a.texture.texels = static_cast<const char*>(a.texture.texels) + 1; });
 }
 
-void spoil_vertices(Calls* calls, size_t index) {
+void spoil_vertices(Calls* calls, size_t index, const Capabilities& claims) {
   for (const size_t count : {size_t{0}, size_t{1}, size_t{2}}) {
     calls->push_back({"fewer than 3 vertices", SELVAGE_ERROR_VERTEX_COUNT,
                       [=](Arguments& a) { a.count = count; }});
@@ -148,6 +151,8 @@ void spoil_vertices(Calls* calls, size_t index) {
     calls->push_back(
         {"q out of range", SELVAGE_ERROR_VERTEX_Q, [=](Arguments& a) { a.vertices[index].q = q; }});
   }
+  // Who takes triangles or convex outlines alone says nothing of others.
+  if (!claims.concave || claims.most_vertices < 4) return;
   calls->push_back(
       {"an outline that goes down twice", SELVAGE_ERROR_NOT_MONOTONE, [](Arguments& a) {
          a.vertices = {
@@ -235,10 +240,10 @@ void leave_out(Calls* calls) {
 std::vector<HostileCall> hostile_calls(const Case& c, const Subject& subject) {
   std::vector<HostileCall> calls;
   spoil_options(&calls);
-  choose_filters(&calls, c, subject.nearest_only);
+  choose_filters(&calls, c, subject.claims.filters);
   spoil_images(&calls, c.format);
-  spoil_pointers(&calls, c.format);
-  spoil_vertices(&calls, c.choice % 3);
+  spoil_pointers(&calls, c.format, subject.claims);
+  spoil_vertices(&calls, c.choice % 3, subject.claims);
   if (profile_of(c).whole_px) spoil_wholeness(&calls, c.choice % 3);
   if (subject.prepare) spoil_preparation(&calls, c);
   share_memory(&calls);
@@ -263,11 +268,21 @@ HostileOutcome make(const Subject& subject, const Case& c, const HostileCall& ca
               .options_pointer = &a.options,
               .count = 3};
   make_acceptable(profile_of(c), a.vertices);
+  if (!subject.claims.perspective) {
+    for (selvage_vertex& v : a.vertices) v.q = 1;
+  }
+  make_visible(profile_of(c), subject.claims, &a.vertices);
+  if (!subject.claims.clip) a.clip_pointer = nullptr;
   a.vertices_pointer = a.vertices.data();
   call.spoil(a);
-  const selvage_status status = subject.draw(a.target_pointer, a.clip_pointer, a.vertices_pointer,
-                                             a.count, a.texture_pointer, a.options_pointer);
-  return {status, target == before};
+  try {
+    const selvage_status status = subject.draw(a.target_pointer, a.clip_pointer, a.vertices_pointer,
+                                               a.count, a.texture_pointer, a.options_pointer);
+    return {status, target == before};
+  } catch (SubjectFailure& failure) {
+    failure.call = call.what;
+    throw;
+  }
 }
 
 }  // namespace selvage::spec

@@ -37,6 +37,11 @@ Case with_vertices(const Case& c, std::vector<selvage_vertex> vertices) {
   return changed;
 }
 
+Case visible(const Subject& subject, Case c) {
+  make_visible(profile_of(c), subject.claims, &c.vertices);
+  return c;
+}
+
 std::optional<std::vector<selvage_vertex>> moved(std::span<const selvage_vertex> vertices,
                                                  int64_t dx_fx8, int64_t dy_fx8) {
   const auto in_range = [](int64_t fx8) { return SELVAGE_X_MIN <= fx8 && fx8 < SELVAGE_X_END; };
@@ -137,8 +142,36 @@ std::string TexelRange::text() const {
   return std::to_string(first) + " .. " + std::to_string(last);
 }
 
+std::optional<Margin> margin_along(const Reaching& reach, int32_t texel, int32_t size,
+                                   selvage_address address) {
+  const double u = reach.exact.get_d(), below = reach.below.get_d(), above = reach.above.get_d();
+  const int32_t at = floor(reach.exact);
+  const bool wraps = address == SELVAGE_ADDRESS_WRAP;
+  const bool is_beyond = (texel == 0 && at < 0) || (texel == size - 1 && at >= size);
+  // The texels at or before `at`, and after it, that address to this one.
+  const int64_t before = wraps ? int64_t{at} - address_texel(at - texel, size, address) : texel;
+  const int64_t after = wraps ? before + size : texel;
+  if (before == at || (!wraps && is_beyond)) {
+    const double bound = std::max(below, above);
+    return bound > 0 ? std::optional(Margin{0, bound}) : std::nullopt;
+  }
+  std::optional<Margin> least;
+  const auto take = [&](double measured, double bound) {
+    const Margin margin{measured, bound};
+    if (bound > 0 && (!least || margin.share() < least->share())) least = margin;
+  };
+  if (before < at) take(u - static_cast<double>(before + 1), below);
+  if (after > at) take(static_cast<double>(after) - u, above);
+  return least;
+}
+
+void add(std::optional<Margin>* nearest, const std::optional<Margin>& other) {
+  if (other && (!*nearest || other->share() > (*nearest)->share())) *nearest = other;
+}
+
 bool add(Judgement* total, Judgement part) {
   total->judged_px += part.judged_px;
+  add(&total->margin, part.margin);
   if (!total->violation) total->violation = std::move(part.violation);
   return total->violation.has_value();
 }

@@ -50,6 +50,9 @@ struct Pixel {
 // The case with its own outline made acceptable: for laws that make other outlines of it.
 [[nodiscard]] inline Case acceptable(const Case& c) { return with_vertices(c, c.vertices); }
 
+// The case with its outline the way round that its profile and the subject draw.
+[[nodiscard]] Case visible(const Subject& subject, Case c);
+
 // Moves by whole units; empty if a vertex would leave the accepted range.
 [[nodiscard]] std::optional<std::vector<selvage_vertex>> moved(
     std::span<const selvage_vertex> vertices, int64_t dx_fx8, int64_t dy_fx8);
@@ -97,7 +100,18 @@ struct TexelRange {
   [[nodiscard]] std::string text() const;
 };
 
-// Adds up the pixels and keeps the first violation; true if there is one.
+// How much of the reach [exact - below, exact + above] it takes to get to a texel that addresses to
+// `texel`: the least. Empty where there is no reach, or not there.
+struct Reaching {
+  Rational exact, below, above;
+};
+[[nodiscard]] std::optional<Margin> margin_along(const Reaching& reach, int32_t texel, int32_t size,
+                                                 selvage_address address);
+
+// Keeps the margin that is nearer to its bound.
+void add(std::optional<Margin>* nearest, const std::optional<Margin>& other);
+
+// Adds up the pixels and keeps the first violation and the nearest margin; true if there is one.
 bool add(Judgement* total, Judgement part);
 
 }  // namespace selvage::spec

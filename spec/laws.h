@@ -27,9 +27,18 @@ struct Violation {
   Case shown{};                  // the drawing in which it was seen, derived from the law's case
 };
 
+// How near a law with a bound came to it. Laws without one are exact.
+struct Margin {
+  double measured = 0, bound = 1;  // in the same unit
+
+  [[nodiscard]] double share() const { return measured / bound; }
+};
+
 struct Judgement {
   uint64_t judged_px = 0;  // pixels (for TOTAL: calls too) on which the law had its say
   std::optional<Violation> violation{};
+  std::optional<Margin> margin{};            // the one nearest to its bound
+  std::optional<std::string> not_claimed{};  // what the subject does not claim: nothing is judged
 };
 
 struct Law {

@@ -10,6 +10,8 @@
 namespace selvage::spec {
 namespace {
 
+inline constexpr int32_t kFineTexture_texel = 256;
+
 [[nodiscard]] Judgement judge_equal_q(const Subject& subject, const Case& c, Choices& choices) {
   Case one = c, other = c;
   const int32_t q = choices.pick(0, 3) == 0 ? SELVAGE_Q_MAX : choices.pick(2, SELVAGE_Q_MAX);
@@ -77,16 +79,17 @@ struct Interval {
   Case fine = with_vertices(with_nearest(c), {c.vertices[0], c.vertices[1], c.vertices[2]});
   fine.format = SELVAGE_RGBA8888;
   fine.has_clip = false;
-  fine.texture_width_texel = fine.texture_height_texel = 256;
+  fine.texture_width_texel = fine.texture_height_texel = kFineTexture_texel;
   for (selvage_vertex& v : fine.vertices) {
-    v.u &= 256 * SELVAGE_SUBTEXELS - 1;
-    v.v &= 256 * SELVAGE_SUBTEXELS - 1;
+    v.u &= kFineTexture_texel * SELVAGE_SUBTEXELS - 1;
+    v.v &= kFineTexture_texel * SELVAGE_SUBTEXELS - 1;
   }
   return fine;
 }
 
 [[nodiscard]] Judgement judge_cross_ratio(const Subject& subject, const Case& c) {
-  const Case fine = on_fine_texture(c);
+  Case fine = on_fine_texture(c);
+  make_visible(profile_of(c), subject.claims, &fine.vertices);
   const Picture picture = draw(subject, fine);
   std::vector<std::vector<Pixel>> rows(static_cast<size_t>(fine.target_height_px));
   std::vector<std::vector<Pixel>> columns(static_cast<size_t>(fine.target_width_px));
@@ -112,7 +115,9 @@ Judgement check_affine(const Subject& subject, const Case& c) {
   if (!is_valid(c)) return {};
   Choices choices(c.choice);
   Judgement judgement = judge_equal_q(subject, c, choices);
-  if (judgement.violation || profile_of(c).whole_px) return judgement;
+  const bool has_fine_texture = holds(subject.claims.formats, SELVAGE_RGBA8888) &&
+                                subject.claims.longest_side_texel >= kFineTexture_texel;
+  if (judgement.violation || profile_of(c).whole_px || !has_fine_texture) return judgement;
   add(&judgement, judge_cross_ratio(subject, c));
   return judgement;
 }

@@ -29,7 +29,7 @@ namespace {
     const int64_t area =
         doubled_area(position(corners[0]), position(corners[1]), position(corners[2]));
     const int sign = area >= 0 ? 1 : -1;
-    make_visible(profile_of(c), &tile_case.vertices);
+    make_visible(profile_of(c), subject.claims, &tile_case.vertices);
     const Picture tile = draw(subject, tile_case);
     for (size_t i = 0; i < counts.size(); ++i) counts[i] += tile.pixels[i] ? sign : 0;
   }

@@ -57,7 +57,7 @@ Judgement check_identity(const Subject& subject, const Case& any) {
   const Side rows = pick_side(profile, choices, c.target_height_px);
   const int32_t ds = choices.pick(-c.texture_width_texel, c.texture_width_texel + 1) % 1024;
   const int32_t dt = choices.pick(-c.texture_height_texel, c.texture_height_texel + 1) % 1024;
-  const Case shown = rectangle(c, columns, rows, ds, dt);
+  const Case shown = visible(subject, rectangle(c, columns, rows, ds, dt));
   const bool is_flat = rows.begin_fx8 == rows.end_fx8;
   return compare(
       "IDENTITY", "an axis-aligned one-to-one rectangle is a block copy", shown,

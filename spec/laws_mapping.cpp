@@ -101,7 +101,7 @@ Judgement check_vert(const Subject& subject, const Case& any) {
       const auto outline = turned(*side, quarters);
       if (!outline) continue;
       Case shown = with_vertices(c, *outline);
-      make_visible(profile_of(c), &shown.vertices);
+      make_visible(profile_of(c), subject.claims, &shown.vertices);
       if (add(&judgement, judge_outline(subject, shown))) return judgement;
     }
   }
@@ -128,6 +128,16 @@ namespace {
   return {floor(exact - below + rounding), floor(exact + above + rounding), size_texel, c.address};
 }
 
+[[nodiscard]] std::optional<Margin> margin_of(const Reach& point, Texel texel, const Case& c) {
+  Rational rounding(profile_of(c).rounding_fx16, SELVAGE_SUBTEXELS);
+  rounding.canonicalize();
+  std::optional<Margin> nearest = margin_along({point.u + rounding, point.u_below, point.u_above},
+                                               texel.s, c.texture_width_texel, c.address);
+  add(&nearest, margin_along({point.v + rounding, point.v_below, point.v_above}, texel.t,
+                             c.texture_height_texel, c.address));
+  return nearest;
+}
+
 [[nodiscard]] Judgement judge_within_reach(const Subject& subject, const Case& c) {
   const Picture drawn = draw(subject, c);
   Judgement judgement;
@@ -144,7 +154,10 @@ namespace {
       const TexelRange t =
           range_of(point->v, point->v_below, point->v_above, c, c.texture_height_texel);
       const int32_t mask = texel_mask(c.format);
-      if (s.holds_bits(texel.s, mask) && t.holds_bits(texel.t, mask)) continue;
+      if (s.holds_bits(texel.s, mask) && t.holds_bits(texel.t, mask)) {
+        if (read_texel(c, *pixel)) add(&judgement.margin, margin_of(*point, texel, c));
+        continue;
+      }
       judgement.violation =
           violation_at("MAP", "a texel lies within the derived bound of its exact (u, v)", c, x, y,
                        "columns " + s.text() + ", rows " + t.text() + ", addressed", pixel);

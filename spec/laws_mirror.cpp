@@ -32,7 +32,8 @@ struct Motion {
 }
 
 // Empty if a vertex would leave the accepted range.
-[[nodiscard]] std::optional<Case> moved_case(const Case& c, const Motion& motion) {
+[[nodiscard]] std::optional<Case> moved_case(const Capabilities& claims, const Case& c,
+                                             const Motion& motion) {
   Case to = c;
   // The last sample point takes the first one's place.
   const Point ends =
@@ -49,7 +50,7 @@ struct Motion {
     v.x = static_cast<int32_t>(x);
     v.y = static_cast<int32_t>(y);
   }
-  make_visible(profile_of(c), &to.vertices);
+  make_visible(profile_of(c), claims, &to.vertices);
   return to;
 }
 
@@ -64,7 +65,7 @@ struct Motion {
 }
 
 [[nodiscard]] Judgement judge_motion(const Subject& subject, const Case& c, const Motion& motion) {
-  const std::optional<Case> to = moved_case(c, motion);
+  const std::optional<Case> to = moved_case(subject.claims, c, motion);
   if (!to) return {};
   const Picture before = draw(subject, c);
   const Picture after = draw(subject, *to);
@@ -126,7 +127,7 @@ Judgement check_mirror(const Subject& subject, const Case& c) {
   const std::vector<selvage_vertex> hull = convex_hull(c.vertices);
   if (hull.size() < 3) return judgement;
   add(&judgement,
-      judge_motion(subject, with_vertices(c, hull),
+      judge_motion(subject, visible(subject, with_vertices(c, hull)),
                    {"a polygon turned by a quarter draws the turned picture", true, true, false}));
   return judgement;
 }

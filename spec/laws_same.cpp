@@ -50,9 +50,9 @@ class Scene {
 };
 
 // The case over more rows, so that there are tiles and bands to be cut.
-[[nodiscard]] Case heightened(const Case& c, Choices& choices) {
+[[nodiscard]] Case heightened(const Case& c, int32_t longest_side_px, Choices& choices) {
   Case high = c;
-  const int32_t most_px = std::min(kMaxTargetPx / c.target_width_px, 32000);
+  const int32_t most_px = std::min({kMaxTargetPx / c.target_width_px, 32000, longest_side_px});
   high.target_height_px = std::clamp(c.target_height_px + choices.pick(0, kMostRowsAdded),
                                      c.target_height_px, std::max(c.target_height_px, most_px));
   if (choices.pick(0, 2) == 0) high.clip.bottom = high.target_height_px;
@@ -81,13 +81,13 @@ class Scene {
   return outlines;
 }
 
-[[nodiscard]] Case scene_case(const Case& c) {
+[[nodiscard]] Case scene_case(const Subject& subject, const Case& c) {
   Choices choices(c.choice);
-  return heightened(c, choices);
+  return heightened(c, subject.claims.longest_side_px, choices);
 }
 
 Scene::Scene(const Subject& subject, const Case& c)
-    : case_(scene_case(c)),
+    : case_(scene_case(subject, c)),
       textures_{TextureMemory(subject, c, texture_of(c, false), kBackground),
                 TextureMemory(subject, c, texture_of(c, true), kBackground)} {
   Choices choices(c.choice + 1);
@@ -115,8 +115,9 @@ struct Drawn {
   const selvage_options options = scene.options(kernel);
   const auto textures = scene.textures();
   for (const selvage_polygon& p : scene.polygons(textures)) {
-    const selvage_status status =
-        subject.draw(&image, clip, p.vertices, p.count, p.texture, &options);
+    const selvage_status status = with_shown(scene.shown(), [&] {
+      return subject.draw(&image, clip, p.vertices, p.count, p.texture, &options);
+    });
     if (status != SELVAGE_OK) return status;
   }
   return SELVAGE_OK;
@@ -212,10 +213,12 @@ Judgement check_same(const Subject& subject, const Case& c) {
   Judgement judgement;
   if (!is_valid(c)) return judgement;
   if (add(&judgement, check_same_layouts(subject, c))) return judgement;
+  demand_claimed(subject, c);
   const Scene scene(subject, c);
   const Drawn in_turn = draw_in_turn(subject, scene);
   const std::string tiles = std::to_string(scene.count()) + " polygons, each drawn tile by tile";
-  if (add(&judgement, judge(scene, tiles, in_turn, draw_in_tiles(subject, scene)))) {
+  if (subject.claims.clip &&
+      add(&judgement, judge(scene, tiles, in_turn, draw_in_tiles(subject, scene)))) {
     return judgement;
   }
   for (const selvage_kernel kernel : kKernels) {

@@ -55,6 +55,12 @@ struct Chord {
   return Chord{hull, 2};
 }
 
+// Without the vertex that was put between corners 1 and 2, if there is one.
+[[nodiscard]] std::vector<selvage_vertex> corners_of(const std::vector<selvage_vertex>& outline) {
+  if (outline.size() != 4) return outline;
+  return {outline[0], outline[1], outline[3]};
+}
+
 }  // namespace
 
 Judgement check_split(const Subject& subject, const Case& c) {
@@ -64,14 +70,16 @@ Judgement check_split(const Subject& subject, const Case& c) {
   if (!chord) return {};
   std::vector<selvage_vertex>& outline = chord->outline;
   map_affinely(&outline, choices);
+  const std::vector<selvage_vertex> triangle = corners_of(outline);
   const auto middle = outline.begin() + static_cast<ptrdiff_t>(chord->end);
   std::vector<selvage_vertex> one(outline.begin(), middle + 1), other(middle, outline.end());
   other.push_back(outline.front());
 
-  const Case whole_case = with_vertices(c, outline);
+  const bool is_too_much = outline.size() > static_cast<size_t>(subject.claims.most_vertices);
+  const Case whole_case = visible(subject, with_vertices(c, is_too_much ? triangle : outline));
   const Picture whole = draw(subject, whole_case);
-  const Picture a = draw(subject, with_vertices(c, one));
-  const Picture b = draw(subject, with_vertices(c, other));
+  const Picture a = draw(subject, visible(subject, with_vertices(c, one)));
+  const Picture b = draw(subject, visible(subject, with_vertices(c, other)));
   Picture parts = a;
   for (size_t i = 0; i < parts.pixels.size(); ++i) {
     if (b.pixels[i]) parts.pixels[i] = b.pixels[i];

@@ -91,6 +91,7 @@ namespace {
 
 [[nodiscard]] Judgement judge_texture_shift(const Subject& subject, const Case& c,
                                             Choices& choices) {
+  if (!holds(subject.claims.addresses, SELVAGE_ADDRESS_WRAP)) return {};
   Case wrapped = with_nearest(c);
   wrapped.address = SELVAGE_ADDRESS_WRAP;
   const int32_t ds = choices.pick(-1100, 1101), dt = choices.pick(-1100, 1101);
@@ -113,6 +114,7 @@ namespace {
 // By whole periods of a texture that is repeated: the same picture, whatever the filter.
 [[nodiscard]] Judgement judge_period_shift(const Subject& subject, const Case& c,
                                            Choices& choices) {
+  if (!holds(subject.claims.addresses, SELVAGE_ADDRESS_WRAP)) return {};
   Case wrapped = c;
   wrapped.address = SELVAGE_ADDRESS_WRAP;
   const int32_t ds = choices.pick(-1100, 1101) / c.texture_width_texel * c.texture_width_texel;
@@ -149,7 +151,7 @@ Judgement check_order(const Subject& subject, const Case& c) {
   std::ranges::rotate(rotated.vertices, rotated.vertices.begin() + first);
   Judgement judgement = compare("ORDER", "which vertex comes first changes nothing", rotated,
                                 draw(subject, rotated), wanted);
-  if (judgement.violation) return judgement;
+  if (judgement.violation || subject.claims.winding != Winding::kBoth) return judgement;
   std::ranges::reverse(rotated.vertices);
   const Picture reversed = draw(subject, rotated);
   if (!profile_of(c).clockwise_only) {

@@ -19,7 +19,7 @@ constexpr std::string_view kLaw = "TOLERANCE";
 // Any tolerance may be asked for; beyond a few texels nothing new is drawn by it.
 inline constexpr int32_t kMostBits = 22;
 
-[[nodiscard]] Subject within(const Subject& subject, int32_t tolerance_fx16) {
+[[nodiscard]] Subject tolerating(const Subject& subject, int32_t tolerance_fx16) {
   Subject tolerant = subject;
   tolerant.draw = [draw = subject.draw, tolerance_fx16](
                       const selvage_image* target, const selvage_rect* clip,
@@ -117,7 +117,7 @@ class TolerantCase {
       : subject_(subject),
         case_(c),
         tolerance_fx16_(tolerance_fx16),
-        drawn_(draw(within(subject, tolerance_fx16), c)),
+        drawn_(draw(tolerating(subject, tolerance_fx16), c)),
         asked_(subject, c, tolerance_fx16) {}
 
   [[nodiscard]] Judgement judge() {
@@ -174,7 +174,12 @@ class TolerantCase {
       const TexelRange t = range(exact->v, case_.texture_height_texel);
       const Texel texel = texel_bits(case_.format, *pixel);
       ++judgement.judged_px;
-      if (s.holds_bits(texel.s, mask) && t.holds_bits(texel.t, mask)) continue;
+      if (s.holds_bits(texel.s, mask) && t.holds_bits(texel.t, mask)) {
+        if (allowed > 0 && read_texel(case_, *pixel)) {
+          add(&judgement.margin, margin_of(*exact, texel, allowed));
+        }
+        continue;
+      }
       judgement.violation = violation_at(
           kLaw,
           "within " + texels(tolerance_fx16_).get_str() + " texel, a texel lies within " +
@@ -183,6 +188,15 @@ class TolerantCase {
       return judgement;
     }
     return judgement;
+  }
+
+  [[nodiscard]] std::optional<Margin> margin_of(const Sample& exact, Texel texel,
+                                                const Rational& allowed) const {
+    std::optional<Margin> nearest = margin_along({exact.u, allowed, allowed}, texel.s,
+                                                 case_.texture_width_texel, case_.address);
+    add(&nearest, margin_along({exact.v, allowed, allowed}, texel.t, case_.texture_height_texel,
+                               case_.address));
+    return nearest;
   }
 
   [[nodiscard]] Judgement blame(Judgement judgement, const std::string& fault,
@@ -257,7 +271,7 @@ Judgement check_tolerance(const Subject& subject, const Case& any) {
   Judgement judgement;
   if (!is_valid(c) || c.profile != SELVAGE_PROFILE_EXACT) return judgement;
   Choices choices(c.choice);
-  for (const Case& shown : {c, made_wide(c, choices)}) {
+  for (const Case& shown : {c, within(subject.claims, made_wide(c, choices))}) {
     if (!is_valid(shown)) continue;
     const int32_t tolerance_fx16 = some_tolerance(shown, choices);
     if (add(&judgement, TolerantCase(subject, shown, tolerance_fx16).judge())) break;

@@ -180,6 +180,7 @@ inline constexpr int32_t kSideLimit = 32767;
 OracleTally ask_opencv(const Subject& subject, const Case& c) {
   if (c.vertices.size() < 3) return {};
   Case shown = with_vertices(c, {c.vertices[0], c.vertices[1], c.vertices[2]});
+  make_visible(profile_of(c), subject.claims, &shown.vertices);
   shown.has_clip = false;
   const int32_t largest_side = std::max(
       {c.target_width_px, c.target_height_px, c.texture_width_texel, c.texture_height_texel});

@@ -16,6 +16,10 @@ namespace {
 
 }  // namespace
 
+void demand_claimed(const Subject& subject, const Case& c) {
+  if (std::optional<std::string> what = beyond(subject.claims, c)) throw NotClaimed{*what};
+}
+
 Subject built_in(selvage_profile profile) {
   Subject subject;
   subject.name = "selvage " + std::string(selvage_version());

@@ -5,8 +5,10 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "selvage.h"
+#include "spec/capabilities.h"
 
 namespace selvage::spec {
 
@@ -29,10 +31,8 @@ struct Subject {
                                size_t, const selvage_texture*, const selvage_options*)>
       draw;
   selvage_profile profile = SELVAGE_PROFILE_EXACT;  // the one it is held to
-  // It has no other filter: verify() draws with nearest alone, and others must get
-  // SELVAGE_ERROR_FILTER.
-  bool nearest_only = false;
-  DrawMany draw_many{};  // may be empty: then nothing is said of it
+  Capabilities claims{};  // filters that it does not claim must get SELVAGE_ERROR_FILTER
+  DrawMany draw_many{};   // may be empty: then nothing is said of it
   // Lays textures out anew; without it, every layout of a case is rows as given.
   std::optional<Prepare> prepare{};
   // selvage_choose, if it has it: what it draws is then held to the bounds that it tells.
@@ -40,7 +40,38 @@ struct Subject {
                                size_t, const selvage_texture*, const selvage_options*,
                                selvage_choice*)>
       choose{};
+  // Called before each case that a law is checked on; may be empty. What changes from call to call
+  // starts anew, so that a case can be seen again.
+  std::function<void()> begin_case{};
 };
+
+// Thrown by a subject's draw where a call did not end as calls do: a crash, a hang, memory that was
+// not given to it. It is a violation of the law that is being checked.
+struct SubjectFailure {
+  std::string happened;         // "read the byte after the end of the texture", ...
+  bool hung = false;            // and so took all the time that a call has
+  std::string call{};           // which call it was, where the case alone does not tell
+  std::optional<Case> shown{};  // the drawing, once it is known
+};
+
+// Thrown by a drawing that is beyond what the subject claims: nothing was asked of it.
+struct NotClaimed {
+  std::string what;
+};
+
+// Throws NotClaimed where the case is beyond the subject's claims.
+void demand_claimed(const Subject& subject, const Case& c);
+
+// Calls `action`; a SubjectFailure that leaves it knows which drawing it was.
+template <typename Action>
+auto with_shown(const Case& c, Action&& action) {
+  try {
+    return std::forward<Action>(action)();
+  } catch (SubjectFailure& failure) {
+    if (!failure.shown) failure.shown = c;
+    throw;
+  }
+}
 
 // The mapper that this program is linked with.
 [[nodiscard]] Subject built_in(selvage_profile profile = SELVAGE_PROFILE_EXACT);

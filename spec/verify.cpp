@@ -5,11 +5,13 @@
 
 #include "spec/generate.h"
 #include "spec/generate_historic.h"
+#include "spec/law_tools.h"
 
 namespace selvage::spec {
 namespace {
 
 constexpr int kMaxShrinkingChecks = 4000;
+constexpr int kMaxShrinkingHangs = 4;  // each takes all the time that a call has
 constexpr uint64_t kProgressSteps = 100;
 
 // A case with the violation that was seen on it.
@@ -18,20 +20,50 @@ struct Failure {
   Violation violation;
 };
 
+// Such a call says nothing of a pixel: what should have held, and what happened.
+[[nodiscard]] Violation violation_by(const SubjectFailure& failure, const Law& law, const Case& c) {
+  return {.law = std::string(law.name),
+          .what = "a call ends, and touches nothing but what it was given" +
+                  (failure.call.empty() ? "" : ": " + failure.call),
+          .allowed = "a picture or a named error",
+          .drawn = "it " + failure.happened,
+          .shown = failure.shown.value_or(c)};
+}
+
+struct Outcome {
+  Judgement judgement;
+  bool hung = false;
+};
+
+[[nodiscard]] Outcome try_out(const Law& law, const Subject& subject, const Case& c) {
+  if (subject.begin_case) subject.begin_case();
+  Outcome outcome;
+  try {
+    outcome.judgement = law.check(subject, c);
+  } catch (const SubjectFailure& failure) {
+    outcome.judgement.violation = violation_by(failure, law, c);
+    outcome.hung = failure.hung;
+  } catch (const NotClaimed& not_claimed) {
+    outcome.judgement.not_claimed = not_claimed.what;
+  }
+  return outcome;
+}
+
 // Steps to a simpler case that fails as well, until there is none or the checks are used up. After
 // a step it goes on where that step was found: what was tried before it is likely to pass again.
 [[nodiscard]] Failure descend(const Law& law, const Subject& subject, Failure failure) {
-  int checks_left = kMaxShrinkingChecks;
+  int checks_left = kMaxShrinkingChecks, hangs_left = kMaxShrinkingHangs;
   size_t place = 0;
   for (bool found = true; found;) {
     found = false;
     std::vector<Case> candidates = simpler(failure.on);
     for (size_t tried = 0; tried < candidates.size(); ++tried, ++place) {
-      if (checks_left-- == 0) return failure;
+      if (checks_left-- == 0 || hangs_left == 0) return failure;
       Case& candidate = candidates[place % candidates.size()];
-      Judgement judgement = law.check(subject, candidate);
-      if (!judgement.violation) continue;
-      failure = {std::move(candidate), std::move(*judgement.violation)};
+      Outcome outcome = try_out(law, subject, candidate);
+      if (outcome.hung) --hangs_left;
+      if (!outcome.judgement.violation) continue;
+      failure = {std::move(candidate), std::move(*outcome.judgement.violation)};
       found = true;
       break;
     }
@@ -41,26 +73,42 @@ struct Failure {
 
 }  // namespace
 
+Judgement judge(const Law& law, const Subject& subject, const Case& c) {
+  return try_out(law, subject, c).judgement;
+}
+
+void Verification::check(uint64_t first_seed, uint64_t number) {
+  if (verdict_.violation) return;
+  check(within(subject_.claims, generate(first_seed + number, subject_.profile)), number);
+}
+
+void Verification::check(const Case& c, uint64_t number) {
+  if (verdict_.violation) return;
+  Judgement judgement = judge(*verdict_.law, subject_, c);
+  ++verdict_.cases;
+  verdict_.judged_px += judgement.judged_px;
+  add(&verdict_.margin, judgement.margin);
+  if (judgement.not_claimed) ++verdict_.not_claimed[*judgement.not_claimed];
+  if (!judgement.violation) return;
+  Failure least = descend(*verdict_.law, subject_, {c, std::move(*judgement.violation)});
+  verdict_.failed_case = number;
+  verdict_.judged_px = judgement.judged_px;
+  verdict_.margin.reset();
+  verdict_.not_claimed.clear();
+  verdict_.violation = std::move(least.violation);
+  verdict_.counterexample = std::move(least.on);
+}
+
 LawVerdict verify(const Law& law, const Subject& subject, uint64_t first_seed, uint64_t case_count,
                   const std::function<void(uint64_t)>& progress) {
-  LawVerdict verdict;
-  verdict.law = &law;
   const uint64_t progress_every = std::max<uint64_t>(1, case_count / kProgressSteps);
-  while (verdict.cases < case_count) {
-    Case c = generate(first_seed + verdict.cases, subject.profile);
-    if (subject.nearest_only) c.filter = SELVAGE_FILTER_NEAREST;
-    Judgement judgement = law.check(subject, c);
-    ++verdict.cases;
-    verdict.judged_px += judgement.judged_px;
-    if (judgement.violation) {
-      Failure least = descend(law, subject, {std::move(c), std::move(*judgement.violation)});
-      verdict.violation = std::move(least.violation);
-      verdict.counterexample = std::move(least.on);
-      return verdict;
-    }
-    if (progress && verdict.cases % progress_every == 0) progress(verdict.cases);
+  Verification verification(law, subject);
+  for (uint64_t number = 0; number < case_count; ++number) {
+    verification.check(first_seed, number);
+    if (verification.verdict().violation) break;
+    if (progress && (number + 1) % progress_every == 0) progress(number + 1);
   }
-  return verdict;
+  return verification.verdict();
 }
 
 Case shrink(const Law& law, const Subject& subject, Case c) {

@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "spec/laws.h"
@@ -13,9 +15,34 @@ namespace selvage::spec {
 struct LawVerdict {
   const Law* law = nullptr;
   uint64_t cases = 0;
+  // In all cases; where one violates the law, in that one alone. So it does not depend on how the
+  // cases are shared out, nor do the two fields below, which are then empty.
   uint64_t judged_px = 0;
-  std::optional<Violation> violation;  // of the smallest case found
-  std::optional<Case> counterexample;  // the shrunk case that replays it
+  std::optional<Violation> violation{};  // of the smallest case found
+  std::optional<Case> counterexample{};  // the shrunk case that replays it
+  uint64_t failed_case = 0;              // the number of the case that was shrunk; if violated
+  std::optional<Margin> margin{};        // of all cases, the nearest to the law's bound
+  std::map<std::string, uint64_t> not_claimed{};  // cases that were not judged, by what they want
+};
+
+// Checks a law on a case. What the subject fails by is a violation, what it does not claim is told.
+[[nodiscard]] Judgement judge(const Law& law, const Subject& subject, const Case& c);
+
+// One law being held against a subject, case by case. Nothing happens once it is violated.
+class Verification {
+ public:
+  Verification(const Law& law, const Subject& subject) : subject_(subject) { verdict_.law = &law; }
+
+  // Checks case `number` of a run: that of seed first_seed + number, as profile and claims of the
+  // subject take it.
+  void check(uint64_t first_seed, uint64_t number);
+  // Checks a given case, which counts as number `number`.
+  void check(const Case& c, uint64_t number);
+  [[nodiscard]] const LawVerdict& verdict() const { return verdict_; }
+
+ private:
+  const Subject& subject_;
+  LawVerdict verdict_;
 };
 
 // Checks one law on the cases of seeds first_seed, first_seed + 1, ..., as the subject's profile

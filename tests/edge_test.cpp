@@ -1,5 +1,7 @@
 #include "mapper/edge.h"
 
+#include "mapper/span_batch.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -94,7 +96,9 @@ TEST(Chain, WritesNoColumnBeyondTheLastRow) {
   for (int32_t rows = 1; rows <= polygon.bottom_row; ++rows) {
     Chain chain(polygon, Chain::Direction::kForward), walked(polygon, Chain::Direction::kForward);
     std::vector<int32_t> first_px(static_cast<size_t>(rows) + 1, kUntouched);
-    chain.columns(0, rows, first_px.data());
+    chain.for_each_line(0, rows, [&](const EdgeLine& line, int32_t count, int32_t first) {
+      kScalarRowKernel.find_columns(line, count, first_px.data() + first);
+    });
     for (int32_t row = 0; row < rows; ++row) {
       ASSERT_EQ(first_px[static_cast<size_t>(row)], walked.at_row(row).first_px()) << row;
     }

@@ -42,7 +42,7 @@ TEST(YourMapper, NeedsNoFilters) {
   };
   selvage::spec::Subject plain{"plain", draw_nearest};
   EXPECT_GT(broken_laws(plain), 0);
-  plain.nearest_only = true;
+  plain.claims.filters = selvage::spec::only(SELVAGE_FILTER_NEAREST);
   EXPECT_EQ(broken_laws(plain), 0);
 }
 

@@ -13,13 +13,11 @@
 #include "cli/laws_command.h"
 #include "cli/stability_command.h"
 #include "cli/verify_command.h"
+#include "cli/verify_command_line.h"
 #include "selvage.h"
 
 namespace selvage::cli {
 namespace {
-
-constexpr const char* kExitCodes =
-    "Exit codes: 0 fine; 1 a law failed; 2 wrong use, or a file that cannot be read or written.";
 
 constexpr const char* kStabilityExitCodes =
     "Exit codes: 0 fine; 1 a promise is broken: 'exact' differs from the model, or a texel lies\n"
@@ -29,6 +27,7 @@ constexpr const char* kProgramExamples = R"(Examples:
   selvage draw --texture earth.jpg --polygon '10,10,0,0 200,20,640,0 190,180,640,480' \
                --size 256x192 -o out.png
   selvage verify --cases 1000
+  selvage verify --subject ./theirs.so
   selvage stability --list
   selvage bench --filter '^W1/'
   selvage laws
@@ -58,17 +57,6 @@ A polygon file:
 or several, drawn in order: {"polygons": [{"vertices": ...}, ...]}. Only "vertices" is needed.
 )";
 
-constexpr const char* kVerifyExamples = R"(Examples:
-  selvage verify                               every law on 200 cases of a fresh seed
-  selvage verify --law MAP --law CLIP --cases 5000 --seed 7
-  selvage verify --profile abrash56            what the two-stage DDA of 1992 promises
-  selvage verify --law MAP --case 0200...      one case again, as a failure prints it
-  selvage verify --case-file crash-1f3a        the same from a fuzzer's raw bytes
-
-A law that found no pixel to judge has shown nothing and counts as failed; in a replay, only if no
-law found any.
-)";
-
 constexpr const char* kStabilityExamples = R"(Examples:
   selvage stability --list                     what there is to measure, and why it is hard
   selvage stability --family NAME --seed 1     one family, every arithmetic
@@ -82,7 +70,7 @@ constexpr const char* kLawsExamples = R"(Examples:
   selvage laws --json
 )";
 
-[[nodiscard]] std::string footer(const char* examples, const char* exit_codes = kExitCodes) {
+[[nodiscard]] std::string footer(const char* examples, const char* exit_codes = kUsualExitCodes) {
   return std::string(examples) + "\n" + exit_codes;
 }
 
@@ -134,42 +122,6 @@ CLI::App* add_draw(CLI::App& program, DrawOptions& options) {
   draw->add_flag("--json", options.json, "Print size, covered pixels, time and methods as JSON");
   draw->footer(footer(kDrawExamples));
   return draw;
-}
-
-CLI::App* add_verify(CLI::App& program, VerifyOptions& options) {
-  CLI::App* verify = program.add_subcommand("verify", "Hold the built-in mapper against the laws");
-  verify
-      ->add_option("--law", options.laws,
-                   "A law to check; all that the profile promises if left out. May be "
-                   "repeated")
-      ->type_name("NAME")
-      ->allow_extra_args(false);
-  CLI::Option* profile =
-      verify
-          ->add_option("--profile", options.profile,
-                       "The profile to hold it to: exact, abrash56, abrash57 or dkit")
-          ->type_name("NAME")
-          ->capture_default_str();
-  CLI::Option* cases = verify->add_option("--cases", options.cases, "Cases for each law")
-                           ->type_name("N")
-                           ->capture_default_str();
-  CLI::Option* seed =
-      verify->add_option("--seed", options.seed, "Seed of the first case; a fresh one if left out")
-          ->type_name("S");
-  CLI::Option* hex = verify->add_option("--case", options.case_hex, "Replay this one case")
-                         ->type_name("HEX")
-                         ->excludes(cases, seed, profile);
-  verify->add_option("--case-file", options.case_file, "Replay the case of these raw bytes")
-      ->type_name("FILE")
-      ->excludes(cases, seed, profile, hex);
-  verify
-      ->add_option("--picture", options.picture,
-                   "PNG for the counterexample (drawn | expected | difference); "
-                   "selvage-<law>.png if left out")
-      ->type_name("FILE");
-  verify->add_flag("--json", options.json, "Print the verdicts as JSON");
-  verify->footer(footer(kVerifyExamples));
-  return verify;
 }
 
 CLI::App* add_stability(CLI::App& program, StabilityOptions& options) {
@@ -226,9 +178,11 @@ int parse_and_run(std::vector<std::string> arguments, const spec::Subject& subje
   VerifyOptions verify_options;
   StabilityOptions stability_options;
   BenchOptions bench_options;
+  MergeOptions merge_options;
   bool laws_json = false;
   const CLI::App* draw = add_draw(program, draw_options);
   const CLI::App* verify = add_verify(program, verify_options);
+  const CLI::App* merge = add_merge(program, merge_options);
   const CLI::App* stability = add_stability(program, stability_options);
   const CLI::App* bench = add_bench(program, bench_options);
   add_laws(program, laws_json);
@@ -245,6 +199,7 @@ int parse_and_run(std::vector<std::string> arguments, const spec::Subject& subje
   refuse_empty_values(*program.get_subcommands().front());
   if (draw->parsed()) return run_draw(draw_options, console);
   if (verify->parsed()) return run_verify(verify_options, subject, console);
+  if (merge->parsed()) return run_merge(merge_options, console);
   if (stability->parsed()) return run_stability(stability_options, subject, console);
   if (bench->parsed()) return run_bench(bench_options, console);
   return run_laws(laws_json, console);

@@ -4,8 +4,25 @@
 #include "spec/filter_texture.h"
 
 namespace selvage::cli {
+namespace {
 
-Raster counterexample_picture(const spec::Subject& subject, const spec::Violation& violation) {
+// A call that fails has drawn what it had until then.
+[[nodiscard]] spec::Subject unfailing(const spec::Subject& subject) {
+  spec::Subject calm = subject;
+  calm.draw = [draw = subject.draw](auto... arguments) -> selvage_status {
+    try {
+      return draw(arguments...);
+    } catch (const spec::SubjectFailure&) {
+      return SELVAGE_OK;
+    }
+  };
+  return calm;
+}
+
+}  // namespace
+
+Raster counterexample_picture(const spec::Subject& judged, const spec::Violation& violation) {
+  const spec::Subject subject = unfailing(judged);
   const spec::Case& shown = violation.shown;
   // A mixed pixel tells no texel: these are shown with a texture of colours, that of law FILTER.
   const bool colours = shown.filter != SELVAGE_FILTER_NEAREST || violation.law == "FILTER";

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace selvage::cli {
@@ -25,5 +26,6 @@ void check_output(const std::filesystem::path& path);
 // Writes all bytes under a temporary name in the same directory, then renames: at every moment
 // `path` is what it was before or complete. On a failure the temporary is removed.
 void write_file(const std::filesystem::path& path, std::span<const uint8_t> bytes);
+void write_text_file(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace selvage::cli

@@ -2,21 +2,19 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 namespace selvage::cli {
 namespace {
 
-using nlohmann::ordered_json;
-
 [[nodiscard]] std::string row(std::string_view law, std::string_view verdict,
                               std::string_view cases, std::string_view judged,
-                              std::string_view time) {
+                              std::string_view margin, std::string_view time) {
   char line[160];
   const auto width = [](std::string_view text) { return static_cast<int>(text.size()); };
-  std::snprintf(line, sizeof line, "%-10.*s %-16.*s %10.*s %14.*s %10.*s\n", width(law), law.data(),
-                width(verdict), verdict.data(), width(cases), cases.data(), width(judged),
-                judged.data(), width(time), time.data());
+  std::snprintf(line, sizeof line, "%-10.*s %-16.*s %10.*s %14.*s %14.*s %10.*s\n", width(law),
+                law.data(), width(verdict), verdict.data(), width(cases), cases.data(),
+                width(judged), judged.data(), width(margin), margin.data(), width(time),
+                time.data());
   return line;
 }
 
@@ -28,20 +26,6 @@ using nlohmann::ordered_json;
 
 [[nodiscard]] std::string_view shown_outcome(const Verdict& verdict) {
   return verdict.found.violation ? "VIOLATED" : outcome(verdict);
-}
-
-[[nodiscard]] ordered_json violation_json(const Verdict& verdict) {
-  const spec::Violation& violation = *verdict.found.violation;
-  ordered_json values = {{"what", violation.what},   {"u_texel", violation.u},
-                         {"v_texel", violation.v},   {"allowed", violation.allowed},
-                         {"drawn", violation.drawn}, {"shown_case", spec::to_hex(violation.shown)}};
-  if (violation.x_px >= 0) values["pixel_px"] = {violation.x_px, violation.y_px};
-  if (verdict.found.counterexample) {
-    values["case"] = spec::to_hex(*verdict.found.counterexample);
-    values["replay"] = replay_line(verdict);
-  }
-  if (!verdict.picture.empty()) values["picture"] = verdict.picture;
-  return values;
 }
 
 }  // namespace
@@ -56,20 +40,32 @@ bool passed(const VerifyRun& run) {
     return [which](const Verdict& verdict) { return outcome(verdict) == which; };
   };
   if (std::any_of(run.verdicts.begin(), run.verdicts.end(), is("violated"))) return false;
+  if (run.shard.count > 1) return true;
   return run.replay ? std::any_of(run.verdicts.begin(), run.verdicts.end(), is("holds"))
                     : std::all_of(run.verdicts.begin(), run.verdicts.end(), is("holds"));
 }
 
-std::string replay_line(const Verdict& verdict) {
-  return "selvage verify --law " + std::string(verdict.found.law->name) + " --case " +
-         spec::to_hex(*verdict.found.counterexample);
+std::string replay_line(const VerifyRun& run, const Verdict& verdict) {
+  return "selvage verify" + run.arguments + " --law " + std::string(verdict.found.law->name) +
+         " --case " + spec::to_hex(*verdict.found.counterexample);
 }
 
-std::string table_header() { return row("law", "verdict", "cases", "pixels judged", "time"); }
+std::string margin_text(const Verdict& verdict) {
+  if (outcome(verdict) != "holds") return "";
+  if (!verdict.found.margin) return "0 wrong";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f of bound", verdict.found.margin->share());
+  return text;
+}
+
+std::string table_header() {
+  return row("law", "verdict", "cases", "pixels judged", "nearest", "time");
+}
 
 std::string table_row(const Verdict& verdict) {
   return row(verdict.found.law->name, shown_outcome(verdict), std::to_string(verdict.found.cases),
-             std::to_string(verdict.found.judged_px), seconds(verdict.time_ns));
+             std::to_string(verdict.found.judged_px), margin_text(verdict),
+             seconds(verdict.time_ns));
 }
 
 std::string table_summary(const VerifyRun& run) {
@@ -84,29 +80,35 @@ std::string table_summary(const VerifyRun& run) {
   if (const auto n = count("violated")) text += ", " + std::to_string(n) + " violated";
   if (const auto n = count("judged nothing")) {
     text += ", " + std::to_string(n) + " judged nothing";
-    text += run.replay ? " in this case" : ", which shows nothing and counts as a failure";
+    text += run.replay            ? " in this case"
+            : run.shard.count > 1 ? " in this shard"
+                                  : ", which shows nothing and counts as a failure";
   }
   text += ".\n";
-  for (const std::string& law : run.not_promised) text += "not promised: " + law + "\n";
+  for (const Verdict& verdict : run.verdicts) {
+    for (const auto& [what, cases] : verdict.found.not_claimed) {
+      text += "not claimed: " + std::string(verdict.found.law->name) + ": " +
+              std::to_string(cases) + " of " + std::to_string(verdict.found.cases) +
+              " cases: " + what + "\n";
+    }
+  }
+  for (const NotPromised& law : run.not_promised) {
+    text += "not promised: " + law.law + ": " + law.why + "\n";
+  }
   return text;
 }
 
-std::string verdict_json(const VerifyRun& run) {
-  ordered_json values = {
-      {"subject", run.subject}, {"profile", run.profile}, {"passed", passed(run)}};
-  if (!run.replay) values["seed"] = run.seed;
-  values["laws"] = ordered_json::array();
+std::string explanations(const VerifyRun& run) {
+  std::string text;
   for (const Verdict& verdict : run.verdicts) {
-    ordered_json law = {{"law", verdict.found.law->name},
-                        {"verdict", outcome(verdict)},
-                        {"cases", verdict.found.cases},
-                        {"judged_px", verdict.found.judged_px},
-                        {"time_ns", verdict.time_ns}};
-    if (verdict.found.violation) law["violation"] = violation_json(verdict);
-    values["laws"].push_back(std::move(law));
+    if (!verdict.found.violation) continue;
+    const std::string explanation = spec::explain(*verdict.found.violation);
+    text += "\n" + explanation + (explanation.ends_with('\n') ? "" : "\n");
+    text += "replay: " + replay_line(run, verdict) + "\n";
+    if (verdict.picture.empty()) continue;
+    text += "picture: " + verdict.picture + " (drawn | expected | difference)\n";
   }
-  if (!run.not_promised.empty()) values["not_promised"] = run.not_promised;
-  return values.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return text;
 }
 
 }  // namespace selvage::cli

@@ -1,4 +1,4 @@
-// What a run of `selvage verify` found out, as values for the table and for JSON.
+// What a run of `selvage verify` found out, as values for the table, for JSON and for JUnit.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,18 @@ namespace selvage::cli {
 struct Verdict {
   spec::LawVerdict found;
   int64_t time_ns = 0;
-  std::string picture;  // where the counterexample was drawn; empty if it was not
+  std::string picture{};     // where the counterexample was drawn; empty if it was not
+  bool from_corpus = false;  // it was known before
+};
+
+struct NotPromised {
+  std::string law, why;
+};
+
+// Part `index` of `count`, from 1 on.
+struct Shard {
+  uint64_t index = 1, count = 1;
+  friend bool operator==(const Shard&, const Shard&) = default;
 };
 
 struct VerifyRun {
@@ -22,24 +33,32 @@ struct VerifyRun {
   bool replay = false;  // one given case instead of generated ones
   uint64_t seed = 0;    // of the first case; meaningless in a replay
   std::vector<Verdict> verdicts;
-  std::vector<std::string> not_promised{};  // "LAW: why", of the laws that were left out for it
+  std::vector<NotPromised> not_promised{};  // the laws that were left out for it
   bool oracle_missing = false;              // this build has no ORACLE law
+  std::string arguments{};   // " --subject ./theirs.so ...": how the subject is told again
+  uint64_t cases = 0;        // asked for; 0 where a replay or a time was
+  uint64_t known_cases = 0;  // of the corpus, of this profile: tried before any other
+  Shard shard{};
 };
 
 // "holds", "violated", or "judged nothing": a law without a say has shown nothing.
 [[nodiscard]] std::string_view outcome(const Verdict& verdict);
 
-// Every law must hold. In a replay a law may find nothing to judge in the one case, but not all.
+// Every law must hold. In a replay a law may find nothing to judge in the one case, but not all; in
+// a shard it may, for other shards have the other cases.
 [[nodiscard]] bool passed(const VerifyRun& run);
 
 // The command that shows the counterexample again.
-[[nodiscard]] std::string replay_line(const Verdict& verdict);
+[[nodiscard]] std::string replay_line(const VerifyRun& run, const Verdict& verdict);
+
+// "0.71 of bound", "0 wrong" of an exact law; empty where the law does not hold.
+[[nodiscard]] std::string margin_text(const Verdict& verdict);
 
 // The table, part by part, so that each law can be shown when it is done.
 [[nodiscard]] std::string table_header();
 [[nodiscard]] std::string table_row(const Verdict& verdict);
 [[nodiscard]] std::string table_summary(const VerifyRun& run);
-
-[[nodiscard]] std::string verdict_json(const VerifyRun& run);
+// The violations, each with what to do next.
+[[nodiscard]] std::string explanations(const VerifyRun& run);
 
 }  // namespace selvage::cli

@@ -1,22 +1,20 @@
 #include "cli/verify_command.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "cli/counterexample_picture.h"
 #include "cli/error.h"
 #include "cli/file.h"
-#include "cli/job.h"
+#include "cli/junit.h"
 #include "cli/png.h"
 #include "cli/seeds.h"
-#include "cli/status_line.h"
 #include "cli/verdict.h"
+#include "cli/verdict_json.h"
+#include "cli/verify_plan.h"
 #include "spec/profiles.h"
 
 namespace selvage::cli {
@@ -35,28 +33,28 @@ constexpr size_t kMaxCaseBytes = size_t{1} << 20;
   throw UserError("--law: no law is called '" + name + "'; the laws are" + known);
 }
 
-// Those that were named, or all that the profile promises.
+// Those that were named, or all that the subject promises.
 [[nodiscard]] std::vector<const spec::Law*> chosen_laws(const std::vector<std::string>& names,
-                                                        selvage_profile profile) {
+                                                        const spec::Subject& subject) {
   std::vector<const spec::Law*> chosen;
   for (const std::string& name : names) {
     const spec::Law* law = &find_law(name);
     if (std::find(chosen.begin(), chosen.end(), law) == chosen.end()) chosen.push_back(law);
   }
-  if (names.empty()) {
-    for (const spec::Law& law : spec::laws()) {
-      if (spec::is_promised(profile, law.name)) chosen.push_back(&law);
-    }
+  if (!names.empty()) return chosen;
+  for (const spec::Law& law : spec::laws()) {
+    const spec::Promise promise = spec::promise(subject.profile, subject.claims, law.name);
+    if (promise.standing == spec::Standing::kPromised) chosen.push_back(&law);
   }
   return chosen;
 }
 
-[[nodiscard]] std::vector<std::string> unpromised_laws(selvage_profile profile) {
-  std::vector<std::string> unpromised;
+[[nodiscard]] std::vector<NotPromised> unpromised_laws(const spec::Subject& subject) {
+  std::vector<NotPromised> unpromised;
   for (const spec::Law& law : spec::laws()) {
-    const spec::Promise promise = spec::promise(profile, law.name);
+    const spec::Promise promise = spec::promise(subject.profile, subject.claims, law.name);
     if (promise.standing != spec::Standing::kNotPromised) continue;
-    unpromised.push_back(std::string(law.name) + ": " + std::string(promise.note));
+    unpromised.push_back({std::string(law.name), std::string(promise.note)});
   }
   return unpromised;
 }
@@ -73,27 +71,13 @@ constexpr size_t kMaxCaseBytes = size_t{1} << 20;
   return replayed;
 }
 
-[[nodiscard]] spec::LawVerdict replay(const spec::Law& law, const spec::Subject& subject,
-                                      const spec::Case& c) {
-  spec::Judgement judgement = law.check(subject, c);
-  spec::LawVerdict verdict{&law, 1, judgement.judged_px, std::move(judgement.violation), {}};
-  if (verdict.violation) verdict.counterexample = c;
-  return verdict;
-}
-
-[[nodiscard]] Verdict timed(const std::function<spec::LawVerdict()>& check) {
-  const auto start = std::chrono::steady_clock::now();
-  Verdict verdict;
-  verdict.found = check();
-  verdict.time_ns = std::chrono::nanoseconds(std::chrono::steady_clock::now() - start).count();
-  return verdict;
-}
-
 // The first picture takes the name that was asked for, later ones put their law in front of the
 // extension.
 [[nodiscard]] std::string picture_name(const VerifyOptions& options, const std::string& law,
-                                       bool first) {
-  if (options.picture.empty()) return "selvage-" + law + ".png";
+                                       const Shard& shard, bool first) {
+  const std::string part =
+      shard.count > 1 ? "-" + std::to_string(shard.index) + "of" + std::to_string(shard.count) : "";
+  if (options.picture.empty()) return "selvage-" + law + part + ".png";
   if (first) return options.picture;
   const std::filesystem::path asked(options.picture);
   return (asked.parent_path() / (asked.stem().string() + "-" + law + asked.extension().string()))
@@ -106,8 +90,8 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
   bool first = true;
   for (Verdict& verdict : run.verdicts) {
     if (!verdict.found.violation) continue;
-    const std::string name =
-        picture_name(options, std::string(verdict.found.law->name), std::exchange(first, false));
+    const std::string name = picture_name(options, std::string(verdict.found.law->name), run.shard,
+                                          std::exchange(first, false));
     try {
       write_file(name, encode_png(counterexample_picture(subject, *verdict.found.violation)));
       verdict.picture = name;
@@ -117,64 +101,96 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
   }
 }
 
-void explain_violations(const VerifyRun& run, const Console& console) {
-  for (const Verdict& verdict : run.verdicts) {
-    if (!verdict.found.violation) continue;
-    const std::string explanation = spec::explain(*verdict.found.violation);
-    console.out << '\n' << explanation << (explanation.ends_with('\n') ? "" : "\n");
-    console.out << "replay: " << replay_line(verdict) << '\n';
-    if (verdict.picture.empty()) continue;
-    console.out << "picture: " << verdict.picture << " (drawn | expected | difference)\n";
+[[nodiscard]] VerifyPlan plan_of(const VerifyOptions& options, const spec::Subject& subject,
+                                 std::optional<spec::Case> replayed) {
+  VerifyPlan plan;
+  plan.laws = chosen_laws(options.laws, subject);
+  plan.replayed = std::move(replayed);
+  plan.seed = first_seed(options.seed);
+  plan.cases = case_count(options.cases);
+  plan.shard = parse_shard(options.shard, plan.cases);
+  if (!options.time.empty()) plan.time = parse_time(options.time);
+  if (!options.corpus.empty() && !plan.replayed) {
+    plan.known = read_corpus(options.corpus);
+    std::erase_if(plan.known,
+                  [&](const KnownCase& known) { return known.found.profile != subject.profile; });
+  }
+  return plan;
+}
+
+[[nodiscard]] VerifyRun begun(const VerifyOptions& options, const ChosenSubject& chosen,
+                              const VerifyPlan& plan) {
+  VerifyRun run{.subject = chosen.subject.name,
+                .profile = std::string(spec::profile_of(chosen.subject.profile).name),
+                .replay = plan.replayed.has_value(),
+                .seed = plan.seed,
+                .verdicts = {}};
+  if (options.laws.empty()) run.not_promised = unpromised_laws(chosen.subject);
+  run.oracle_missing = options.laws.empty() && spec::find_law("ORACLE") == nullptr;
+  run.arguments = chosen.arguments;
+  run.cases = plan.replayed || plan.time ? 0 : plan.cases;
+  run.known_cases = plan.known.size();
+  run.shard = plan.shard;
+  return run;
+}
+
+void show_beginning(const VerifyOptions& options, const VerifyRun& run, const VerifyPlan& plan,
+                    const Console& console) {
+  if (!options.subject.library.empty()) {
+    console.out << "subject " << run.subject << ", profile " << run.profile << '\n';
+  }
+  if (plan.replayed) console.out << spec::print(*plan.replayed) << '\n';
+  if (!plan.replayed) console.out << "seed " << run.seed << '\n';
+  if (!options.corpus.empty()) {
+    console.out << "corpus " << run.known_cases << " known cases of this profile\n";
+  }
+  console.out << table_header() << std::flush;
+}
+
+// What a subject prints would be lost, or stand between the lines of the verdict.
+void keep_output(const VerifyOptions& options, const ChosenSubject& chosen,
+                 const Console& console) {
+  if (!chosen.host) return;
+  const std::string printed = chosen.host->printed();
+  if (!options.subject.output.empty()) {
+    write_text_file(options.subject.output, printed);
+  } else if (!printed.empty()) {
+    console.err << "selvage: the subject has printed " << printed.size()
+                << " bytes; --subject-output FILE keeps them\n";
   }
 }
 
-// Checks one law in the way of this run: on the given case or on generated ones.
-using Check = std::function<spec::LawVerdict(const spec::Law&)>;
-
-[[nodiscard]] std::vector<Verdict> check_all(const std::vector<const spec::Law*>& laws,
-                                             const Check& check, bool show_rows,
-                                             const Console& console) {
-  std::vector<Verdict> verdicts;
-  if (show_rows) console.out << table_header() << std::flush;
-  for (const spec::Law* law : laws) {
-    verdicts.push_back(timed([&] { return check(*law); }));
-    if (show_rows) console.out << table_row(verdicts.back()) << std::flush;
+void add_to_corpus(const std::string& corpus, const VerifyRun& run) {
+  if (corpus.empty() || run.replay) return;
+  for (const Verdict& verdict : run.verdicts) {
+    if (!verdict.found.violation) continue;
+    write_to_corpus(corpus, {std::string(verdict.found.law->name), *verdict.found.counterexample});
   }
-  return verdicts;
 }
 
 }  // namespace
 
-int run_verify(const VerifyOptions& options, const spec::Subject& mapper, const Console& console) {
-  const uint64_t cases = case_count(options.cases);
+int run_verify(const VerifyOptions& options, const spec::Subject& built_in,
+               const Console& console) {
   const std::optional<spec::Case> replayed = case_to_replay(options);
-  spec::Subject subject = mapper;
-  subject.profile = replayed ? replayed->profile
-                             : about("--profile", [&] { return parse_profile(options.profile); });
-  const std::vector<const spec::Law*> laws = chosen_laws(options.laws, subject.profile);
-  if (!options.picture.empty()) check_output(options.picture);
-  VerifyRun run{.subject = subject.name,
-                .profile = std::string(spec::profile_of(subject.profile).name),
-                .replay = replayed.has_value(),
-                .seed = first_seed(options.seed),
-                .verdicts = {}};
-  if (options.laws.empty()) run.not_promised = unpromised_laws(subject.profile);
-  run.oracle_missing = options.laws.empty() && spec::find_law("ORACLE") == nullptr;
-  const auto check = [&](const spec::Law& law) {
-    if (replayed) return replay(law, subject, *replayed);
-    StatusLine status(console);
-    return spec::verify(law, subject, run.seed, cases,
-                        [&](uint64_t done) { status.count(law.name, done, cases); });
-  };
-
+  ChosenSubject chosen = choose_subject(options.subject, options.profile, built_in);
+  if (replayed) chosen.subject.profile = replayed->profile;
+  const VerifyPlan plan = plan_of(options, chosen.subject, replayed);
+  for (const std::string& file : {options.picture, options.junit, options.subject.output}) {
+    if (!file.empty()) check_output(file);
+  }
+  VerifyRun run = begun(options, chosen, plan);
   const bool show = !options.json;
-  if (show && replayed) console.out << spec::print(*replayed) << '\n';
-  if (show && !replayed) console.out << "seed " << run.seed << '\n';
-  run.verdicts = check_all(laws, check, show, console);
+  if (show) show_beginning(options, run, plan, console);
+  run.verdicts = carry_out(plan, chosen.subject, console, [&](const Verdict& verdict) {
+    if (show) console.out << table_row(verdict) << std::flush;
+  });
   if (show) console.out << table_summary(run);
-  write_pictures(options, subject, run, console);
-  if (show) explain_violations(run, console);
-  if (!show) console.out << verdict_json(run);
+  write_pictures(options, chosen.subject, run, console);
+  add_to_corpus(options.corpus, run);
+  if (!options.junit.empty()) write_text_file(options.junit, junit_xml(run));
+  console.out << (show ? explanations(run) : verdict_json(run));
+  keep_output(options, chosen, console);
   return passed(run) ? kExitFine : kExitLawFailed;
 }
 

@@ -52,7 +52,7 @@ TEST_F(CommandLine, TellsItsVersion) {
 }
 
 TEST_F(CommandLine, HelpsWithExamplesForEveryCommand) {
-  for (const char* command : {"", "draw", "verify", "laws"}) {
+  for (const char* command : {"", "draw", "verify", "merge", "laws"}) {
     Words words = {"--help"};
     if (*command != 0) words.insert(words.begin(), command);
     const Outcome outcome = run(words);

@@ -4,13 +4,17 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/junit.h"
+#include "cli/verdict_json.h"
+
 #include "support.h"
 
 namespace selvage::cli::test {
 namespace {
 
 [[nodiscard]] Verdict holding(const char* law, uint64_t judged_px = 100) {
-  return {{spec::find_law(law), 20, judged_px, {}, {}}, 1'500'000'000, {}};
+  spec::LawVerdict found{.law = spec::find_law(law), .cases = 20, .judged_px = judged_px};
+  return {.found = std::move(found), .time_ns = 1'500'000'000};
 }
 
 [[nodiscard]] Verdict violated(const char* law) {
@@ -22,7 +26,11 @@ namespace {
   violation.u = "7/2";
   violation.allowed = "texel (3, 0)";
   violation.drawn = "texel (4, 0)";
-  return {{spec::find_law(law), 7, 55, violation, spec::Case{}}, 1000, "pic.png"};
+  spec::LawVerdict found{.law = spec::find_law(law), .cases = 7, .judged_px = 55};
+  found.violation = violation;
+  found.counterexample = spec::Case{};
+  found.failed_case = 6;
+  return {.found = std::move(found), .time_ns = 1000, .picture = "pic.png"};
 }
 
 [[nodiscard]] VerifyRun run_of(std::vector<Verdict> verdicts, bool replay = false) {
@@ -54,9 +62,9 @@ TEST(Verdict, OfAReplayNeedsOneLawWithASay) {
 
 TEST(VerdictTable, HasARowForEachLaw) {
   EXPECT_EQ(table_header() + table_row(holding("COV")) + table_row(violated("MAP")),
-            "law        verdict               cases  pixels judged       time\n"
-            "COV        holds                    20            100     1.50 s\n"
-            "MAP        VIOLATED                  7             55     0.00 s\n");
+            "law        verdict               cases  pixels judged        nearest       time\n"
+            "COV        holds                    20            100        0 wrong     1.50 s\n"
+            "MAP        VIOLATED                  7             55                    0.00 s\n");
 }
 
 TEST(VerdictTable, CountsTheLaws) {
@@ -91,6 +99,73 @@ TEST(VerdictJson, TellsEverything) {
   EXPECT_EQ(violation["case"], spec::to_hex(spec::Case{}));
   EXPECT_EQ(violation["replay"], "selvage verify --law MAP --case " + spec::to_hex(spec::Case{}));
   EXPECT_EQ(violation["picture"], "pic.png");
+}
+
+// Everything that a run can have, there and back.
+TEST(VerdictJson, IsReadAsItWasWritten) {
+  VerifyRun run = run_of({holding("COV"), violated("MAP"), holding("CLIP", 0)});
+  run.verdicts[0].found.margin = {0.5, 0.75};
+  run.verdicts[0].found.not_claimed = {{"perspective", 3}};
+  run.verdicts[1].from_corpus = true;
+  run.not_promised = {{"SPLIT", "it cannot"}};
+  run.arguments = " --subject './my mapper.so'";
+  run.cases = 20;
+  run.known_cases = 2;
+  run.shard = {2, 3};
+  const std::string json = verdict_json(run);
+  EXPECT_EQ(verdict_json(read_verdict(json)), json);
+  expect_contains(json, "selvage verify --subject './my mapper.so' --law MAP --case ");
+}
+
+TEST(VerdictJson, RefusesWhatItHasNotWritten) {
+  for (const char* text : {"", "{", "[]", "{}", R"({"selvage": 3})"}) {
+    expect_contains(error_of([&] { (void)read_verdict(text); }),
+                    "it is not what 'selvage verify --json' prints");
+  }
+  std::string other = verdict_json(run_of({holding("COV")}));
+  other.replace(other.find("\"COV\""), 5, "\"CVO\"");
+  expect_contains(error_of([&] { (void)read_verdict(other); }), "knows no law 'CVO'");
+  expect_contains(error_of([] { (void)read_verdict(R"({"selvage": "0.0.0"})"); }), "version 0.0.0");
+}
+
+TEST(Verdict, OfAShardLeavesToOthersWhatItDidNotJudge) {
+  VerifyRun run = run_of({holding("COV"), holding("MAP", 0)});
+  run.shard = {1, 2};
+  EXPECT_TRUE(passed(run));
+  run.verdicts.push_back(violated("CLIP"));
+  EXPECT_FALSE(passed(run));
+}
+
+TEST(VerdictTable, TellsHowNearABoundIs) {
+  Verdict verdict = holding("MAP");
+  EXPECT_EQ(margin_text(verdict), "0 wrong");
+  verdict.found.margin = {0.25, 0.5};
+  EXPECT_EQ(margin_text(verdict), "0.50 of bound");
+  EXPECT_EQ(margin_text(violated("MAP")), "");
+}
+
+TEST(VerdictTable, CountsWhatIsNotClaimed) {
+  VerifyRun run = run_of({holding("COV")});
+  run.verdicts[0].found.not_claimed = {{"perspective", 3}};
+  run.not_promised = {{"CLIP", "it does not clip"}};
+  expect_contains(table_summary(run), "not claimed: COV: 3 of 20 cases: perspective\n");
+  expect_contains(table_summary(run), "not promised: CLIP: it does not clip\n");
+}
+
+TEST(Junit, HasATestForEachLaw) {
+  VerifyRun run = run_of({holding("COV"), violated("MAP"), holding("CLIP", 0)});
+  run.not_promised = {{"SPLIT", "both ends & more"}};
+  run.verdicts[1].found.violation->what = "a < b\x01 \"c\"";
+  const std::string xml = junit_xml(run);
+  expect_contains(xml, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+  expect_contains(xml, "tests=\"4\" failures=\"2\" errors=\"0\" skipped=\"1\" time=\"3.000\"");
+  expect_contains(xml, "<property name=\"seed\" value=\"42\"/>");
+  expect_contains(xml, "<testcase name=\"COV\" classname=\"built-in\" time=\"1.500\">");
+  expect_contains(xml, "<failure message=\"a &lt; b? &quot;c&quot;\" type=\"violated\">");
+  expect_contains(xml, "\nreplay: selvage verify --law MAP --case ");
+  expect_contains(xml, "type=\"judged nothing\"");
+  expect_contains(xml, "<skipped message=\"not promised: both ends &amp; more\"/>");
+  EXPECT_EQ(xml.find('\x01'), std::string::npos);
 }
 
 TEST(VerdictJson, OfAReplayHasNoSeed) {

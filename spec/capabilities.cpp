@@ -1,0 +1,184 @@
+#include "spec/capabilities.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+#include "spec/geometry.h"
+#include "spec/model.h"
+
+namespace selvage::spec {
+namespace {
+
+using Outline = std::vector<selvage_vertex>;
+
+[[nodiscard]] Point difference(const selvage_vertex& from, const selvage_vertex& to) {
+  return {int64_t{to.x} - from.x, int64_t{to.y} - from.y};
+}
+
+// Twice the signed area, positive where the outline runs clockwise on the screen.
+[[nodiscard]] int64_t area_of(const Outline& outline) {
+  int64_t sum = 0;
+  for (size_t i = 0; i < outline.size(); ++i) {
+    const selvage_vertex &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    sum += int64_t{a.x} * b.y - int64_t{b.x} * a.y;
+  }
+  return sum;
+}
+
+// Each row crosses two edges or none, so an outline that only ever turns one way turns once.
+// Repeated vertices and collinear runs are convex too, a way back along an edge is not.
+[[nodiscard]] bool is_convex(const Case& c) {
+  Outline outline = c.vertices;
+  const auto same_place = [](const selvage_vertex& a, const selvage_vertex& b) {
+    return position(a) == position(b);
+  };
+  outline.erase(std::unique(outline.begin(), outline.end(), same_place), outline.end());
+  while (outline.size() > 1 && same_place(outline.front(), outline.back())) outline.pop_back();
+  if (outline.size() < 3) return true;
+  bool left = false, right = false;
+  for (size_t i = 0; i < outline.size(); ++i) {
+    const selvage_vertex& at = outline[i];
+    const Point in = difference(outline[(i + outline.size() - 1) % outline.size()], at);
+    const Point out = difference(at, outline[(i + 1) % outline.size()]);
+    const int64_t turn = in.x * out.y - in.y * out.x;
+    left = left || turn < 0;
+    right = right || turn > 0;
+    if (turn == 0 && in.x * out.x + in.y * out.y < 0) return false;
+  }
+  return !(left && right);
+}
+
+[[nodiscard]] bool is_right_way(Winding winding, const Outline& outline) {
+  if (winding == Winding::kBoth) return true;
+  const int64_t area = area_of(outline);
+  return area == 0 || (area > 0) == (winding == Winding::kClockwise);
+}
+
+[[nodiscard]] bool has_equal_q(const Outline& outline) {
+  return std::ranges::all_of(outline,
+                             [&](const selvage_vertex& v) { return v.q == outline.front().q; });
+}
+
+// A subject of one winding says nothing of outlines whose parts run both ways.
+[[nodiscard]] bool wants_convex(const Capabilities& claims) {
+  return !claims.concave || claims.winding != Winding::kBoth;
+}
+
+[[nodiscard]] int32_t one_of(ValueSet set, uint32_t choice) {
+  auto left = choice % static_cast<uint32_t>(std::popcount(set));
+  int32_t value = 0;
+  for (; !holds(set, value) || left-- > 0; ++value) {
+  }
+  return value;
+}
+
+// As many corners as are drawn, taken evenly.
+[[nodiscard]] Outline thinned(const Outline& outline, size_t most) {
+  if (outline.size() <= most) return outline;
+  Outline kept;
+  for (size_t i = 0; i < most; ++i) kept.push_back(outline[i * outline.size() / most]);
+  return kept;
+}
+
+[[nodiscard]] bool is_outline_claimed(const Capabilities& claims, const Case& c) {
+  return c.vertices.size() <= static_cast<size_t>(claims.most_vertices) &&
+         (!wants_convex(claims) || is_convex(c)) && is_right_way(claims.winding, c.vertices);
+}
+
+void take_outline(const Capabilities& claims, Case* c) {
+  const auto most = static_cast<size_t>(claims.most_vertices);
+  if (c->vertices.size() > most || (wants_convex(claims) && !is_convex(*c))) {
+    Outline hull = convex_hull(c->vertices);
+    while (hull.size() < 3) hull.push_back(hull.back());  // a line, there and back
+    c->vertices = thinned(hull, most);
+  }
+  if (!claims.perspective) {
+    for (selvage_vertex& v : c->vertices) v.q = c->vertices.front().q;
+  }
+  if (!is_right_way(claims.winding, c->vertices)) std::ranges::reverse(c->vertices);
+}
+
+}  // namespace
+
+std::optional<std::string> beyond(const Capabilities& claims, const Case& c) {
+  const auto longest = [](int32_t a, int32_t b) { return std::max(a, b); };
+  const std::array<std::pair<bool, const char*>, 9> reasons = {{
+      {!holds(claims.formats, c.format), "a format that it does not draw"},
+      {!holds(claims.filters, c.filter), "a filter that it does not have"},
+      {!holds(claims.addresses, c.address), "an address mode that it does not have"},
+      {c.has_clip && !claims.clip, "a clip rectangle"},
+      {(c.flip_target || c.flip_texture) && !claims.negative_pitch, "a negative pitch"},
+      {!claims.perspective && !c.vertices.empty() && !has_equal_q(c.vertices), "perspective"},
+      {longest(c.target_width_px, c.target_height_px) > claims.longest_side_px,
+       "a target too large for it"},
+      {longest(c.texture_width_texel, c.texture_height_texel) > claims.longest_side_texel,
+       "a texture too large for it"},
+      {!claims.named_errors && !is_valid(c), "an outline to be refused"},
+  }};
+  for (const auto& [is_beyond, what] : reasons) {
+    if (is_beyond) return what;
+  }
+  // An outline that is refused has neither form nor winding.
+  if (!is_outline_claimed(claims, c) && is_valid(c)) return "an outline that it does not draw";
+  return std::nullopt;
+}
+
+Case within(const Capabilities& claims, const Case& c) {
+  Case taken = c;
+  if (!holds(claims.formats, c.format)) taken.format = one_of(claims.formats, c.choice);
+  if (!holds(claims.filters, c.filter)) taken.filter = one_of(claims.filters, c.choice);
+  if (!can_be_filtered(taken)) taken.filter = SELVAGE_FILTER_NEAREST;
+  if (!holds(claims.addresses, c.address)) taken.address = one_of(claims.addresses, c.choice);
+  taken.has_clip = c.has_clip && claims.clip;
+  taken.flip_target = c.flip_target && claims.negative_pitch;
+  taken.flip_texture = c.flip_texture && claims.negative_pitch;
+  for (const auto side : {&Case::target_width_px, &Case::target_height_px}) {
+    taken.*side = std::min(taken.*side, claims.longest_side_px);
+  }
+  for (const auto side : {&Case::texture_width_texel, &Case::texture_height_texel}) {
+    taken.*side = std::min(taken.*side, claims.longest_side_texel);
+  }
+  if (!taken.vertices.empty()) take_outline(claims, &taken);
+  return taken;
+}
+
+void make_visible(const Profile& profile, const Capabilities& claims,
+                  std::vector<selvage_vertex>* vertices) {
+  make_visible(profile, vertices);
+  if (!profile.clockwise_only && !is_right_way(claims.winding, *vertices)) {
+    std::ranges::reverse(*vertices);
+  }
+}
+
+Promise promise(selvage_profile id, const Capabilities& claims, std::string_view law) {
+  struct Limit {
+    std::string_view law;
+    bool applies;
+    Promise promise;
+  };
+  constexpr auto no = Standing::kNotPromised, part = Standing::kPromised;
+  const Limit limits[] = {
+      {"CLIP", !claims.clip, {no, "it does not clip"}},
+      {"TOTAL", !claims.named_errors, {no, "it does not name errors"}},
+      {"IDENTITY", claims.most_vertices < 4, {no, "it draws triangles alone, and no rectangle"}},
+      {"FILTER",
+       !holds(claims.formats, SELVAGE_RGBA8888),
+       {no, "it does not draw RGBA8888, which has the channels that filters mix"}},
+      {"ORDER", claims.winding != Winding::kBoth, {part, "which vertex comes first"}},
+      {"SHIFT",
+       !holds(claims.addresses, SELVAGE_ADDRESS_WRAP),
+       {part, "shifts of the polygon; those of the texture are seen in wrap mode"}},
+      {"AFFINE", !claims.perspective, {part, "equal q"}},
+      {"SAME", !claims.clip, {part, "kernels; tiles are drawn through clip rectangles"}},
+  };
+  const Promise whole = promise(id, law);
+  if (whole.standing != Standing::kPromised) return whole;
+  for (const Limit& limit : limits) {
+    if (limit.law == law && limit.applies) return limit.promise;
+  }
+  return whole;
+}
+
+}  // namespace selvage::spec

@@ -1,0 +1,63 @@
+// What a subject claims to be able to do, beside its profile; by default everything.
+//
+// It is never asked for more: generated cases are brought within the claims, and a drawing that a
+// law makes of them and that is still beyond is not judged but counted (verify.h).
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "spec/case.h"
+#include "spec/profiles.h"
+
+namespace selvage::spec {
+
+enum class Winding : int32_t { kBoth, kClockwise, kCounterClockwise };
+
+// Of selvage_format, selvage_filter, selvage_address: value i is bit 1 << i.
+using ValueSet = uint32_t;
+[[nodiscard]] constexpr ValueSet only(int32_t value) { return ValueSet{1} << value; }
+[[nodiscard]] constexpr bool holds(ValueSet set, int32_t value) { return (set >> value & 1) != 0; }
+
+inline constexpr int32_t kAnyNumber = std::numeric_limits<int32_t>::max();
+
+struct Capabilities {
+  Winding winding = Winding::kBoth;
+  ValueSet formats = only(SELVAGE_INDEX8) | only(SELVAGE_RGB565) | only(SELVAGE_RGBA8888);
+  ValueSet filters = only(SELVAGE_FILTER_NEAREST) | only(SELVAGE_FILTER_FOUR) |
+                     only(SELVAGE_FILTER_BILINEAR) | only(SELVAGE_FILTER_AREA);  // nearest always
+  ValueSet addresses = only(SELVAGE_ADDRESS_CLAMP) | only(SELVAGE_ADDRESS_WRAP);
+  bool perspective = true;                  // q that differ
+  bool clip = true;                         // a clip rectangle other than none
+  bool negative_pitch = true;               // pictures stored bottom row first
+  bool concave = true;                      // y-monotone outlines that are not convex
+  bool named_errors = true;                 // bad arguments get the status that they should
+  int32_t longest_side_px = kAnyNumber;     // of the target
+  int32_t longest_side_texel = kAnyNumber;  // of the texture
+  int32_t most_vertices = kAnyNumber;       // at least 3
+
+  friend bool operator==(const Capabilities&, const Capabilities&) = default;
+};
+
+// What in the case is beyond the claims, in words: the first thing found.
+[[nodiscard]] std::optional<std::string> beyond(const Capabilities& claims, const Case& c);
+
+// The case as the subject can take it: other formats, filters and address modes become claimed
+// ones, in turn by Case::choice; q are made equal; clip and negative pitches are left out; sides
+// are cut; outlines become their convex hull, with as many corners as are drawn, in the right
+// winding. What is within the claims stays as it is, and so does an outline that must be refused by
+// a subject that names no errors: it cannot be mapped.
+[[nodiscard]] Case within(const Capabilities& claims, const Case& c);
+
+// Reverses an outline that the profile or the subject would not draw this way round.
+void make_visible(const Profile& profile, const Capabilities& claims,
+                  std::vector<selvage_vertex>* vertices);
+
+// How a law stands with a profile, of which so much is claimed.
+[[nodiscard]] Promise promise(selvage_profile id, const Capabilities& claims, std::string_view law);
+
+}  // namespace selvage::spec

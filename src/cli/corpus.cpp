@@ -1,0 +1,72 @@
+#include "cli/corpus.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <optional>
+#include <system_error>
+
+#include "cli/error.h"
+#include "cli/file.h"
+#include "cli/number.h"
+#include "spec/laws.h"
+
+namespace selvage::cli {
+namespace {
+
+constexpr size_t kMaxFileOfCaseBytes = size_t{64} << 10;
+
+// One line: the law's name, a blank, the case in hexadecimal.
+[[nodiscard]] KnownCase read_known(const std::filesystem::path& path) {
+  std::string text = read_text_file(path, kMaxFileOfCaseBytes);
+  while (text.ends_with('\n') || text.ends_with('\r')) text.pop_back();
+  const std::vector<std::string_view> words = split(text, ' ');
+  const std::optional<spec::Case> found =
+      words.size() == 2 ? spec::from_hex(words[1]) : std::nullopt;
+  if (!found) {
+    throw UserError("'" + path.string() +
+                    "' is no known violation: one line is right, a law's name, a blank and the "
+                    "case's hexadecimal digits");
+  }
+  return {std::string(words[0]), *found};
+}
+
+// FNV-1a, 64 bits (Fowler, Noll, Vo).
+[[nodiscard]] uint64_t hash_of(std::string_view text) {
+  uint64_t hash = 0xCBF29CE484222325U;
+  for (const char letter : text) hash = (hash ^ static_cast<uint8_t>(letter)) * 0x100000001B3U;
+  return hash;
+}
+
+}  // namespace
+
+std::vector<KnownCase> read_corpus(const std::filesystem::path& directory) {
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);
+  if (!std::filesystem::is_directory(directory)) {
+    throw UserError("--corpus: '" + directory.string() +
+                    "' is no directory and cannot be made one");
+  }
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
+    if (entry.path().extension() == ".case") paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  std::vector<KnownCase> known;
+  for (const auto& path : paths) known.push_back(read_known(path));
+  return known;
+}
+
+std::string corpus_name(std::string_view law, const spec::Case& c) {
+  char digits[20];
+  const uint64_t hash = hash_of(std::string(law) + " " + spec::to_hex(c));
+  std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
+  return std::string(law) + "-" + digits + ".case";
+}
+
+void write_to_corpus(const std::filesystem::path& directory, const KnownCase& known) {
+  write_text_file(directory / corpus_name(known.law, known.found),
+                  known.law + " " + spec::to_hex(known.found) + "\n");
+}
+
+}  // namespace selvage::cli

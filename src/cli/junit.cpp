@@ -1,0 +1,126 @@
+#include "cli/junit.h"
+
+#include <cstdio>
+#include <string_view>
+
+#include "selvage.h"
+
+namespace selvage::cli {
+namespace {
+
+// Characters that XML 1.0 cannot hold become question marks.
+[[nodiscard]] std::string escaped(std::string_view text) {
+  std::string xml;
+  for (const char letter : text) {
+    switch (letter) {
+      case '&':
+        xml += "&amp;";
+        break;
+      case '<':
+        xml += "&lt;";
+        break;
+      case '>':
+        xml += "&gt;";
+        break;
+      case '"':
+        xml += "&quot;";
+        break;
+      case '\n':
+        xml += "&#10;";
+        break;
+      default:
+        xml += static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F ? '?' : letter;
+    }
+  }
+  return xml;
+}
+
+[[nodiscard]] std::string attribute(std::string_view name, std::string_view value) {
+  return " " + std::string(name) + "=\"" + escaped(value) + "\"";
+}
+
+[[nodiscard]] std::string seconds(int64_t time_ns) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3f", static_cast<double>(time_ns) * 1e-9);
+  return text;
+}
+
+[[nodiscard]] std::string property(std::string_view name, std::string_view value) {
+  return "    <property" + attribute("name", name) + attribute("value", value) + "/>\n";
+}
+
+// Lines stay lines where they are text and no attribute.
+[[nodiscard]] std::string lines(const std::string& text) {
+  std::string xml;
+  size_t from = 0;
+  for (size_t end; (end = text.find('\n', from)) != std::string::npos; from = end + 1) {
+    xml += escaped(std::string_view(text).substr(from, end - from)) + "\n";
+  }
+  return xml + escaped(std::string_view(text).substr(from));
+}
+
+[[nodiscard]] std::string what_failed(const VerifyRun& run, const Verdict& verdict) {
+  if (!verdict.found.violation) return "the law judged nothing, which shows nothing";
+  std::string text = spec::explain(*verdict.found.violation);
+  if (!text.ends_with('\n')) text += '\n';
+  text += "replay: " + replay_line(run, verdict) + "\n";
+  if (!verdict.picture.empty()) text += "picture: " + verdict.picture + "\n";
+  return text;
+}
+
+[[nodiscard]] bool is_failure(const VerifyRun& run, const Verdict& verdict) {
+  return verdict.found.violation ||
+         (outcome(verdict) != "holds" && !run.replay && run.shard.count == 1);
+}
+
+[[nodiscard]] std::string test_case(const VerifyRun& run, const Verdict& verdict) {
+  const spec::LawVerdict& found = verdict.found;
+  std::string xml = "    <testcase" + attribute("name", found.law->name) +
+                    attribute("classname", run.subject) +
+                    attribute("time", seconds(verdict.time_ns)) + ">\n";
+  if (is_failure(run, verdict)) {
+    const std::string message = found.violation ? found.violation->what : "judged nothing";
+    xml += "      <failure" + attribute("message", message) + attribute("type", outcome(verdict)) +
+           ">" + lines(what_failed(run, verdict)) + "</failure>\n";
+  }
+  xml += "      <system-out>" + escaped(found.law->statement) + ": " + std::to_string(found.cases) +
+         " cases, " + std::to_string(found.judged_px) + " pixels judged" +
+         (margin_text(verdict).empty() ? "" : ", " + margin_text(verdict)) + "</system-out>\n";
+  return xml + "    </testcase>\n";
+}
+
+[[nodiscard]] std::string skipped(const VerifyRun& run, const NotPromised& law) {
+  return "    <testcase" + attribute("name", law.law) + attribute("classname", run.subject) +
+         attribute("time", "0") + ">\n      <skipped" +
+         attribute("message", "not promised: " + law.why) + "/>\n    </testcase>\n";
+}
+
+}  // namespace
+
+std::string junit_xml(const VerifyRun& run) {
+  int64_t time_ns = 0;
+  size_t failures = 0;
+  std::string cases;
+  for (const Verdict& verdict : run.verdicts) {
+    time_ns += verdict.time_ns;
+    failures += is_failure(run, verdict) ? 1 : 0;
+    cases += test_case(run, verdict);
+  }
+  for (const NotPromised& law : run.not_promised) cases += skipped(run, law);
+  const std::string counts =
+      attribute("tests", std::to_string(run.verdicts.size() + run.not_promised.size())) +
+      attribute("failures", std::to_string(failures)) + attribute("errors", "0") +
+      attribute("skipped", std::to_string(run.not_promised.size())) +
+      attribute("time", seconds(time_ns));
+  std::string properties = property("selvage", selvage_version()) +
+                           property("profile", run.profile) + property("arguments", run.arguments);
+  if (!run.replay) {
+    properties += property("seed", std::to_string(run.seed));
+    properties += property("cases", std::to_string(run.cases));
+  }
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" + counts + ">\n  <testsuite" +
+         attribute("name", "selvage verify: " + run.subject) + counts + ">\n    <properties>\n" +
+         properties + "    </properties>\n" + cases + "  </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace selvage::cli

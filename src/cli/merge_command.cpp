@@ -1,0 +1,116 @@
+#include "cli/merge_command.h"
+
+#include <span>
+
+#include "cli/error.h"
+#include "cli/file.h"
+#include "cli/junit.h"
+#include "cli/verdict_json.h"
+#include "spec/law_tools.h"
+
+namespace selvage::cli {
+namespace {
+
+// What all shards of a run have in common.
+void demand_one_run(const VerifyRun& first, const std::string& first_name, const VerifyRun& other,
+                    const std::string& name) {
+  const auto demand = [&](bool same, const std::string& what, const std::string& one,
+                          const std::string& two) {
+    if (same) return;
+    throw UserError("these are shards of different runs: " + what + " is '" + one + "' in '" +
+                    first_name + "' and '" + two + "' in '" + name + "'");
+  };
+  const auto text = [](uint64_t number) { return std::to_string(number); };
+  demand(first.subject == other.subject, "the subject", first.subject, other.subject);
+  demand(first.profile == other.profile, "the profile", first.profile, other.profile);
+  demand(first.seed == other.seed, "the seed", text(first.seed), text(other.seed));
+  demand(first.cases == other.cases, "the number of cases", text(first.cases), text(other.cases));
+  demand(first.arguments == other.arguments, "what the subject was told by", first.arguments,
+         other.arguments);
+  demand(first.known_cases == other.known_cases, "the number of known cases",
+         text(first.known_cases), text(other.known_cases));
+  demand(first.shard.count == other.shard.count, "the number of shards", text(first.shard.count),
+         text(other.shard.count));
+  const auto laws = [](const VerifyRun& run) {
+    std::string names;
+    for (const Verdict& verdict : run.verdicts) names += std::string(verdict.found.law->name) + " ";
+    return names;
+  };
+  demand(laws(first) == laws(other), "the list of laws", laws(first), laws(other));
+}
+
+void demand_all_shards(const std::vector<VerifyRun>& runs, const std::vector<std::string>& names) {
+  const uint64_t count = runs.front().shard.count;
+  std::vector<std::string> seen(count);
+  for (size_t i = 0; i < runs.size(); ++i) {
+    std::string& before = seen.at(runs[i].shard.index - 1);
+    const std::string shard = std::to_string(runs[i].shard.index) + "/" + std::to_string(count);
+    if (!before.empty()) {
+      throw UserError("shard " + shard + " is there twice: '" + before + "' and '" + names[i] +
+                      "'");
+    }
+    before = names[i];
+  }
+  for (uint64_t i = 0; i < count; ++i) {
+    if (!seen[i].empty()) continue;
+    throw UserError("shard " + std::to_string(i + 1) + "/" + std::to_string(count) + " is missing");
+  }
+}
+
+// Which of two violations a run in one piece would have met first.
+[[nodiscard]] bool is_before(const Verdict& a, const Verdict& b) {
+  if (!b.found.violation) return a.found.violation.has_value();
+  if (!a.found.violation) return false;
+  if (a.from_corpus != b.from_corpus) return a.from_corpus;
+  return a.found.failed_case < b.found.failed_case;
+}
+
+[[nodiscard]] Verdict sum(const std::vector<VerifyRun>& runs, size_t law) {
+  Verdict total;
+  total.found.law = runs.front().verdicts[law].found.law;
+  int64_t time_ns = 0;
+  for (const VerifyRun& run : runs) {
+    const Verdict& part = run.verdicts[law];
+    time_ns += part.time_ns;
+    if (is_before(part, total)) total = part;
+    if (total.found.violation) continue;
+    total.found.cases += part.found.cases;
+    total.found.judged_px += part.found.judged_px;
+    spec::add(&total.found.margin, part.found.margin);
+    for (const auto& [what, cases] : part.found.not_claimed) total.found.not_claimed[what] += cases;
+  }
+  total.time_ns = time_ns;
+  return total;
+}
+
+}  // namespace
+
+VerifyRun merged(const std::vector<VerifyRun>& runs, const std::vector<std::string>& names) {
+  for (size_t i = 1; i < runs.size(); ++i) {
+    demand_one_run(runs.front(), names.front(), runs[i], names[i]);
+  }
+  demand_all_shards(runs, names);
+  VerifyRun whole = runs.front();
+  whole.shard = {};
+  for (size_t law = 0; law < whole.verdicts.size(); ++law) whole.verdicts[law] = sum(runs, law);
+  return whole;
+}
+
+int run_merge(const MergeOptions& options, const Console& console) {
+  std::vector<VerifyRun> runs;
+  for (const std::string& file : options.files) {
+    runs.push_back(about("'" + file + "'", [&] { return read_verdict(read_text_file(file)); }));
+  }
+  const VerifyRun whole = merged(runs, options.files);
+  if (!options.junit.empty()) write_text_file(options.junit, junit_xml(whole));
+  if (options.json) {
+    console.out << verdict_json(whole);
+    return passed(whole) ? kExitFine : kExitLawFailed;
+  }
+  console.out << "seed " << whole.seed << '\n' << table_header();
+  for (const Verdict& verdict : whole.verdicts) console.out << table_row(verdict);
+  console.out << table_summary(whole) << explanations(whole);
+  return passed(whole) ? kExitFine : kExitLawFailed;
+}
+
+}  // namespace selvage::cli

@@ -1,0 +1,26 @@
+// `selvage merge`: the shards of a run, added up.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/console.h"
+#include "cli/verdict.h"
+
+namespace selvage::cli {
+
+struct MergeOptions {
+  std::vector<std::string> files;  // as `verify --shard I/N --json` prints them
+  std::string junit;
+  bool json = false;
+};
+
+// The verdict of the run that was not sharded; times are added up. Throws UserError where they are
+// not all shards of one run; names[i] names runs[i] in it.
+[[nodiscard]] VerifyRun merged(const std::vector<VerifyRun>& runs,
+                               const std::vector<std::string>& names);
+
+// Returns kExitFine or kExitLawFailed.
+int run_merge(const MergeOptions& options, const Console& console);
+
+}  // namespace selvage::cli

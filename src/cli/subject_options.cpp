@@ -1,0 +1,144 @@
+#include "cli/subject_options.h"
+
+#include <algorithm>
+#include <chrono>
+#include <string_view>
+#include <utility>
+
+#include "cli/error.h"
+#include "cli/job.h"
+#include "cli/number.h"
+
+namespace selvage::cli {
+namespace {
+
+constexpr double kUsualCallLimit_s = 2, kMostCallLimit_s = 3600;
+
+[[nodiscard]] std::chrono::nanoseconds call_limit(const std::string& text) {
+  const std::optional<double> seconds =
+      text.empty() ? std::optional(kUsualCallLimit_s) : parse_double(text);
+  if (!seconds || *seconds < 0.001 || *seconds > kMostCallLimit_s) {
+    throw UserError("--call-limit: '" + text + "' is no time; 0.001 to 3600 seconds are");
+  }
+  return std::chrono::nanoseconds(static_cast<int64_t>(*seconds * 1e9));
+}
+
+[[nodiscard]] int32_t parse_format(std::string_view name) {
+  if (name == "rgba8888") return SELVAGE_RGBA8888;
+  if (name == "rgb565") return SELVAGE_RGB565;
+  if (name == "index8") return SELVAGE_INDEX8;
+  throw UserError("'" + std::string(name) + "' is no format; index8, rgb565 and rgba8888 are");
+}
+
+[[nodiscard]] spec::Winding parse_winding(const std::string& name) {
+  if (name == "both") return spec::Winding::kBoth;
+  if (name == "clockwise") return spec::Winding::kClockwise;
+  if (name == "counter-clockwise") return spec::Winding::kCounterClockwise;
+  throw UserError("--winding: '" + name + "' is none; both, clockwise and counter-clockwise are");
+}
+
+template <typename Parse>
+void read_set(const char* option, const std::vector<std::string>& names, Parse parse,
+              spec::ValueSet* set) {
+  if (names.empty()) return;
+  *set = 0;
+  for (const std::string& name : names) {
+    *set |= spec::only(about(option, [&] { return parse(std::string_view(name)); }));
+  }
+}
+
+void read_number(const char* option, const std::string& text, int32_t least, int32_t* number) {
+  if (text.empty()) return;
+  const std::optional<int32_t> value = parse_integer<int32_t>(text);
+  if (!value || *value < least) {
+    throw UserError(std::string(option) + ": '" + text + "' is no number from " +
+                    std::to_string(least) + " on");
+  }
+  *number = *value;
+}
+
+void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
+  if (!options.winding.empty()) claims->winding = parse_winding(options.winding);
+  read_set("--formats", options.formats, parse_format, &claims->formats);
+  read_set("--filters", options.filters, parse_filter, &claims->filters);
+  read_set("--addresses", options.addresses, parse_address, &claims->addresses);
+  if (!spec::holds(claims->filters, SELVAGE_FILTER_NEAREST)) {
+    throw UserError("--filters: nearest must be among them: without it no texel can be told");
+  }
+  claims->perspective = options.perspective.value_or(claims->perspective);
+  claims->clip = options.clip.value_or(claims->clip);
+  claims->negative_pitch = options.negative_pitch.value_or(claims->negative_pitch);
+  claims->concave = options.concave.value_or(claims->concave);
+  claims->named_errors = options.named_errors.value_or(claims->named_errors);
+  read_number("--longest-side", options.longest_side, 1, &claims->longest_side_px);
+  read_number("--longest-texture-side", options.longest_texture_side, 1,
+              &claims->longest_side_texel);
+  read_number("--most-vertices", options.most_vertices, 3, &claims->most_vertices);
+}
+
+[[nodiscard]] std::string arguments_of(const SubjectOptions& options) {
+  std::string text;
+  const auto tell = [&](const char* option, const std::string& value) {
+    if (!value.empty()) text += " " + std::string(option) + " " + shell_word(value);
+  };
+  const auto tell_all = [&](const char* option, const std::vector<std::string>& values) {
+    std::string joined;
+    for (const std::string& value : values) joined += (joined.empty() ? "" : ",") + value;
+    tell(option, joined);
+  };
+  const auto tell_flag = [&](const char* name, const std::optional<bool>& value) {
+    if (value) text += (*value ? " --" : " --no-") + std::string(name);
+  };
+  tell("--subject", options.library);
+  tell("--call-limit", options.call_limit);
+  tell("--name", options.name);
+  tell("--winding", options.winding);
+  tell_all("--formats", options.formats);
+  tell_all("--filters", options.filters);
+  tell_all("--addresses", options.addresses);
+  tell_flag("perspective", options.perspective);
+  tell_flag("clip", options.clip);
+  tell_flag("negative-pitch", options.negative_pitch);
+  tell_flag("concave", options.concave);
+  tell_flag("named-errors", options.named_errors);
+  tell("--longest-side", options.longest_side);
+  tell("--longest-texture-side", options.longest_texture_side);
+  tell("--most-vertices", options.most_vertices);
+  return text;
+}
+
+}  // namespace
+
+std::string shell_word(const std::string& text) {
+  constexpr std::string_view kPlain =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=.,:/@%";
+  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  std::string quoted = "'";
+  for (const char letter : text) quoted += letter == '\'' ? "'\\''" : std::string(1, letter);
+  return quoted + "'";
+}
+
+ChosenSubject choose_subject(const SubjectOptions& options, const std::string& profile,
+                             const spec::Subject& built_in) {
+  ChosenSubject chosen{.subject = built_in, .host = {}, .arguments = arguments_of(options)};
+  const std::chrono::nanoseconds limit = call_limit(options.call_limit);
+  if (options.library.empty() && !(options.call_limit.empty() && options.output.empty())) {
+    throw UserError("--call-limit and --subject-output are about a --subject, and none is given");
+  }
+  try {
+    if (!options.library.empty()) {
+      chosen.host = std::make_shared<testbed::Host>(options.library, limit);
+      chosen.subject = testbed::Host::subject(chosen.host);
+    }
+  } catch (const testbed::LibraryError& error) {
+    throw UserError(error.what());
+  }
+  if (!profile.empty()) {
+    chosen.subject.profile = about("--profile", [&] { return parse_profile(profile); });
+  }
+  if (!options.name.empty()) chosen.subject.name = options.name;
+  read_claims(options, &chosen.subject.claims);
+  return chosen;
+}
+
+}  // namespace selvage::cli

@@ -1,0 +1,143 @@
+#include "cli/verdict_json.h"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "cli/error.h"
+#include "selvage.h"
+
+namespace selvage::cli {
+namespace {
+
+using nlohmann::ordered_json;
+
+[[nodiscard]] ordered_json violation_json(const VerifyRun& run, const Verdict& verdict) {
+  const spec::Violation& violation = *verdict.found.violation;
+  ordered_json values = {{"what", violation.what},   {"u_texel", violation.u},
+                         {"v_texel", violation.v},   {"allowed", violation.allowed},
+                         {"drawn", violation.drawn}, {"shown_case", spec::to_hex(violation.shown)}};
+  if (violation.x_px >= 0) values["pixel_px"] = {violation.x_px, violation.y_px};
+  if (!run.replay) values["case_number"] = verdict.found.failed_case;
+  if (verdict.from_corpus) values["from_corpus"] = true;
+  if (verdict.found.counterexample) {
+    values["case"] = spec::to_hex(*verdict.found.counterexample);
+    values["replay"] = replay_line(run, verdict);
+  }
+  if (!verdict.picture.empty()) values["picture"] = verdict.picture;
+  return values;
+}
+
+[[nodiscard]] ordered_json law_json(const VerifyRun& run, const Verdict& verdict) {
+  const spec::LawVerdict& found = verdict.found;
+  ordered_json law = {{"law", found.law->name},
+                      {"verdict", outcome(verdict)},
+                      {"cases", found.cases},
+                      {"judged_px", found.judged_px},
+                      {"time_ns", verdict.time_ns}};
+  if (found.margin) {
+    law["nearest"] = {{"measured", found.margin->measured}, {"bound", found.margin->bound}};
+  }
+  if (!found.not_claimed.empty()) law["not_claimed"] = found.not_claimed;
+  if (found.violation) law["violation"] = violation_json(run, verdict);
+  return law;
+}
+
+[[nodiscard]] spec::Case read_case(const ordered_json& hex) {
+  const std::optional<spec::Case> c = spec::from_hex(hex.get<std::string>());
+  if (!c) throw UserError("a case is no hexadecimal number");
+  return *c;
+}
+
+[[nodiscard]] spec::Violation read_violation(const ordered_json& values, std::string law) {
+  spec::Violation violation{.law = std::move(law),
+                            .what = values.at("what"),
+                            .u = values.at("u_texel"),
+                            .v = values.at("v_texel"),
+                            .allowed = values.at("allowed"),
+                            .drawn = values.at("drawn"),
+                            .shown = read_case(values.at("shown_case"))};
+  if (values.contains("pixel_px")) {
+    violation.x_px = values["pixel_px"].at(0);
+    violation.y_px = values["pixel_px"].at(1);
+  }
+  return violation;
+}
+
+[[nodiscard]] Verdict read_law(const ordered_json& values) {
+  const std::string name = values.at("law");
+  Verdict verdict;
+  spec::LawVerdict& found = verdict.found;
+  found.law = spec::find_law(name);
+  if (found.law == nullptr) throw UserError("this program knows no law '" + name + "'");
+  found.cases = values.at("cases");
+  found.judged_px = values.at("judged_px");
+  verdict.time_ns = values.at("time_ns");
+  if (values.contains("nearest")) {
+    found.margin = {values["nearest"].at("measured"), values["nearest"].at("bound")};
+  }
+  if (values.contains("not_claimed")) found.not_claimed = values["not_claimed"];
+  if (!values.contains("violation")) return verdict;
+  const ordered_json& violation = values["violation"];
+  found.violation = read_violation(violation, name);
+  found.counterexample = read_case(violation.at("case"));
+  found.failed_case = violation.at("case_number");
+  verdict.from_corpus = violation.value("from_corpus", false);
+  verdict.picture = violation.value("picture", "");
+  return verdict;
+}
+
+[[nodiscard]] VerifyRun read_run(const ordered_json& values) {
+  if (values.at("selvage") != selvage_version()) {
+    throw UserError("it is of version " + values.at("selvage").get<std::string>() +
+                    ", this program of " + selvage_version());
+  }
+  if (!values.contains("seed")) throw UserError("it is of a replay, which is of no parts");
+  VerifyRun run{.subject = values.at("subject"),
+                .profile = values.at("profile"),
+                .seed = values.at("seed"),
+                .verdicts = {}};
+  run.cases = values.at("cases");
+  run.known_cases = values.at("known_cases");
+  run.arguments = values.at("arguments");
+  run.oracle_missing = values.at("oracle_missing");
+  if (values.contains("shard")) run.shard = {values["shard"].at("index"), values["shard"].at("of")};
+  for (const ordered_json& law : values.at("laws")) run.verdicts.push_back(read_law(law));
+  for (const ordered_json& law : values.at("not_promised")) {
+    run.not_promised.push_back({law.at("law"), law.at("why")});
+  }
+  return run;
+}
+
+}  // namespace
+
+std::string verdict_json(const VerifyRun& run) {
+  ordered_json values = {{"selvage", selvage_version()},
+                         {"subject", run.subject},
+                         {"profile", run.profile},
+                         {"passed", passed(run)}};
+  values["arguments"] = run.arguments;
+  if (!run.replay) {
+    values["seed"] = run.seed;
+    values["cases"] = run.cases;
+    values["known_cases"] = run.known_cases;
+  }
+  if (run.shard.count > 1) values["shard"] = {{"index", run.shard.index}, {"of", run.shard.count}};
+  values["oracle_missing"] = run.oracle_missing;
+  values["laws"] = ordered_json::array();
+  for (const Verdict& verdict : run.verdicts) values["laws"].push_back(law_json(run, verdict));
+  values["not_promised"] = ordered_json::array();
+  for (const NotPromised& law : run.not_promised) {
+    values["not_promised"].push_back({{"law", law.law}, {"why", law.why}});
+  }
+  return values.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+VerifyRun read_verdict(const std::string& json) {
+  try {
+    return read_run(ordered_json::parse(json));
+  } catch (const ordered_json::exception& error) {
+    throw UserError("it is not what 'selvage verify --json' prints: " + std::string(error.what()));
+  }
+}
+
+}  // namespace selvage::cli

@@ -1,0 +1,161 @@
+#include "cli/verify_command_line.h"
+
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <string>
+
+namespace selvage::cli {
+namespace {
+
+constexpr const char* kVerifyExamples = R"(Examples:
+  selvage verify                               every law on 200 cases of a fresh seed
+  selvage verify --subject ./theirs.so         any library that exports selvage_draw
+  selvage verify --subject ./theirs.so --filters nearest --formats rgba8888 --no-perspective
+  selvage verify --law MAP --law CLIP --cases 5000 --seed 7
+  selvage verify --profile abrash56            what the two-stage DDA of 1992 promises
+  selvage verify --cases 1000000 --seed 1 --shard 3/16 --json >3.json   then: selvage merge *.json
+  selvage verify --time 600 --corpus known/    as much as fits, known violations first
+  selvage verify --law MAP --case 0200...      one case again, as a failure prints it
+  selvage verify --case-file crash-1f3a        the same from a fuzzer's raw bytes
+
+A law that found no pixel to judge has shown nothing and counts as failed; in a replay, only if no
+law found any; in a shard never, for the other shards have the other cases.
+A subject runs in a process of its own, so that it may crash, hang or write where it must not: that
+is reported as a violation. What it claims, it says by selvage_subject.h, or the command line does.
+)";
+
+constexpr const char* kMergeExamples = R"(Examples:
+  selvage merge 1.json 2.json 3.json 4.json --junit verdict.xml
+of the shards that this has made:
+  for i in 1 2 3 4; do selvage verify --seed 1 --cases 4000 --shard $i/4 --json >$i.json; done
+
+All shards of one run are needed. The verdict is that of the run in one piece, its times are summed.
+)";
+
+[[nodiscard]] std::string footer(const char* examples) {
+  return std::string(examples) + "\n" + kUsualExitCodes;
+}
+
+constexpr const char* kSubject = "Another mapper to judge";
+constexpr const char* kClaims = "What it claims (the library's own selvage_subject() else)";
+
+void add_subject(CLI::App& verify, VerifyOptions& options) {
+  SubjectOptions& subject = options.subject;
+  verify
+      .add_option("--subject", subject.library,
+                  "A shared library that exports selvage_draw; the built-in mapper if left out")
+      ->type_name("FILE")
+      ->group(kSubject);
+  verify.add_option("--call-limit", subject.call_limit, "Time that a call may take; 2 if left out")
+      ->type_name("SECONDS")
+      ->group(kSubject);
+  verify.add_option("--subject-output", subject.output, "A file for what it prints, up to 1 MiB")
+      ->type_name("FILE")
+      ->group(kSubject);
+}
+
+void add_claims(CLI::App& verify, VerifyOptions& options) {
+  SubjectOptions& subject = options.subject;
+  const auto add = [&](const char* name, std::string& value, const char* type, const char* what) {
+    verify.add_option(name, value, what)->type_name(type)->group(kClaims);
+  };
+  const auto add_list = [&](const char* name, std::vector<std::string>& values, const char* what) {
+    verify.add_option(name, values, what)
+        ->type_name("NAME,...")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->group(kClaims);
+  };
+  const auto add_flag = [&](const char* name, std::optional<bool>& value, const char* what) {
+    const std::string yes = "--" + std::string(name), no = "--no-" + std::string(name);
+    verify
+        .add_flag_callback(
+            yes, [&value] { value = true; }, what + (" (or " + no + ")"))
+        ->group(kClaims);
+    verify.add_flag_callback(no, [&value] { value = false; })->group("");  // told with the other
+  };
+  add("--name", subject.name, "TEXT", "Its name in the verdict");
+  add("--winding", subject.winding, "NAME", "both, clockwise or counter-clockwise");
+  add_list("--formats", subject.formats, "Of index8, rgb565, rgba8888");
+  add_list("--filters", subject.filters,
+           "Of nearest (always), four, bilinear, area; others must be refused");
+  add_list("--addresses", subject.addresses, "Of clamp, wrap");
+  add_flag("perspective", subject.perspective, "Whether q may differ");
+  add_flag("clip", subject.clip, "Whether it takes a clip rectangle");
+  add_flag("negative-pitch", subject.negative_pitch, "Whether pictures may be bottom row first");
+  add_flag("concave", subject.concave, "Whether outlines need not be convex");
+  add_flag("named-errors", subject.named_errors, "Whether bad arguments get their status");
+  add("--longest-side", subject.longest_side, "PX", "Of the target");
+  add("--longest-texture-side", subject.longest_texture_side, "TEXELS", "Of the texture");
+  add("--most-vertices", subject.most_vertices, "N", "3: it draws triangles alone");
+}
+
+void add_cases(CLI::App& verify, VerifyOptions& options) {
+  CLI::Option* profile =
+      verify
+          .add_option("--profile", options.profile,
+                      "The profile to hold it to: exact (the default), abrash56, abrash57 or dkit")
+          ->type_name("NAME");
+  CLI::Option* cases = verify.add_option("--cases", options.cases, "Cases for each law")
+                           ->type_name("N")
+                           ->capture_default_str();
+  CLI::Option* seed =
+      verify.add_option("--seed", options.seed, "Seed of the first case; a fresh one if left out")
+          ->type_name("S");
+  CLI::Option* shard = verify
+                           .add_option("--shard", options.shard,
+                                       "Every Nth case alone, from the Ith on, for a part "
+                                       "of a run; wants --seed")
+                           ->type_name("I/N")
+                           ->needs(seed);
+  CLI::Option* time =
+      verify.add_option("--time", options.time, "As many cases as fit, the laws in turn")
+          ->type_name("SECONDS")
+          ->excludes(cases, shard);
+  CLI::Option* corpus = verify
+                            .add_option("--corpus", options.corpus,
+                                        "Known violations: tried first; new ones are written there")
+                            ->type_name("DIR");
+  CLI::Option* hex = verify.add_option("--case", options.case_hex, "Replay this one case")
+                         ->type_name("HEX")
+                         ->excludes(cases, seed, profile, time, shard, corpus);
+  verify.add_option("--case-file", options.case_file, "Replay the case of these raw bytes")
+      ->type_name("FILE")
+      ->excludes(cases, seed, profile, hex, time, shard, corpus);
+}
+
+}  // namespace
+
+CLI::App* add_verify(CLI::App& program, VerifyOptions& options) {
+  CLI::App* verify = program.add_subcommand("verify", "Hold a mapper against the laws");
+  verify
+      ->add_option("--law", options.laws,
+                   "A law to check; all that the subject promises if left out. May be repeated")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
+  add_cases(*verify, options);
+  verify
+      ->add_option("--picture", options.picture,
+                   "PNG for the counterexample (drawn | expected | difference); "
+                   "selvage-<law>.png if left out")
+      ->type_name("FILE");
+  verify->add_flag("--json", options.json, "Print the verdicts as JSON");
+  verify->add_option("--junit", options.junit, "Write them as JUnit XML, too")->type_name("FILE");
+  add_subject(*verify, options);
+  add_claims(*verify, options);
+  verify->footer(footer(kVerifyExamples));
+  return verify;
+}
+
+CLI::App* add_merge(CLI::App& program, MergeOptions& options) {
+  CLI::App* merge = program.add_subcommand("merge", "Add up the shards of a run of verify");
+  merge->add_option("FILES", options.files, "What 'verify --shard I/N --json' has printed")
+      ->required()
+      ->type_name("FILE");
+  merge->add_flag("--json", options.json, "Print the verdict as JSON");
+  merge->add_option("--junit", options.junit, "Write it as JUnit XML, too")->type_name("FILE");
+  merge->footer(footer(kMergeExamples));
+  return merge;
+}
+
+}  // namespace selvage::cli

@@ -1,0 +1,38 @@
+// Which cases a run of `selvage verify` checks, and the checking of them.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/console.h"
+#include "cli/corpus.h"
+#include "cli/verdict.h"
+#include "spec/verify.h"
+
+namespace selvage::cli {
+
+struct VerifyPlan {
+  std::vector<const spec::Law*> laws;
+  std::optional<spec::Case> replayed;  // this case instead of generated ones
+  std::vector<KnownCase> known;        // before generated ones
+  uint64_t seed = 0;                   // of case 0
+  uint64_t cases = 0;                  // of each law, in all shards together
+  Shard shard;                         // cases index - 1, index - 1 + count, ... are this run's
+  std::optional<std::chrono::nanoseconds> time;  // as many rounds of cases as fit, instead
+};
+
+// "2/8": the second of eight. Throws UserError.
+[[nodiscard]] Shard parse_shard(const std::string& text, uint64_t cases);
+// Seconds, decimal. Throws UserError.
+[[nodiscard]] std::chrono::nanoseconds parse_time(const std::string& text);
+
+// `done` is called with each law's verdict as soon as it is known.
+[[nodiscard]] std::vector<Verdict> carry_out(const VerifyPlan& plan, const spec::Subject& subject,
+                                             const Console& console,
+                                             const std::function<void(const Verdict&)>& done);
+
+}  // namespace selvage::cli

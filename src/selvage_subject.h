@@ -1,0 +1,62 @@
+/* What a library may export beside selvage_draw, so that `selvage verify --subject` knows what it
+ * promises. Without it the library is held to all of SELVAGE_PROFILE_EXACT.
+ *
+ *   static const selvage_claims claims = {
+ *       .bytes = sizeof(selvage_claims), .name = "mine", .version = "1.0",
+ *       .filters = 1u << SELVAGE_FILTER_NEAREST,
+ *       .lacks = SELVAGE_LACKS_PERSPECTIVE};
+ *   SELVAGE_API const selvage_claims* selvage_subject(void) { return &claims; }
+ *
+ * A field that is zero claims everything there is.
+ */
+#ifndef SELVAGE_SUBJECT_H
+#define SELVAGE_SUBJECT_H
+
+#include "selvage.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Which outlines are drawn, as they run on the screen, y down. */
+typedef int32_t selvage_winding;
+enum {
+  SELVAGE_WINDING_BOTH = 0,
+  SELVAGE_WINDING_CLOCKWISE = 1, /* the other way round says nothing: it is not asked for */
+  SELVAGE_WINDING_COUNTER_CLOCKWISE = 2
+};
+
+/* What is not drawn, as a sum. */
+enum {
+  SELVAGE_LACKS_PERSPECTIVE = 1,    /* q that differ */
+  SELVAGE_LACKS_CLIP = 2,           /* a clip rectangle: clip is NULL */
+  SELVAGE_LACKS_NEGATIVE_PITCH = 4, /* pictures stored bottom row first */
+  SELVAGE_LACKS_CONCAVE = 8,        /* outlines that are not convex */
+  SELVAGE_LACKS_NAMED_ERRORS = 16,  /* bad arguments: none are given */
+  SELVAGE_LACKS_ALL = 31
+};
+
+typedef struct selvage_claims {
+  size_t bytes;            /* sizeof(selvage_claims): later versions have more fields behind */
+  const char* name;        /* of the mapper; NULL: that of the library's file */
+  const char* version;     /* its own; may be NULL */
+  selvage_profile profile; /* the one that it is held to */
+  selvage_winding winding;
+  uint32_t formats;        /* sum of 1u << SELVAGE_RGBA8888, ...; 0: all */
+  uint32_t filters;        /* sum of 1u << SELVAGE_FILTER_NEAREST, ..., which must be in it; 0: all.
+                              Others must get SELVAGE_ERROR_FILTER */
+  uint32_t addresses;      /* sum of 1u << SELVAGE_ADDRESS_CLAMP, ...; 0: all */
+  uint32_t lacks;          /* sum of SELVAGE_LACKS_PERSPECTIVE, ... */
+  int32_t longest_side_px; /* of the target; 0: any */
+  int32_t longest_side_texel; /* of the texture; 0: any */
+  int32_t most_vertices;      /* 3: triangles alone; 0: any number */
+} selvage_claims;
+
+/* Must stay valid; called once, before anything is drawn. */
+SELVAGE_API const selvage_claims* selvage_subject(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

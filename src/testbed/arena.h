@@ -1,0 +1,50 @@
+// Memory that two processes share, between stretches that nobody may touch.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace selvage::testbed {
+
+// Addresses [begin, end).
+struct Range {
+  uintptr_t begin = 0, end = 0;
+
+  [[nodiscard]] size_t bytes() const { return end - begin; }
+  [[nodiscard]] bool is_empty() const { return begin == end; }
+  [[nodiscard]] bool holds(uintptr_t address) const { return begin <= address && address < end; }
+  // They overlap, or one begins where the other ends.
+  [[nodiscard]] bool touches(const Range& other) const {
+    return begin <= other.end && other.begin <= end;
+  }
+};
+
+inline constexpr size_t kGuardBytes = size_t{256} << 20;  // address space, no memory
+
+// At the same addresses in this process and in those that it forks. Throws std::bad_alloc where
+// there is no address space left.
+class Arena {
+ public:
+  explicit Arena(size_t bytes);  // rounded up to whole pages
+  ~Arena();
+  Arena(const Arena&) = delete;
+  Arena& operator=(const Arena&) = delete;
+
+  [[nodiscard]] Range range() const { return range_; }
+  // With the guards on both sides.
+  [[nodiscard]] Range guarded() const {
+    return {range_.begin - kGuardBytes, range_.end + kGuardBytes};
+  }
+  // In this process alone.
+  void make_read_only() const;
+
+  // Where `bytes` go so that they end where the arena does, or begin where it begins, as near as an
+  // address lets them that is `like` modulo `unit`, a power of two.
+  [[nodiscard]] uintptr_t at_end(size_t bytes, uintptr_t like, size_t unit) const;
+  [[nodiscard]] uintptr_t at_begin(uintptr_t like, size_t unit) const;
+
+ private:
+  Range range_;
+};
+
+}  // namespace selvage::testbed

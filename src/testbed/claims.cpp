@@ -1,0 +1,68 @@
+#include "testbed/claims.h"
+
+#include <string>
+
+#include "testbed/host.h"
+
+namespace selvage::testbed {
+namespace {
+
+[[nodiscard]] LibraryError wrong(const std::string& field, int64_t value,
+                                 const std::string& right) {
+  return LibraryError("its selvage_subject() has " + field + " " + std::to_string(value) + "; " +
+                      right);
+}
+
+[[nodiscard]] uint32_t set_of(uint32_t said, uint32_t all, const char* field) {
+  if ((said & ~all) != 0) {
+    throw wrong(field, said, "a sum of 1u << value for values that selvage.h has is right");
+  }
+  return said != 0 ? said : all;
+}
+
+[[nodiscard]] int32_t number_of(int32_t said, int32_t least, const char* field) {
+  if (said == 0) return spec::kAnyNumber;
+  if (said < least) {
+    throw wrong(field, said, "0, for any, or at least " + std::to_string(least) + " is right");
+  }
+  return said;
+}
+
+}  // namespace
+
+spec::Subject claimed(const selvage_claims& claims) {
+  if (claims.profile < SELVAGE_PROFILE_EXACT || claims.profile > SELVAGE_PROFILE_DKIT) {
+    throw wrong("profile", claims.profile, "a selvage_profile is right");
+  }
+  if (claims.winding < SELVAGE_WINDING_BOTH || claims.winding > SELVAGE_WINDING_COUNTER_CLOCKWISE) {
+    throw wrong("winding", claims.winding, "a selvage_winding is right");
+  }
+  if ((claims.lacks & ~uint32_t{SELVAGE_LACKS_ALL}) != 0) {
+    throw wrong("lacks", claims.lacks, "a sum of SELVAGE_LACKS_... is right");
+  }
+  const auto has = [&](uint32_t what) { return (claims.lacks & what) == 0; };
+  const spec::Capabilities all;
+  spec::Subject subject;
+  subject.profile = claims.profile;
+  subject.claims = {
+      .winding = static_cast<spec::Winding>(claims.winding),
+      .formats = set_of(claims.formats, all.formats, "formats"),
+      .filters = set_of(claims.filters, all.filters, "filters"),
+      .addresses = set_of(claims.addresses, all.addresses, "addresses"),
+      .perspective = has(SELVAGE_LACKS_PERSPECTIVE),
+      .clip = has(SELVAGE_LACKS_CLIP),
+      .negative_pitch = has(SELVAGE_LACKS_NEGATIVE_PITCH),
+      .concave = has(SELVAGE_LACKS_CONCAVE),
+      .named_errors = has(SELVAGE_LACKS_NAMED_ERRORS),
+      .longest_side_px = number_of(claims.longest_side_px, 1, "longest_side_px"),
+      .longest_side_texel = number_of(claims.longest_side_texel, 1, "longest_side_texel"),
+      .most_vertices = number_of(claims.most_vertices, 3, "most_vertices"),
+  };
+  if (!spec::holds(subject.claims.filters, SELVAGE_FILTER_NEAREST)) {
+    throw wrong("filters", claims.filters,
+                "nearest must be among them: without it no texel can be told");
+  }
+  return subject;
+}
+
+}  // namespace selvage::testbed

@@ -1,0 +1,88 @@
+#include "testbed/ending.h"
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+
+namespace selvage::testbed {
+namespace {
+
+inline constexpr uintptr_t kNearNull = 65536;
+
+[[nodiscard]] std::string verb(Access access) {
+  return access == Access::kWrite ? "wrote " : access == Access::kRead ? "read " : "touched ";
+}
+
+[[nodiscard]] std::string hexadecimal(uintptr_t address) {
+  char text[32];
+  std::snprintf(text, sizeof text, "0x%llx", static_cast<unsigned long long>(address));
+  return text;
+}
+
+// The stack grows downward from there, at most as far as its limit.
+[[nodiscard]] bool is_below_stack(uintptr_t address, uintptr_t stack) {
+  rlimit limit{};
+  getrlimit(RLIMIT_STACK, &limit);
+  const uintptr_t most = limit.rlim_cur == RLIM_INFINITY ? uintptr_t{8} << 20 : limit.rlim_cur;
+  return address < stack && stack - address < most + (uintptr_t{1} << 20);
+}
+
+[[nodiscard]] std::string describe_access(const Control& control, const Placement& placement) {
+  const End& end = control.end;
+  if (!end.is_address_known) return "used an address that there cannot be";
+  const std::string place = placement.place_of(end.address);
+  if (!place.empty()) return verb(end.access) + place;
+  if (end.address < kNearNull) return verb(end.access) + "through a null pointer";
+  if (is_below_stack(end.address, control.stack)) return "ran out of stack";
+  return verb(end.access) + "memory that it was not given, at " + hexadecimal(end.address);
+}
+
+[[nodiscard]] std::string describe_signal(int signal) {
+  switch (signal) {
+    case SIGABRT:
+      return "aborted";
+    case SIGFPE:
+      return "divided by zero, or alike";
+    case SIGILL:
+      return "ran into an illegal instruction";
+    case SIGSEGV:
+    case SIGBUS:
+      return "touched memory that it was not given";
+    default:
+      return "was ended by a signal";
+  }
+}
+
+[[nodiscard]] std::string name_of(int signal) {
+  const char* name = sigabbrev_np(signal);
+  return " (" + (name != nullptr ? "SIG" + std::string(name) : std::to_string(signal)) + ")";
+}
+
+}  // namespace
+
+std::string describe_end(const Control& control, const Placement& placement) {
+  const End& end = control.end;
+  if (end.threw) return "threw an exception through the C interface";
+  if (const int signal = end.signal; signal == SIGSEGV || signal == SIGBUS) {
+    return describe_access(control, placement) + name_of(signal);
+  } else if (signal != 0) {
+    return describe_signal(signal) + name_of(signal);
+  }
+  if (WIFSIGNALED(end.wait_status)) {
+    const int signal = WTERMSIG(end.wait_status);
+    return describe_signal(signal) + name_of(signal);
+  }
+  return "exited with status " + std::to_string(WEXITSTATUS(end.wait_status));
+}
+
+std::string describe_hang(std::chrono::nanoseconds limit) {
+  char text[64];
+  std::snprintf(text, sizeof text, "hung: no answer in %g s",
+                static_cast<double>(limit.count()) * 1e-9);
+  return text;
+}
+
+}  // namespace selvage::testbed

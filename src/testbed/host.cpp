@@ -1,0 +1,187 @@
+#include "testbed/host.h"
+
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fcntl.h>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <iostream>
+#include <new>
+
+#include "testbed/claims.h"
+#include "testbed/control.h"
+#include "testbed/ending.h"
+#include "testbed/keeper.h"
+#include "testbed/placement.h"
+
+namespace selvage::testbed {
+namespace {
+
+inline constexpr auto kLookAfterKeeper = std::chrono::milliseconds(100);
+inline constexpr auto kForkLimit = std::chrono::seconds(60);  // a machine may be very busy
+
+[[nodiscard]] LibraryError cannot_use(const std::string& name, const std::string& why) {
+  return LibraryError("cannot use '" + name + "' as a subject: " + why);
+}
+
+// What is buffered would be printed by each process that inherits it.
+void flush_all() {
+  std::cout.flush();
+  std::cerr.flush();
+  std::fflush(nullptr);
+}
+
+}  // namespace
+
+// The process that loaded the library, with all that is shared with it.
+struct Host::Keeper {
+  Arenas arenas;
+  Arena control_memory{sizeof(Control)};
+  Control& control = *new (reinterpret_cast<void*>(control_memory.range().begin)) Control;
+  int output = memfd_create("selvage-subject-output", MFD_CLOEXEC);
+  pid_t process = -1;
+
+  Keeper() = default;
+  Keeper(const Keeper&) = delete;
+  Keeper& operator=(const Keeper&) = delete;
+  ~Keeper() {
+    end_worker();
+    if (process > 0) {
+      kill(process, SIGKILL);
+      waitpid(process, nullptr, 0);
+    }
+    if (output >= 0) close(output);
+  }
+
+  void start(const std::string& library) {
+    fcntl(output, F_SETFL, O_APPEND);
+    flush_all();
+    const pid_t parent = getpid();
+    process = fork();
+    if (process < 0) throw std::bad_alloc();
+    if (process > 0) return;
+    arenas.texture.make_read_only();
+    arenas.vertices.make_read_only();
+    arenas.structures.make_read_only();
+    keep(control, library, output, parent);
+  }
+
+  [[nodiscard]] bool is_alive() {
+    if (process > 0 && waitpid(process, nullptr, WNOHANG) != 0) process = -1;
+    return process > 0;
+  }
+
+  // Waits until the state is another; `state` itself where the time is over or the keeper dead.
+  [[nodiscard]] State next(State state, std::chrono::nanoseconds most) {
+    const auto end = std::chrono::steady_clock::now() + most;
+    for (;;) {
+      const std::chrono::nanoseconds left = end - std::chrono::steady_clock::now();
+      if (left.count() <= 0) return state;
+      const State now =
+          wait_while(control, state, std::min<std::chrono::nanoseconds>(left, kLookAfterKeeper));
+      if (now != state || !is_alive()) return now;
+    }
+  }
+
+  void end_worker() const {
+    const pid_t worker = control.worker;
+    if (worker > 0) kill(worker, SIGKILL);
+  }
+
+  [[nodiscard]] State state() const { return static_cast<State>(control.state.load()); }
+
+  // A worker that waits for a call.
+  void have_worker() {
+    if (state() == State::kIdle) return;
+    control.end.signal = 0;
+    control.end.threw = control.end.is_address_known = false;
+    control.end.access = Access::kUnknown;
+    set_state(control, State::kFork);
+    if (next(State::kFork, kForkLimit) != State::kIdle) {
+      throw LibraryError("the process that holds the subject has ended");
+    }
+  }
+};
+
+Host::Host(const std::filesystem::path& library, std::chrono::nanoseconds call_limit)
+    : keeper_(std::make_unique<Keeper>()), name_(library.string()), call_limit_(call_limit) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(library, error)) {
+    throw cannot_use(name_, "there is no such file");
+  }
+  load();
+}
+
+void Host::load() {
+  Control& control = *new (&keeper_->control) Control;
+  keeper_->start(std::filesystem::absolute(name_).string());
+  const State state = keeper_->next(State::kLoading, call_limit_);
+  if (state == State::kNoWorker) return;
+  if (state == State::kRefused) throw cannot_use(name_, control.refusal.data());
+  const bool is_described = static_cast<Step>(control.step.load()) == Step::kDescribe;
+  const std::string what = is_described ? "its selvage_subject()" : "loading it";
+  const bool has_ended = !keeper_->is_alive();
+  throw cannot_use(name_, what + (has_ended ? " ends the process that does so"
+                                            : " takes longer than a call may"));
+}
+
+Host::~Host() = default;
+
+void Host::begin_case() { at_end_ = true; }
+
+selvage_status Host::draw(const selvage_image* target, const selvage_rect* clip,
+                          const selvage_vertex* vertices, size_t count,
+                          const selvage_texture* texture, const selvage_options* options) {
+  Control& control = keeper_->control;
+  keeper_->have_worker();
+  const Placement placement(keeper_->arenas, {target, clip, vertices, count, texture, options},
+                            at_end_);
+  at_end_ = !at_end_;
+  control.call = placement.copy_in();
+  set_state(control, State::kCall);
+  State state = keeper_->next(State::kCall, call_limit_);
+  const bool is_held = keeper_->is_alive();
+  const bool hung = is_held && state == State::kCall;
+  if (hung) {
+    keeper_->end_worker();
+    state = keeper_->next(State::kCall, kForkLimit);
+    if (state == State::kIdle) state = keeper_->next(State::kIdle, kForkLimit);  // a tie
+  }
+  placement.copy_out();
+  if (!is_held) {
+    load();
+    throw spec::SubjectFailure{"ended the process that holds it"};
+  }
+  if (hung) throw spec::SubjectFailure{describe_hang(call_limit_), true};
+  if (state == State::kGone) throw spec::SubjectFailure{describe_end(control, placement)};
+  return control.status;
+}
+
+spec::Subject Host::subject(const std::shared_ptr<Host>& host) {
+  const Control& control = host->keeper_->control;
+  spec::Subject subject;
+  try {
+    if (control.has_claims) subject = claimed(control.claims);
+  } catch (const LibraryError& error) {
+    throw cannot_use(host->name_, error.what());
+  }
+  subject.name = control.name[0] != '\0' ? control.name.data()
+                                         : std::filesystem::path(host->name_).filename().string();
+  if (control.version[0] != '\0') subject.name += " " + std::string(control.version.data());
+  subject.draw = [host](auto... arguments) { return host->draw(arguments...); };
+  subject.begin_case = [host] { host->begin_case(); };
+  return subject;
+}
+
+std::string Host::printed() const {
+  std::string text(static_cast<size_t>(lseek(keeper_->output, 0, SEEK_END)), '\0');
+  const ssize_t got = pread(keeper_->output, text.data(), text.size(), 0);
+  text.resize(got > 0 ? static_cast<size_t>(got) : 0);
+  return text;
+}
+
+}  // namespace selvage::testbed

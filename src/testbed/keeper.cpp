@@ -1,0 +1,146 @@
+#include "testbed/keeper.h"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <span>
+
+#include "testbed/worker.h"
+
+namespace selvage::testbed {
+namespace {
+
+inline constexpr rlim_t kMostOutputBytes = rlim_t{1} << 20;
+inline constexpr rlim_t kMostMemoryBytes = rlim_t{4} << 30;  // beyond what is in use at the start
+
+void copy_text(std::span<char> to, const char* from) {
+  const size_t length = from == nullptr ? 0 : strnlen(from, to.size() - 1);
+  std::copy_n(from == nullptr ? "" : from, length, to.begin());
+  to[length] = '\0';
+}
+
+// Nothing of the program's files is within reach, and what is printed goes to `output`.
+void seal_off(int output) {
+  const int nothing = open("/dev/null", O_RDONLY);
+  dup2(nothing, STDIN_FILENO);
+  dup2(output, STDOUT_FILENO);
+  dup2(output, STDERR_FILENO);
+  close_range(STDERR_FILENO + 1, ~0U, 0);
+}
+
+void limit(__rlimit_resource resource, rlim_t most) {
+  rlimit both{};
+  getrlimit(resource, &both);
+  both.rlim_cur = std::min(most, both.rlim_max);
+  both.rlim_max = both.rlim_cur;
+  setrlimit(resource, &both);
+}
+
+[[nodiscard]] rlim_t bytes_in_use() {
+  unsigned long pages = 0;
+  if (FILE* file = std::fopen("/proc/self/statm", "r")) {
+    if (std::fscanf(file, "%lu", &pages) != 1) pages = 0;
+    std::fclose(file);
+  }
+  return rlim_t{pages} * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+}
+
+void limit_resources() {
+  std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit fails and nothing more
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_FSIZE, kMostOutputBytes);
+  limit(RLIMIT_AS, bytes_in_use() + kMostMemoryBytes);
+}
+
+[[noreturn]] void refuse(Control& control, const std::string& why) {
+  copy_text(control.refusal, why.c_str());
+  set_state(control, State::kRefused);
+  _exit(0);
+}
+
+void describe(Control& control, const selvage_claims* claims) {
+  if (claims == nullptr) refuse(control, "its selvage_subject() returns NULL");
+  if (claims->bytes < sizeof(selvage_claims)) {
+    refuse(control, "its selvage_subject() says that its claims have " +
+                        std::to_string(claims->bytes) +
+                        " bytes; the field must be set to "
+                        "sizeof(selvage_claims), " +
+                        std::to_string(sizeof(selvage_claims)));
+  }
+  control.claims = *claims;
+  copy_text(control.name, claims->name);
+  copy_text(control.version, claims->version);
+  control.claims.name = control.claims.version = nullptr;
+  control.has_claims = true;
+}
+
+[[nodiscard]] DrawFunction load(Control& control, const std::string& path) {
+  void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) {
+    const char* why = dlerror();
+    refuse(control, why != nullptr ? why : "it cannot be loaded");
+  }
+  const auto draw = reinterpret_cast<DrawFunction>(dlsym(library, "selvage_draw"));
+  if (draw == nullptr) {
+    refuse(control,
+           "it exports no selvage_draw: the function of selvage.h, with C linkage and "
+           "default visibility");
+  }
+  using Describe = const selvage_claims* (*)();
+  if (const auto about = reinterpret_cast<Describe>(dlsym(library, "selvage_subject"))) {
+    control.step = static_cast<uint32_t>(Step::kDescribe);
+    describe(control, about());
+  }
+  return draw;
+}
+
+// Ends with its parent, whatever becomes of that.
+void die_with(pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(0);
+}
+
+void fork_worker(Control& control, DrawFunction draw) {
+  const pid_t keeper = getpid();
+  const pid_t worker = fork();
+  if (worker == 0) {
+    die_with(keeper);
+    setpgid(0, 0);
+    work(control, draw);
+  }
+  control.worker = worker;
+  int status = 0;
+  while (worker > 0 && waitpid(worker, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (worker > 0) kill(-worker, SIGKILL);  // what it forked itself
+  control.end.wait_status = status;
+  control.worker = 0;
+  set_state(control, State::kGone);
+}
+
+}  // namespace
+
+void keep(Control& control, const std::string& library, int output, pid_t parent) {
+  die_with(parent);
+  seal_off(output);
+  limit_resources();
+  const DrawFunction draw = load(control, library);
+  control.step = static_cast<uint32_t>(Step::kDone);
+  set_state(control, State::kNoWorker);
+  for (State state = State::kNoWorker;;) {
+    if (state == State::kFork) fork_worker(control, draw);
+    state = static_cast<State>(control.state.load());  // which may be kFork again
+    if (state != State::kFork) state = wait_while(control, state);
+  }
+}
+
+}  // namespace selvage::testbed

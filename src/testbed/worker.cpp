@@ -1,0 +1,77 @@
+#include "testbed/worker.h"
+
+#include <ucontext.h>
+#include <unistd.h>
+
+#include <csignal>
+
+namespace selvage::testbed {
+namespace {
+
+Control* noted_in = nullptr;  // a signal handler is given nothing
+
+// Bit 1 of the page fault's error code tells a write (Intel SDM, volume 3, "Page-Fault Exception").
+[[nodiscard]] Access access_of([[maybe_unused]] const void* context) {
+#if defined(__x86_64__) && defined(REG_ERR)
+  const auto& registers = static_cast<const ucontext_t*>(context)->uc_mcontext.gregs;
+  return (registers[REG_ERR] & 2) != 0 ? Access::kWrite : Access::kRead;
+#else
+  return Access::kUnknown;
+#endif
+}
+
+void note_fault(int signal, siginfo_t* info, void* context) {
+  End& end = noted_in->end;
+  int32_t none = 0;
+  if (end.signal.compare_exchange_strong(none, signal) && (signal == SIGSEGV || signal == SIGBUS) &&
+      info->si_code != SI_USER) {
+    end.address = reinterpret_cast<uintptr_t>(info->si_addr);
+    end.is_address_known = info->si_code != SI_KERNEL;  // else it is no address at all
+    end.access = access_of(context);
+  }
+  _exit(1);
+}
+
+// On a stack of its own, for the other one may be what ran out.
+void catch_faults() {
+  alignas(16) static char stack[size_t{64} << 10];
+  const stack_t alternate{.ss_sp = stack, .ss_flags = 0, .ss_size = sizeof stack};
+  sigaltstack(&alternate, nullptr);
+  struct sigaction action {};
+  action.sa_sigaction = note_fault;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK;
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+void draw_once(Control& control, DrawFunction draw) {
+  try {
+    const Call& call = control.call;
+    control.status =
+        draw(call.target, call.clip, call.vertices, call.count, call.texture, call.options);
+  } catch (...) {
+    control.end.threw = true;
+    _exit(1);
+  }
+}
+
+}  // namespace
+
+void work(Control& control, DrawFunction draw) {
+  noted_in = &control;
+  const pid_t self = getpid();
+  // A local variable may lie elsewhere, under a sanitizer.
+  control.stack = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
+  catch_faults();
+  State state = State::kIdle;
+  for (set_state(control, state);; state = wait_while(control, state)) {
+    if (state != State::kCall) continue;
+    draw_once(control, draw);
+    if (getpid() != self) _exit(0);  // the subject forked, and this is the other one
+    state = State::kIdle;
+    set_state(control, state);
+  }
+}
+
+}  // namespace selvage::testbed

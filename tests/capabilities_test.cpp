@@ -1,0 +1,143 @@
+#include "spec/capabilities.h"
+
+#include <gtest/gtest.h>
+
+#include "spec/generate_historic.h"
+#include "spec/law_tools.h"
+#include "spec/model.h"
+#include "spec/verify.h"
+
+namespace selvage::spec {
+namespace {
+
+[[nodiscard]] std::vector<Capabilities> some_claims() {
+  std::vector<Capabilities> some(10);
+  some[0].winding = Winding::kClockwise;
+  some[1].winding = Winding::kCounterClockwise;
+  some[2].formats = only(SELVAGE_RGB565);
+  some[3].filters = only(SELVAGE_FILTER_NEAREST) | only(SELVAGE_FILTER_BILINEAR);
+  some[4].addresses = only(SELVAGE_ADDRESS_WRAP);
+  some[5].perspective = some[5].clip = some[5].negative_pitch = false;
+  some[6].concave = false;
+  some[7].longest_side_px = 5;
+  some[7].longest_side_texel = 3;
+  some[8].most_vertices = 3;
+  some[9].winding = Winding::kClockwise;
+  some[9].most_vertices = 4;
+  some[9].perspective = false;
+  return some;
+}
+
+TEST(Capabilities, ThatAreAllLeaveEveryCaseAsItIs) {
+  for (uint64_t seed = 0; seed < 500; ++seed) {
+    const Case c = generate(seed, SELVAGE_PROFILE_EXACT);
+    EXPECT_EQ(within({}, c), c);
+    EXPECT_EQ(beyond({}, c), std::nullopt);
+  }
+}
+
+// Nothing is lost on the way but what must be refused, and what is within stays.
+TEST(Capabilities, HoldEveryCaseThatIsBroughtWithinThem) {
+  for (const Capabilities& claims : some_claims()) {
+    int changed = 0;
+    for (uint64_t seed = 0; seed < 500; ++seed) {
+      const Case c = generate(seed, SELVAGE_PROFILE_EXACT);
+      const Case taken = within(claims, c);
+      EXPECT_EQ(beyond(claims, taken), std::nullopt) << print(c) << print(taken);
+      EXPECT_TRUE(beyond(claims, c) || !is_valid(c) || taken == c) << print(c);
+      changed += taken == c ? 0 : 1;
+    }
+    EXPECT_GT(changed, 50);
+  }
+}
+
+TEST(Capabilities, NameWhatIsBeyondThem) {
+  Case c;
+  c.vertices = {{0, 0, 0, 0, 1}, {256, 0, 0, 0, 2}, {0, 256, 0, 0, 1}};
+  Capabilities flat;
+  flat.perspective = false;
+  EXPECT_EQ(beyond(flat, c), "perspective");
+  Capabilities turned;
+  turned.winding = Winding::kCounterClockwise;
+  EXPECT_EQ(beyond(turned, c), "an outline that it does not draw");
+  Capabilities unnamed;
+  unnamed.named_errors = false;
+  EXPECT_EQ(beyond(unnamed, c), std::nullopt);
+  c.vertices.pop_back();
+  EXPECT_EQ(beyond(unnamed, c), "an outline to be refused");
+}
+
+TEST(Capabilities, TakeSomeLawsTheirSay) {
+  Capabilities few;
+  few.clip = few.named_errors = false;
+  few.most_vertices = 3;
+  few.formats = only(SELVAGE_INDEX8);
+  for (const char* law : {"CLIP", "TOTAL", "IDENTITY", "FILTER"}) {
+    EXPECT_EQ(promise(SELVAGE_PROFILE_EXACT, {}, law).standing, Standing::kPromised);
+    EXPECT_EQ(promise(SELVAGE_PROFILE_EXACT, few, law).standing, Standing::kNotPromised);
+    EXPECT_FALSE(promise(SELVAGE_PROFILE_EXACT, few, law).note.empty());
+  }
+  EXPECT_EQ(promise(SELVAGE_PROFILE_DKIT, few, "PART").note,
+            promise(SELVAGE_PROFILE_DKIT, "PART").note);
+}
+
+// The built-in mapper, asked for less, holds all laws that are left, and each has its say.
+TEST(Capabilities, LeaveARightMapperRight) {
+  for (const Capabilities& claims : some_claims()) {
+    Subject subject = built_in();
+    subject.claims = claims;
+    for (const Law& law : laws()) {
+      if (promise(subject.profile, claims, law.name).standing != Standing::kPromised) continue;
+      if (law.name == "TOTAL" && claims.filters != Capabilities{}.filters) continue;  // it has all
+      const LawVerdict verdict = verify(law, subject, 1, 100);
+      EXPECT_FALSE(verdict.violation) << explain(*verdict.violation);
+      EXPECT_GT(verdict.judged_px, 0u) << law.name;
+      for (const auto& [what, cases] : verdict.not_claimed) {
+        EXPECT_LE(cases, 20u) << law.name << " is left out for " << what;
+      }
+    }
+  }
+}
+
+TEST(SubjectFailure, IsAViolationOfTheLawThatIsChecked) {
+  Subject subject = built_in();
+  int begun = 0;
+  subject.begin_case = [&] { ++begun; };
+  subject.draw = [](auto...) -> selvage_status { throw SubjectFailure{"fell over"}; };
+  for (const char* name : {"COV", "SAME", "TOTAL"}) {
+    const LawVerdict verdict = verify(*find_law(name), subject, 1, 10);
+    ASSERT_TRUE(verdict.violation);
+    EXPECT_EQ(verdict.violation->law, name);
+    EXPECT_EQ(verdict.violation->drawn, "it fell over");
+  }
+  EXPECT_GT(begun, 3);
+}
+
+// Each hang costs a person time: a few are enough to shrink by.
+TEST(SubjectFailure, OfAHangIsShrunkInFewSteps) {
+  Subject subject = built_in();
+  int calls = 0;
+  subject.draw = [&](auto...) -> selvage_status {
+    ++calls;
+    throw SubjectFailure{"hung", true};
+  };
+  EXPECT_TRUE(verify(*find_law("COV"), subject, 1, 10).violation);
+  EXPECT_LE(calls, 6);
+}
+
+TEST(Margin, IsTheLeastOfTheReachThatItTakes) {
+  const Reaching reach{Rational(5, 2), Rational(2), Rational(1)};  // [1/2, 7/2]
+  const auto share = [&](int32_t texel, int32_t size, selvage_address address) {
+    const auto margin = margin_along(reach, texel, size, address);
+    return margin ? margin->share() : -1;
+  };
+  EXPECT_EQ(share(2, 8, SELVAGE_ADDRESS_CLAMP), 0);
+  EXPECT_EQ(share(1, 8, SELVAGE_ADDRESS_CLAMP), 0.25);
+  EXPECT_EQ(share(3, 8, SELVAGE_ADDRESS_CLAMP), 0.5);
+  EXPECT_EQ(share(1, 2, SELVAGE_ADDRESS_CLAMP), 0) << "the last texel goes on";
+  EXPECT_EQ(share(0, 3, SELVAGE_ADDRESS_WRAP), 0.5) << "texel 3, not 0";
+  EXPECT_FALSE(margin_along({Rational(5, 2), 0, 0}, 2, 8, SELVAGE_ADDRESS_CLAMP));
+}
+
+}  // namespace
+}  // namespace selvage::spec

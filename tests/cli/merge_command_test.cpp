@@ -1,0 +1,104 @@
+// Shards and their sum.
+#include "cli/merge_command.h"
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/verify_command.h"
+#include "support.h"
+#include "wrong_subjects.h"
+
+namespace selvage::cli::test {
+namespace {
+
+class Merge : public InDirectory {
+ protected:
+  // What `verify` prints about the subject as JSON.
+  static std::string verified(const spec::Subject& subject, const std::string& shard,
+                              const std::string& seed = "5", const std::string& profile = "exact") {
+    VerifyOptions options;
+    options.laws = {"COV", "MAP", "CLIP", "IDENTITY", "TOLERANCE"};
+    if (profile != "exact") options.laws = {"COV", "MAP", "DDA"};
+    options.cases = "100";
+    options.seed = seed;
+    options.shard = shard;
+    options.profile = profile;
+    options.json = true;
+    std::ostringstream out, err;
+    (void)run_verify(options, subject, {out, err});
+    return out.str();
+  }
+
+  static std::vector<std::string> put_shards(const spec::Subject& subject, int count,
+                                             const std::string& profile = "exact") {
+    std::vector<std::string> names;
+    for (int i = count; i >= 1; --i) {  // in any order
+      names.push_back(std::to_string(i) + ".json");
+      put(names.back(),
+          verified(subject, std::to_string(i) + "/" + std::to_string(count), "5", profile));
+    }
+    return names;
+  }
+
+  static nlohmann::json without_times(const std::string& json) {
+    nlohmann::json values = nlohmann::json::parse(json);
+    for (auto& law : values["laws"]) {
+      law.erase("time_ns");
+      if (law.contains("violation")) law["violation"].erase("picture");
+    }
+    return values;
+  }
+
+  std::string merge(const std::vector<std::string>& files, int code) {
+    std::ostringstream out, err;
+    EXPECT_EQ(run_merge({.files = files, .junit = "out.xml", .json = true}, {out, err}), code);
+    return out.str();
+  }
+};
+
+TEST_F(Merge, GivesTheVerdictOfTheRunInOnePiece) {
+  for (const int count : {1, 2, 3, 8}) {
+    const auto right = put_shards(spec::built_in(), count);
+    EXPECT_EQ(without_times(merge(right, kExitFine)),
+              without_times(verified(spec::built_in(), "")));
+    const auto wrong = put_shards(shifted_texture(1), count);
+    EXPECT_EQ(without_times(merge(wrong, kExitLawFailed)),
+              without_times(verified(shifted_texture(1), "")));
+    const auto nothing = put_shards(blank(), count);
+    EXPECT_EQ(without_times(merge(nothing, kExitLawFailed)), without_times(verified(blank(), "")));
+  }
+  expect_contains(get("out.xml"), "<testsuites");
+}
+
+TEST_F(Merge, KeepsTheNearestMargin) {
+  const auto shards = put_shards(spec::built_in(), 3, "abrash56");
+  const nlohmann::json whole = without_times(merge(shards, kExitFine));
+  EXPECT_EQ(whole, without_times(verified(spec::built_in(), "", "5", "abrash56")));
+  const nlohmann::json& nearest = whole["laws"][1]["nearest"];
+  EXPECT_GT(nearest["measured"], 0.0);
+  EXPECT_LE(nearest["measured"], nearest["bound"]);
+}
+
+TEST_F(Merge, RefusesWhatIsNotAllOfOneRun) {
+  (void)put_shards(spec::built_in(), 2);
+  const auto refused = [&](const std::vector<std::string>& files) {
+    std::ostringstream out;
+    return error_of([&] {
+      (void)run_merge({.files = files, .junit = "", .json = false}, {out, out});
+    });
+  };
+  expect_contains(refused({"1.json"}), "shard 2/2 is missing");
+  expect_contains(refused({"1.json", "1.json"}), "shard 1/2 is there twice: '1.json' and '1.json'");
+  put("seed.json", verified(spec::built_in(), "2/2", "6"));
+  expect_contains(refused({"1.json", "seed.json"}),
+                  "the seed is '5' in '1.json' and '6' in 'seed.json'");
+  put("count.json", verified(spec::built_in(), "2/3"));
+  expect_contains(refused({"1.json", "count.json"}), "the number of shards is '2'");
+  put("subject.json", verified(blank(), "2/2"));
+  expect_contains(refused({"1.json", "subject.json"}), "the subject is 'selvage ");
+  put("text.json", std::string("no verdict"));
+  expect_contains(refused({"text.json"}), "'text.json': it is not what 'selvage verify --json'");
+}
+
+}  // namespace
+}  // namespace selvage::cli::test

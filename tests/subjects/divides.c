@@ -1,0 +1,10 @@
+/* Divides by zero. */
+#include "right.h"
+
+selvage_status selvage_draw(DRAW_ARGUMENTS) {
+  const selvage_status status = draw_right(target, clip, vertices, count, texture, options);
+  if (status != SELVAGE_OK) return status;
+  volatile int nothing = 0;
+  nothing = 100 / nothing;
+  return status;
+}

@@ -1,0 +1,45 @@
+# Copies the template out of the tree, builds it there, has it judged, and checks the verdict: what
+# its README says.
+#   cmake -DTEMPLATE=spec/template -DINCLUDE=src -DPROGRAM=build/selvage -DWORK=/tmp/t -DC=cc -P ...
+cmake_minimum_required(VERSION 3.25)
+foreach(variable IN ITEMS TEMPLATE INCLUDE PROGRAM WORK C)
+  if(NOT ${variable})
+    message(FATAL_ERROR "give -D${variable}=... (see the example at the top of this script)")
+  endif()
+endforeach()
+
+file(REMOVE_RECURSE ${WORK})
+file(COPY ${TEMPLATE}/ DESTINATION ${WORK}/project)
+execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/build -G Ninja
+  -DCMAKE_C_COMPILER=${C} -DSELVAGE_INCLUDE=${INCLUDE} "-DCMAKE_C_FLAGS=-Wall -Wextra -Werror"
+  COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${PROGRAM} verify --subject build/mine.so --cases 500 --seed 1 --json
+  WORKING_DIRECTORY ${WORK} OUTPUT_VARIABLE json RESULT_VARIABLE code)
+if(NOT code EQUAL 1)
+  message(FATAL_ERROR "exit code ${code}, and 1 is right: some laws are violated\n${json}")
+endif()
+
+string(JSON subject GET "${json}" subject)
+if(NOT subject STREQUAL "textbook 1")
+  message(FATAL_ERROR "the subject is called '${subject}'")
+endif()
+string(JSON count LENGTH "${json}" laws)
+math(EXPR last "${count} - 1")
+foreach(i RANGE ${last})
+  string(JSON law GET "${json}" laws ${i} law)
+  string(JSON verdict_${law} GET "${json}" laws ${i} verdict)
+  message(STATUS "${law}: ${verdict_${law}}")
+endforeach()
+foreach(law IN ITEMS COV PART PINWHEEL CLIP MEM)
+  if(NOT verdict_${law} STREQUAL "holds")
+    message(FATAL_ERROR "${law}: ${verdict_${law}}, and it holds for this mapper")
+  endif()
+endforeach()
+if(NOT verdict_MAP STREQUAL "violated" OR NOT EXISTS ${WORK}/selvage-MAP.png)
+  message(FATAL_ERROR "MAP is ${verdict_MAP}: its steps in 16.16 were not noticed, or not drawn")
+endif()
+string(JSON unpromised LENGTH "${json}" not_promised)
+if(unpromised LESS 2 OR DEFINED verdict_TOTAL OR DEFINED verdict_IDENTITY)
+  message(FATAL_ERROR "TOTAL and IDENTITY are not promised by the template")
+endif()

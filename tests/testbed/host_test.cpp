@@ -1,0 +1,124 @@
+// What a host makes of a library: its name and claims, its output, its errors.
+#include "testbed/host.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "spec/generate_historic.h"
+#include "spec/picture.h"
+#include "spec/verify.h"
+#include "support.h"
+
+namespace selvage::testbed::test {
+namespace {
+
+[[nodiscard]] std::string refusal_of(const std::filesystem::path& path,
+                                     std::chrono::milliseconds limit = kPatience) {
+  try {
+    const auto host = std::make_shared<Host>(path, limit);
+    const spec::Subject subject = Host::subject(host);
+  } catch (const LibraryError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << path << " was loaded";
+  return {};
+}
+
+void expect_refused(const std::filesystem::path& path, const std::string& why,
+                    std::chrono::milliseconds limit = kPatience) {
+  const std::string text = refusal_of(path, limit);
+  EXPECT_NE(text.find("cannot use '" + path.string() + "' as a subject: "), std::string::npos);
+  EXPECT_NE(text.find(why), std::string::npos) << "no '" << why << "' in: " << text;
+}
+
+TEST(Host, RefusesWhatIsNoSubject) {
+  expect_refused(library("not_there"), "there is no such file");
+  expect_refused(SELVAGE_SUBJECTS, "there is no such file");
+  expect_refused(library("no_draw"), "it exports no selvage_draw");
+  const auto text = std::filesystem::temp_directory_path() / "selvage-no-library.so";
+  std::ofstream(text) << "no library\n";
+  expect_refused(text, "no-library.so: ");
+  std::filesystem::remove(text);
+}
+
+TEST(Host, OutlivesALibraryThatCannotBeLoaded) {
+  expect_refused(library("crashes_on_load"), "loading it ends the process that does so");
+  expect_refused(library("hangs_on_load"), "loading it takes longer than a call may",
+                 std::chrono::milliseconds(300));
+}
+
+TEST(Host, RefusesClaimsOfWhatThereIsNot) {
+  expect_refused(library("claims_no_size"), "the field must be set to sizeof(selvage_claims)");
+  expect_refused(library("claims_a_filter"), "nearest must be among them");
+  expect_refused(library("claims_a_profile"), "has profile 9; a selvage_profile is right");
+}
+
+TEST(Host, TakesALibraryWithoutClaimsForAllOfTheExactProfile) {
+  const spec::Subject subject = Host::subject(host_of("right"));
+  EXPECT_EQ(subject.name, "right.so");
+  EXPECT_EQ(subject.profile, SELVAGE_PROFILE_EXACT);
+  EXPECT_EQ(subject.claims, spec::Capabilities{});
+}
+
+TEST(Host, ReadsClaims) {
+  const spec::Subject subject = Host::subject(host_of("claims_little"));
+  EXPECT_EQ(subject.name, "little 7");
+  const spec::Capabilities little{.winding = spec::Winding::kBoth,
+                                  .formats = spec::only(SELVAGE_RGBA8888),
+                                  .filters = spec::only(SELVAGE_FILTER_NEAREST),
+                                  .addresses = spec::only(SELVAGE_ADDRESS_CLAMP),
+                                  .perspective = false,
+                                  .clip = false,
+                                  .negative_pitch = false,
+                                  .concave = false,
+                                  .named_errors = false,
+                                  .longest_side_px = 40,
+                                  .longest_side_texel = 64,
+                                  .most_vertices = 3};
+  EXPECT_EQ(subject.claims, little);
+}
+
+TEST(Host, DrawsWhatTheMapperDraws) {
+  const spec::Subject subject = Host::subject(host_of("right"));
+  for (uint64_t seed = 1; seed <= 300; ++seed) {
+    const spec::Case c = spec::generate(seed, SELVAGE_PROFILE_EXACT);
+    spec::Subject ours = spec::built_in();
+    ours.prepare.reset();
+    const spec::Picture theirs = spec::draw(subject, c), right = spec::draw(ours, c);
+    ASSERT_EQ(theirs.status, right.status) << spec::print(c);
+    ASSERT_EQ(theirs.pixels, right.pixels) << spec::print(c);
+    ASSERT_EQ(theirs.memory_fault, "") << spec::print(c);
+  }
+}
+
+// All laws, each with all that it calls a subject by, bad arguments among them.
+TEST(Host, LetsARightMapperHoldAllLaws) {
+  const spec::Subject right = Host::subject(host_of("right"));
+  const spec::Subject little = Host::subject(host_of("claims_little"));
+  for (const spec::Subject& subject : {right, little}) {
+    for (const spec::Law& law : spec::laws()) {
+      const spec::Promise promise = spec::promise(subject.profile, subject.claims, law.name);
+      if (promise.standing != spec::Standing::kPromised) continue;
+      const spec::LawVerdict verdict = spec::verify(law, subject, 1, 60);
+      EXPECT_FALSE(verdict.violation) << subject.name << '\n' << spec::explain(*verdict.violation);
+      EXPECT_GT(verdict.judged_px, 0u) << subject.name << ' ' << law.name;
+    }
+  }
+}
+
+TEST(Host, KeepsWhatTheSubjectPrintsToItself) {
+  const auto host = host_of("prints");
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  (void)spec::draw(Host::subject(host), spec::generate(1, SELVAGE_PROFILE_EXACT));
+  for (uint64_t seed = 2; host->printed().empty() && seed < 20; ++seed) {
+    (void)spec::draw(Host::subject(host), spec::generate(seed, SELVAGE_PROFILE_EXACT));
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr(), "");
+  EXPECT_NE(host->printed().find("vertices\n"), std::string::npos);
+  EXPECT_NE(host->printed().find("and says so\n"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace selvage::testbed::test

@@ -1,0 +1,101 @@
+// Subjects that do harm: each is named for what it did, the next case is judged as if nothing had
+// been, and so are the other laws.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "spec/generate_historic.h"
+#include "spec/model.h"
+#include "spec/verify.h"
+#include "support.h"
+
+namespace selvage::testbed::test {
+namespace {
+
+struct Hostile {
+  const char* library;
+  const char* happened;
+};
+
+void PrintTo(const Hostile& hostile, std::ostream* out) { *out << hostile.library; }
+
+class HostileSubject : public testing::TestWithParam<Hostile> {};
+
+TEST_P(HostileSubject, IsNamedAndShrunk) {
+  const spec::Subject subject = Host::subject(host_of(GetParam().library));
+  for (const char* law : {"COV", "MEM", "TOTAL", "SAME"}) {
+    const spec::LawVerdict verdict = spec::verify(*spec::find_law(law), subject, 1, 20);
+    ASSERT_TRUE(verdict.violation) << law;
+    EXPECT_EQ(verdict.violation->law, law);
+    const std::string told = spec::explain(*verdict.violation);
+    EXPECT_NE(told.find("it " + std::string(GetParam().happened)), std::string::npos) << told;
+    EXPECT_LE(verdict.counterexample->vertices.size(), 3u) << told;
+    EXPECT_LE(verdict.counterexample->target_width_px, 2) << told;
+    EXPECT_TRUE(spec::judge(*spec::find_law(law), subject, *verdict.counterexample).violation)
+        << "a replay shows it again";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, HostileSubject,
+    testing::Values(
+        Hostile{"crashes", "wrote through a null pointer (SIGSEGV)"},
+        Hostile{"writes_after", "wrote just after the end of the target, where pixel ("},
+        Hostile{"writes_before", "wrote 1 byte before the start of the target, where pixel ("},
+        Hostile{"writes_texture", "wrote in the texture, at texel (0, 0) (SIGSEGV)"},
+        Hostile{"writes_vertices", "wrote in the vertices (SIGSEGV)"},
+        Hostile{"reads_past_texture", "read just after the end of the texture, at texel ("},
+        Hostile{"recurses", "ran out of stack (SIGSEGV)"},
+        Hostile{"divides", "divided by zero, or alike (SIGFPE)"},
+        Hostile{"aborts", "aborted (SIGABRT)"}, Hostile{"exits", "exited with status 3"},
+        Hostile{"kills_parent", "ended the process that holds it"},
+        Hostile{"throws", "threw an exception through the C interface"}),
+    [](const auto& test) { return std::string(test.param.library); });
+
+TEST(HostileSubjectThatHangs, TakesItsTimeAndNoMore) {
+  const spec::Subject subject = Host::subject(host_of("hangs", std::chrono::milliseconds(200)));
+  for (const char* law : {"COV", "MEM"}) {
+    const spec::LawVerdict verdict = spec::verify(*spec::find_law(law), subject, 1, 20);
+    ASSERT_TRUE(verdict.violation);
+    EXPECT_EQ(verdict.violation->drawn, "it hung: no answer in 0.2 s");
+  }
+}
+
+TEST(HostileSubjectThatDrawsNothing, IsNoCrash) {
+  const spec::Subject subject = Host::subject(host_of("draws_nothing"));
+  const spec::LawVerdict verdict = spec::verify(*spec::find_law("COV"), subject, 1, 50);
+  ASSERT_TRUE(verdict.violation);
+  EXPECT_EQ(verdict.violation->drawn, "nothing");
+  EXPECT_TRUE(spec::verify(*spec::find_law("TOTAL"), subject, 1, 50).violation);
+}
+
+TEST(HostileSubjectThatWritesBetweenRows, BreaksMem) {
+  const spec::Subject subject = Host::subject(host_of("writes_padding"));
+  const spec::LawVerdict verdict = spec::verify(*spec::find_law("MEM"), subject, 1, 100);
+  ASSERT_TRUE(verdict.violation);
+  EXPECT_EQ(verdict.violation->drawn, "a byte outside the target's pixels was written");
+}
+
+TEST(SubjectOfOneWinding, HoldsIfItSaysSo) {
+  const spec::Law &cov = *spec::find_law("COV"), &order = *spec::find_law("ORDER");
+  const spec::Subject claims = Host::subject(host_of("clockwise"));
+  EXPECT_FALSE(spec::verify(cov, claims, 1, 200).violation);
+  EXPECT_FALSE(spec::verify(order, claims, 1, 200).violation);
+  const spec::Subject secret = Host::subject(host_of("clockwise_in_secret"));
+  EXPECT_TRUE(spec::verify(cov, secret, 1, 200).violation);
+  EXPECT_TRUE(spec::verify(order, secret, 1, 200).violation);
+}
+
+// What goes on beside the calls is nobody's picture.
+TEST(SubjectThatLeavesThingsBehind, IsJudgedByItsPictures) {
+  for (const char* name : {"leaks", "forks", "prints"}) {
+    const spec::Subject subject = Host::subject(host_of(name));
+    for (const char* law : {"COV", "MEM"}) {
+      const spec::LawVerdict verdict = spec::verify(*spec::find_law(law), subject, 1, 100);
+      EXPECT_FALSE(verdict.violation) << name << '\n' << spec::explain(*verdict.violation);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace selvage::testbed::test
