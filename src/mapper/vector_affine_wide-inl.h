@@ -169,11 +169,11 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
   for_each_vector(spans, batch.to_anchor(), at, left,
                   [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR {
                     const LaneVectors lanes = batch.lanes_from(anchor);
-                    if (batch.any_near(lanes) || count_px < kLanes) return false;
+                    if (batch.any_near(lanes)) return false;
                     HWY_ALIGN int32_t place[kLanes];
                     hn::Store(batch.places(lanes), D32(), place);
-                    fetch_as<Pixel, kLanes>(texels, place,
-                                            pixels + row * pitch + px * ptrdiff_t{sizeof(Pixel)});
+                    fetch_vector<Pixel>(texels, place, count_px,
+                                        pixels + row * pitch + px * ptrdiff_t{sizeof(Pixel)});
                     return true;
                   });
 }

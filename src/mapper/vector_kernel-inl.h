@@ -218,6 +218,14 @@ HWY_INLINE void fetch_as(const void* texels, const int32_t* HWY_RESTRICT place,
   }
 }
 
+// Of a vector, or of the first ones.
+template <class Pixel>
+HWY_INLINE void fetch_vector(const void* texels, const int32_t* HWY_RESTRICT place, int32_t count,
+                             char* HWY_RESTRICT pixel) {
+  if (HWY_LIKELY(count >= kLanes)) return fetch_as<Pixel, kLanes>(texels, place, pixel);
+  fetch_as<Pixel>(texels, place, count, pixel);
+}
+
 HWY_INLINE void fetch(const selvage_texture& texture, const int32_t* HWY_RESTRICT place,
                       int32_t count, char* HWY_RESTRICT pixel) {
   with_pixel(texture.format,

@@ -15,8 +15,8 @@
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 #include "mapper/vector_affine_kernel-inl.h"
 #include "mapper/vector_blend_kernel-inl.h"
-#include "mapper/vector_narrow_projective-inl.h"
 #include "mapper/vector_projective_kernel-inl.h"
+#include "mapper/vector_projective_wide-inl.h"
 #include "mapper/vector_row_kernel-inl.h"
 #include "mapper/vector_stepped_kernel-inl.h"
 

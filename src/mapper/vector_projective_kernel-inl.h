@@ -44,18 +44,19 @@ struct ProjectiveParts {
   return hn::DemoteTo(DHalf(), floor);
 }
 
+[[nodiscard]] HWY_INLINE V32 low_texel(VD first, VD second, double error, bool* near) {
+  const auto low = low_texel(first, error, near);
+  return hn::Combine(D32(), low_texel(second, error, near), low);
+}
+
 [[nodiscard]] HWY_INLINE LowTexels low_texels(const ProjectiveParts& first,
                                               const ProjectiveParts& second, double error) {
-  const D32 d;
   const VD one = hn::Set(DD(), 1.0);
   const VD w = hn::Div(one, first.denominator), next_w = hn::Div(one, second.denominator);
-  bool near_u = false, near_v = false;
-  const auto low = [&](VD u, VD next_u, bool* near) HWY_ATTR {
-    const auto texels = low_texel(hn::Mul(u, w), error, near);
-    return hn::Combine(d, low_texel(hn::Mul(next_u, next_w), error, near), texels);
-  };
-  const V32 s = low(first.u, second.u, &near_u), t = low(first.v, second.v, &near_v);
-  return {s, t, near_u, near_v};
+  LowTexels low{{}, {}, false, false};
+  low.s = low_texel(hn::Mul(first.u, w), hn::Mul(second.u, next_w), error, &low.near_u);
+  low.t = low_texel(hn::Mul(first.v, w), hn::Mul(second.v, next_w), error, &low.near_v);
+  return low;
 }
 
 // Numbers are in texels times `scale`, a power of two.

@@ -75,7 +75,7 @@ class DividedVectors {
 
 [[nodiscard]] HWY_INLINE int32_t window_rows(const DividedLanes& lanes, int32_t width_px,
                                              const selvage_texture& texture) {
-  if (!kHasWindows) return 0;
+  if (!kHasWindows || width_px < 2 * kLanes) return 0;  // finding out would cost more than it saves
   const auto step_fx32 = [&](const DividedLanes::Linear& numerator) {
     const double steepest = steepest_texel(numerator, lanes.denominator(), width_px);
     return static_cast<int64_t>(HWY_MIN(steepest, 2.0) * 0x1p32) + 1;
@@ -144,11 +144,11 @@ HWY_NOINLINE void draw_loads(const DividedSpan& of, const Surface& surface, int3
   Pixel* const pixels = reinterpret_cast<Pixel*>(first_pixel(surface, {of.span.row, 0, 0}));
   for_each_vector(of, px, left,
                   [&](int32_t at_px, int32_t count_px, const LaneVectors& lanes) HWY_ATTR {
-                    if (fixed.any_near(lanes) || count_px < kLanes) return false;
+                    if (fixed.any_near(lanes)) return false;
                     HWY_ALIGN int32_t place[kLanes];
                     hn::Store(fixed.places(lanes), D32(), place);
-                    fetch_as<Pixel, kLanes>(surface.texture.texels, place,
-                                            reinterpret_cast<char*>(pixels + at_px));
+                    fetch_vector<Pixel>(surface.texture.texels, place, count_px,
+                                        reinterpret_cast<char*>(pixels + at_px));
                     return true;
                   });
 }
@@ -181,6 +181,14 @@ void draw_wide_projective(const ProjectiveSpans& spans, const Surface& surface) 
       if (left.count != 0) draw_left<Pixel, Address>(left, of, surface);
     }
   }
+}
+
+void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
+  with_address(surface, [&](auto address) {
+    with_pixel(surface.target.format, [&](auto pixel) {
+      draw_wide_projective<decltype(pixel), decltype(address)>(spans, surface);
+    });
+  });
 }
 
 }  // namespace
