@@ -39,8 +39,8 @@ inline constexpr double kPlaneRoundings = 8.5;
 // unit and truncating the reach another.
 inline constexpr double kPlaneErrorPerReach_fx32 = 0.3;
 static_assert(kPlaneErrorPerReach_fx32 < 1, "the reach itself serves as a bound");
-// So few coordinates are near-ties that do not lie next to a boundary: margins are 2^-7 of a step of
-// the filters' grid at most. What reaches further, slivers whose gradients are steep over their
+// So few coordinates are near-ties that do not lie next to a boundary: margins are 2^-7 of a step
+// of the filters' grid at most. What reaches further, slivers whose gradients are steep over their
 // rectangle and the steepest depths, is left to the edges and their gentle pieces.
 inline constexpr int32_t kMostReach = 1 << 16;
 static_assert(2 * (int64_t{kMostReach} + kProjectiveTruncations_fx32) <= kWidestMargin_fx32);
