@@ -1,0 +1,30 @@
+#include "mapper/interior.h"
+
+#include <algorithm>
+
+namespace selvage::mapper {
+
+// Two quotients round to less than a column of what they are, where they are columns of a row at
+// all: kSlack makes up for it.
+void InteriorOfLine::narrow(int64_t lane_fx32, Columns* columns) const {
+  const double at_zero = static_cast<double>(-lane_fx32) * columns_per_fx32_;
+  const double at_end = static_cast<double>(end_fx32_ - lane_fx32) * columns_per_fx32_;
+  columns->first = std::max(columns->first, std::min(at_zero, at_end) + kSlack);
+  columns->end = std::min(columns->end, std::max(at_zero, at_end) - kSlack);
+}
+
+Span Interior::of(const Span& span) const {
+  if (!rows_) return {span.row, span.left_px, span.left_px};
+  constexpr int64_t kHalf_fx32 = int64_t{1} << (kLaneFraction - 1);
+  const Lane lane = field_.at(span.left_px, span.row);
+  Columns columns{0, static_cast<double>(span.width_px())};
+  u_.narrow(lane.u_fx32 - kHalf_fx32, &columns);
+  v_.narrow(lane.v_fx32 - kHalf_fx32, &columns);
+  if (!(columns.first < columns.end)) return {span.row, span.left_px, span.left_px};
+  const bool from_start = columns.first == 0;
+  const auto first = static_cast<int32_t>(columns.first) + (from_start ? 0 : 1);
+  const auto end = static_cast<int32_t>(columns.end);
+  return {span.row, span.left_px + first, span.left_px + std::max(first, end)};
+}
+
+}  // namespace selvage::mapper
