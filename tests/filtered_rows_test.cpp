@@ -42,11 +42,11 @@ TEST_P(FilteredRows, AreTheModels) {
   const auto [filter, address, texels_per_px, far, kernel] = GetParam();
   const Case c = row(filter, address, texels_per_px, far);
   spec::Subject subject = spec::built_in();
-  subject.draw = [kernel = kernel](const selvage_image* target, const selvage_rect* clip,
-                                   const selvage_vertex* vertices, size_t count,
-                                   const selvage_texture* texture, const selvage_options* options) {
+  subject.draw = [by = kernel](const selvage_image* target, const selvage_rect* clip,
+                               const selvage_vertex* vertices, size_t count,
+                               const selvage_texture* texture, const selvage_options* options) {
     selvage_options by_kernel = *options;
-    by_kernel.kernel = kernel;
+    by_kernel.kernel = by;
     by_kernel.tolerance = SELVAGE_SUBTEXELS;  // filters are exact whatever the tolerance
     return selvage_draw(target, clip, vertices, count, texture, &by_kernel);
   };
