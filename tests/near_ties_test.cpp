@@ -39,12 +39,16 @@ inline constexpr int32_t kFar_px = 32766, kFar_fx16 = kFar_px << kTexelFraction;
 
 // Cut to the width of short rows, it is the same map only where that is affine.
 void narrow(std::vector<selvage_vertex>* quad, int32_t width_px) {
+  const auto beyond = [&](int32_t texel_fx16) {
+    const int64_t moved_fx16 = int64_t{texel_fx16} + (width_px << kTexelFraction);
+    return static_cast<int32_t>(std::min<int64_t>(moved_fx16, INT32_MAX));
+  };
   for (const size_t right : {size_t{1}, size_t{2}}) {
     selvage_vertex& vertex = (*quad)[right];
-    const selvage_vertex& left = (*quad)[3 - right];
+    const selvage_vertex& left = (*quad)[right == 1 ? 0 : 3];
     vertex.x = width_px * kSubpixels;
-    vertex.u = left.u + (width_px << kTexelFraction);
-    vertex.v = left.v + (width_px << kTexelFraction);
+    vertex.u = beyond(left.u);
+    vertex.v = beyond(left.v);
   }
 }
 
