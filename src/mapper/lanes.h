@@ -9,6 +9,7 @@
 // below.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "mapper/span.h"
@@ -128,6 +129,10 @@ struct ProjectiveField {
   int32_t first_px, first_row;
   Linear u_fx32, v_fx32, denominator;
   int64_t error_fx32;  // as of DividedLanes
+  // From a pixel to the next: the most that u or v changes by, cancellation left out, and the most
+  // that the denominator does, as a share of itself. Infinite where nobody has found out.
+  double steepest_fx32 = HUGE_VAL;
+  double turn = HUGE_VAL;
 
   [[nodiscard]] DividedLanes of(const Span& span) const {
     const double dx = span.left_px - first_px, dy = span.row - first_row;

@@ -79,7 +79,12 @@ bool ProjectivePlane::set_lanes(const Polygon& polygon, const selvage_rect& visi
   const double columns = std::max(std::min(visible.right, polygon.right_px) - lanes_.first_px, 0);
   const double rows = std::max(std::min(visible.bottom, polygon.bottom_row) - lanes_.first_row, 0);
   int32_t least_q = SELVAGE_Q_MAX;
-  for (const selvage_vertex& vertex : polygon.vertices) least_q = std::min(least_q, vertex.q);
+  double furthest_texel_fx16 = 0;
+  for (const selvage_vertex& vertex : polygon.vertices) {
+    least_q = std::min(least_q, vertex.q);
+    furthest_texel_fx16 = std::max({furthest_texel_fx16, std::abs(static_cast<double>(vertex.u)),
+                                    std::abs(static_cast<double>(vertex.v))});
+  }
 
   // Denominators are in units of the least one.
   const double unit = 1 / (static_cast<double>(doubled_area_) * least_q);
@@ -92,6 +97,10 @@ bool ProjectivePlane::set_lanes(const Polygon& polygon, const selvage_rect& visi
   const double reach = numerator / kMostTexel_fx32 + most(lanes_.denominator, columns, rows);
   if (!(reach <= kMostReach)) return false;
   lanes_.error_fx32 = static_cast<int64_t>(reach) + kProjectiveTruncations_fx32;
+  // u' = (N' - u D') / D, and D is at least a unit.
+  lanes_.turn = std::abs(lanes_.denominator.step_x);
+  lanes_.steepest_fx32 = std::max(std::abs(lanes_.u_fx32.step_x), std::abs(lanes_.v_fx32.step_x)) +
+                         furthest_texel_fx16 * kTexelsPerUnit * lanes_.turn;
   return true;
 }
 

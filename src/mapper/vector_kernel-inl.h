@@ -31,6 +31,10 @@ inline constexpr int32_t kLanes = static_cast<int32_t>(hn::MaxLanes(D32()));
 struct Origin {
   int32_t texel, index;
 };
+template <class V>
+struct Origins {
+  V texel, index;
+};
 
 // ---- Address modes: texel indices to indices into the texture ----------------------------------
 
@@ -47,6 +51,11 @@ struct ClampVector {
     return {inside, inside};
   }
   template <class V>
+  static HWY_INLINE Origins<V> origins(V texel, V last, int32_t /*size_texel*/) {
+    const V inside = hn::Min(hn::Max(texel, hn::Zero(hn::DFromV<V>())), last);
+    return {inside, inside};
+  }
+  template <class V>
   static HWY_INLINE V window_texel(V texel, int32_t size_texel) {
     return index(texel, size_texel);
   }
@@ -56,6 +65,10 @@ struct WrapMaskedVector {
   using Scalar = WrapMasked;
   static HWY_INLINE Origin origin(int32_t texel, int32_t /*last*/, int32_t size_texel) {
     return {texel, Scalar::index(texel, size_texel)};
+  }
+  template <class V>
+  static HWY_INLINE Origins<V> origins(V texel, V /*last*/, int32_t size_texel) {
+    return {texel, index(texel, size_texel)};
   }
   template <class V>
   static HWY_INLINE V window_texel(V texel, int32_t /*size_texel*/) {
@@ -72,6 +85,10 @@ struct WrapVector {
   using Scalar = Wrap;
   static HWY_INLINE Origin origin(int32_t texel, int32_t /*last*/, int32_t size_texel) {
     return {texel, Scalar::index(texel, size_texel)};
+  }
+  template <class V>
+  static HWY_INLINE Origins<V> origins(V texel, V /*last*/, int32_t size_texel) {
+    return {texel, index(texel, size_texel)};
   }
   template <class V>
   static HWY_INLINE V window_texel(V texel, int32_t /*size_texel*/) {

@@ -16,6 +16,7 @@
 #include "mapper/vector_affine_kernel-inl.h"
 #include "mapper/vector_blend_kernel-inl.h"
 #include "mapper/vector_projective_kernel-inl.h"
+#include "mapper/vector_projective_pieces-inl.h"
 #include "mapper/vector_projective_wide-inl.h"
 #include "mapper/vector_row_kernel-inl.h"
 #include "mapper/vector_stepped_kernel-inl.h"

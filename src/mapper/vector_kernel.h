@@ -24,6 +24,29 @@ inline constexpr int32_t kVectorTruncations_fx16 = 2;
 inline constexpr int64_t kDividedSlack_fx32 = 1;
 inline constexpr int32_t kDividedTruncations_fx16 = 2;
 
+// Or they are counted from an anchor, the first of a vector of pixels, in single precision: where
+// the denominator turns by no more than half of itself over them, and u and v walk no further than
+// so. Anchors are lowered by twice their error, a half for the rounding to a whole number, and the
+// roundings of single precision; kAnchoredTruncations_fx16 is for floors.
+inline constexpr double kMostTurn = 0.5, kMostWalk_fx16 = (1 << 22) - 4;
+inline constexpr float kWholeNumbers = 3 << 22;     // floats next to it, up to 2^22 away, are whole
+inline constexpr double kAnchoredRoundings = 6.25;  // in units of 2^-24 of the walk
+inline constexpr double kAnchoredSlack_fx16 = 0.5 + 0x1p-10;
+inline constexpr int32_t kAnchoredTruncations_fx16 = 2;
+
+[[nodiscard]] inline double walk_fx16(const ProjectiveField& field) {
+  constexpr double kUnit_fx16 = 1.0 / (1 << (kLaneFraction - kTexelFraction));
+  return (kMostLanes - 1) * field.steepest_fx32 * kUnit_fx16;
+}
+[[nodiscard]] inline bool are_anchored(const ProjectiveField& field) {
+  return (kMostLanes - 1) * field.turn <= kMostTurn && walk_fx16(field) <= kMostWalk_fx16;
+}
+[[nodiscard]] inline double anchored_error_fx16(const ProjectiveField& field) {
+  constexpr double kUnit_fx16 = 1.0 / (1 << (kLaneFraction - kTexelFraction));
+  return 2 * static_cast<double>(field.error_fx32) * kUnit_fx16 +
+         kAnchoredRoundings * 0x1p-24 * walk_fx16(field) + kAnchoredSlack_fx16;
+}
+
 // 16.16 lanes fit 32 bits although they may be low by a little.
 [[nodiscard]] inline bool lanes_fit(const Polygon& polygon) {
   return polygon.least_texel_fx16 >= INT32_MIN + (1 << kTexelFraction);

@@ -183,14 +183,6 @@ void draw_wide_projective(const ProjectiveSpans& spans, const Surface& surface) 
   }
 }
 
-void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
-  with_address(surface, [&](auto address) {
-    with_pixel(surface.target.format, [&](auto pixel) {
-      draw_wide_projective<decltype(pixel), decltype(address)>(spans, surface);
-    });
-  });
-}
-
 }  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -1,0 +1,103 @@
+// Projective spans, a vector of pixels at a time, from anchors. Included once for each SIMD target.
+#if defined(SELVAGE_VECTOR_PROJECTIVE_PIECES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_PROJECTIVE_PIECES_INL_H
+#undef SELVAGE_VECTOR_PROJECTIVE_PIECES_INL_H
+#else
+#define SELVAGE_VECTOR_PROJECTIVE_PIECES_INL_H
+#endif
+
+#include "mapper/vector_projective_anchors-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+// Near-ties of pieces, by lanes of doubles.
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_left(const Left& left, const ProjectiveSpans& spans,
+                            const Surface& surface) {
+  RowOfTies ties(spans.exact, left.rest[0], 0);
+  for (int32_t i = 0; i < left.count; ++i) {
+    const Span& rest = left.rest[i];
+    if (rest.row != ties.span().row) ties.go_to(rest);
+    const DividedLanes lanes = spans.field.of(rest);
+    const FixedLanes<Address> fixed(surface.texture, DividedVectors::lack_fx16(lanes));
+    fixed.template draw<Pixel>(rest, surface, ties, DividedVectors(lanes).lanes_from(0));
+  }
+}
+
+// Until `left` may not hold the next ones; false where no piece is left.
+template <class Pixel, class Address>
+HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vectors,
+                              PieceWalk* from, Left* left) {
+  const FixedLanes<Address> fixed(surface.texture, vectors.lack_fx16());
+  const Extent extent = extent_of(surface.texture);
+  const auto* const texels = static_cast<const Pixel*>(surface.texture.texels);
+  char* const pixels = static_cast<char*>(surface.target.pixels);
+  const ptrdiff_t pitch = surface.target.pitch;
+  PieceWalk walk = *from;
+  int32_t left_count = 0;
+  bool more = true;
+  Pieces pieces;
+  Anchors anchors;
+  WindowOrigins origins;
+  while (left_count <= Left::kMost - kMostPieces && (more = walk.next(&pieces))) {
+    for (int32_t k = 0; k < pieces.count; k += kDoubles) {
+      vectors.find(pieces, k, &anchors);
+      if constexpr (kHasWindows) {
+        AnchoredVectors::find_origins<Address>(pieces, k, anchors, extent, &origins);
+      }
+    }
+    for (int32_t k = 0; k < pieces.count; ++k) {
+      const LaneVectors lanes = AnchoredVectors::lanes_from(anchors, k);
+      const int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
+      const int32_t rows = kHasWindows ? pieces.window_rows[k] : 0;
+      Pixel* const to =
+          reinterpret_cast<Pixel*>(pixels + pieces.row[k] * pitch) + pieces.left_px[k];
+      if (HWY_UNLIKELY(fixed.any_near(lanes) || (rows != 0 && origins.place[k] < 0))) {
+        left->rest[left_count++] = pieces.rest(k);
+      } else if (rows != 0) {
+        const V32 index = fixed.window_index(lanes, hn::Set(D32(), origins.index[k]));
+        store_pixels(pick(texels + origins.place[k], extent.pitch_texel, rows, index), count_px,
+                     to);
+      } else {
+        HWY_ALIGN int32_t place[kLanes];
+        hn::Store(fixed.places(lanes), D32(), place);
+        fetch_vector<Pixel>(texels, place, count_px, reinterpret_cast<char*>(to));
+      }
+    }
+  }
+  left->count = left_count;
+  *from = walk;
+  return more;
+}
+
+template <class Pixel, class Address>
+void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
+  const AnchoredVectors vectors(spans.field);
+  PieceWalk walk(spans, surface.texture);
+  Left left;
+  bool more = true;
+  while (more) {
+    more = draw_pieces<Pixel, Address>(surface, vectors, &walk, &left);
+    if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface);
+  }
+}
+
+void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
+  const bool by_pieces = are_anchored(spans.field);
+  with_address(surface, [&](auto address) {
+    with_pixel(surface.target.format, [&](auto pixel) {
+      if (by_pieces) {
+        draw_by_pieces<decltype(pixel), decltype(address)>(spans, surface);
+      } else {
+        draw_wide_projective<decltype(pixel), decltype(address)>(spans, surface);
+      }
+    });
+  });
+}
+
+}  // namespace
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,85 @@
+// Where vectors of pixels in perspective are counted from their first one: about the steepest turns
+// and the longest walks that are, with ties, and a little beyond.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "mapper/projective_plane.h"
+#include "mapper/vector_kernel.h"
+#include "spec/random.h"
+#include "tests/kernel_support.h"
+
+namespace selvage::mapper {
+namespace {
+
+inline constexpr int32_t kHeight_px = 24;
+
+[[nodiscard]] int32_t rounded(double value) { return static_cast<int32_t>(std::lround(value)); }
+
+// A triangle of which q runs from q_left to its last value over the width of the target, u and v by
+// so many texels a pixel at the left.
+[[nodiscard]] spec::Case any_case(uint64_t seed) {
+  static constexpr selvage_format kFormats[] = {SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888};
+  static constexpr int32_t kSizes[] = {1, 7, 8, 16, 33, 64, 100, 1024};
+  static constexpr double kTurns[] = {0.001, 0.01, 0.03, 1.0 / 30, 0.034, 0.05};
+  static constexpr double kSteps_texel[] = {1.0 / 4096, 0.125, 0.25, 1.0 / 3, 0.5, 1, 2, 4};
+  spec::Random random(seed);
+  spec::Case c;
+  c.format = random.pick(kFormats);
+  c.address = random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP;
+  c.target_width_px = random.in(3, 150);
+  c.target_height_px = kHeight_px;
+  c.texture_width_texel = random.pick(kSizes);
+  c.texture_height_texel = random.pick(kSizes);
+  const double turn = random.pick(kTurns) * (random.percent(50) ? 1 : -1);
+  const double u_step = random.pick(kSteps_texel), v_step = random.pick(kSteps_texel);
+  const double q_least = 16.0 * random.in(1, 4096);
+  const double growth = std::exp(turn * c.target_width_px);
+  const double q_left = growth > 1 ? q_least : q_least / growth;
+  const int32_t u_texel = random.in(-200, 200), v_texel = random.in(-200, 200);
+  for (int corner = 0; corner < 3; ++corner) {
+    const int32_t x_px = corner == 0 ? 0 : random.in(0, c.target_width_px);
+    const int32_t y_px = corner == 0 ? random.in(0, kHeight_px) : corner == 1 ? 0 : kHeight_px;
+    const double q = q_left * (1 + x_px * turn);
+    const int32_t along_px = corner == 2 ? c.target_width_px : x_px;
+    c.vertices.push_back({(corner == 2 ? c.target_width_px : x_px) * 256, y_px * 256,
+                          rounded((u_texel + along_px * u_step) * 65536),
+                          rounded((v_texel + along_px * v_step + y_px * 0.25) * 65536),
+                          std::clamp(rounded(q), 1, 1 << 23)});
+  }
+  return c;
+}
+
+TEST(Anchored, EveryKernelDrawsWhatTheScalarOneDraws) {
+  int anchored = 0, not_anchored = 0, near_limits = 0;
+  for (uint64_t seed = 1; seed <= 6000; ++seed) {
+    const spec::Case c = any_case(seed);
+    Polygon polygon;
+    if (examine(c.vertices, &polygon) != SELVAGE_OK || polygon.affine) continue;
+    const auto plane = ProjectivePlane::of(polygon, {0, 0, c.target_width_px, c.target_height_px});
+    if (plane) {
+      const ProjectiveField& field = plane->lanes();
+      (are_anchored(field) ? anchored : not_anchored) += 1;
+      const double turn = (kMostLanes - 1) * field.turn / kMostTurn;
+      const double walk = walk_fx16(field) / kMostWalk_fx16;
+      near_limits += std::abs(std::max(turn, walk) - 0.9) < 0.1 ? 1 : 0;
+    }
+    const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR);
+    for (const selvage_kernel kernel : usable_kernels()) {
+      ASSERT_TRUE(drawing_of(c, kernel) == scalar)
+          << "kernel " << kernel << ", seed " << seed << "\n"
+          << spec::print(c);
+    }
+  }
+  EXPECT_GT(anchored, 1000);
+  EXPECT_GT(not_anchored, 500);
+  EXPECT_GT(near_limits, 150);
+  RecordProperty("anchored", anchored);
+  RecordProperty("not_anchored", not_anchored);
+  RecordProperty("near_limits", near_limits);
+}
+
+}  // namespace
+}  // namespace selvage::mapper
