@@ -47,8 +47,29 @@ class PieceWalk {
   HWY_INLINE PieceWalk(const ProjectiveSpans& spans, const selvage_texture& texture)
       : spans_(&spans), texture_(&texture) {}
 
-  // False where none is left.
+  // False where none is left. Some may be empty.
   HWY_INLINE bool next(Pieces* pieces) {
+    return spans_->batch.widest_px <= kLanes ? next_rows(pieces) : next_parts(pieces);
+  }
+
+ private:
+  // Each row is a piece.
+  HWY_INLINE bool next_rows(Pieces* pieces) {
+    const SpanBatch& batch = spans_->batch;
+    static_assert(kRowsPerBatch % kMostPieces == 0);
+    pieces->count = HWY_MIN(batch.rows - next_, kMostPieces);
+    const D32 d;
+    for (int32_t k = 0; k < kMostPieces; k += kLanes) {
+      hn::StoreU(hn::Iota(d, batch.first_row + next_ + k), d, pieces->row + k);
+      hn::StoreU(hn::LoadU(d, batch.left_px.data() + next_ + k), d, pieces->left_px + k);
+      hn::StoreU(hn::LoadU(d, batch.right_px.data() + next_ + k), d, pieces->right_px + k);
+      hn::StoreU(hn::Zero(d), d, pieces->window_rows + k);
+    }
+    next_ += kMostPieces;
+    return pieces->count > 0;
+  }
+
+  HWY_INLINE bool next_parts(Pieces* pieces) {
     int32_t count = 0;
     for (; count < kMostPieces; ++count) {
       while (span_.left_px >= span_.right_px) {
@@ -69,7 +90,6 @@ class PieceWalk {
     return true;
   }
 
- private:
   HWY_NOINLINE int32_t rows_of(const Span& span) const {
     return window_rows(spans_->field.of(span), span.width_px(), *texture_);
   }

@@ -49,8 +49,9 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
       }
     }
     for (int32_t k = 0; k < pieces.count; ++k) {
-      const LaneVectors lanes = AnchoredVectors::lanes_from(anchors, k);
       const int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
+      if (HWY_UNLIKELY(count_px <= 0)) continue;
+      const LaneVectors lanes = AnchoredVectors::lanes_from(anchors, k);
       const int32_t rows = kHasWindows ? pieces.window_rows[k] : 0;
       Pixel* const to =
           reinterpret_cast<Pixel*>(pixels + pieces.row[k] * pitch) + pieces.left_px[k];
