@@ -1,4 +1,5 @@
-// Projective spans in pieces of a vector each: their anchors. Included once for each SIMD target.
+// Projective spans in pieces of a vector or some: their anchors. Included once for each SIMD
+// target.
 //
 // Only a piece's first pixel, its anchor, is divided in double, those of several pieces at once.
 // With u_0 and d_0 there, the pixel i further on has
@@ -31,14 +32,19 @@ using DHalfFloat = hn::RebindToFloat<DHalf>;
 inline constexpr int32_t kMostPieces = 16;
 static_assert(kMostPieces % kDoubles == 0);
 
-// Pixels of a row, as many as a vector has, or the last ones of a span.
+// Pixels of a row, kMostLanes of them, or the last ones of a span.
+inline constexpr int32_t kPiece_px = kMostLanes;
+inline constexpr int32_t kVectorsPerPiece = kPiece_px / kLanes;
 struct Pieces {
   int32_t count;  // beyond it, values mean nothing
   int32_t row[kMostPieces], left_px[kMostPieces];
   int32_t right_px[kMostPieces];     // the end of the span
   int32_t window_rows[kMostPieces];  // 0: a load for each pixel
 
-  [[nodiscard]] HWY_INLINE Span rest(int32_t k) const { return {row[k], left_px[k], right_px[k]}; }
+  // From one of its vectors on.
+  [[nodiscard]] HWY_INLINE Span rest(int32_t k, int32_t vector) const {
+    return {row[k], left_px[k] + vector * kLanes, right_px[k]};
+  }
 };
 
 // The pieces of a batch's spans, some at a time.
@@ -49,7 +55,7 @@ class PieceWalk {
 
   // False where none is left. Some may be empty.
   HWY_INLINE bool next(Pieces* pieces) {
-    return spans_->batch.widest_px <= kLanes ? next_rows(pieces) : next_parts(pieces);
+    return spans_->batch.widest_px <= kPiece_px ? next_rows(pieces) : next_parts(pieces);
   }
 
  private:
@@ -84,7 +90,7 @@ class PieceWalk {
       pieces->left_px[count] = span_.left_px;
       pieces->right_px[count] = span_.right_px;
       pieces->window_rows[count] = window_rows_;
-      span_.left_px += kLanes;
+      span_.left_px += kPiece_px;
     }
     pieces->count = count;
     return true;
@@ -110,7 +116,7 @@ struct Anchors {
 // Where windows begin: the texel as an index into a window, and its place in the texture, negative
 // where the window does not lie in it.
 struct WindowOrigins {
-  int32_t index[kMostPieces], place[kMostPieces];
+  int32_t index[kVectorsPerPiece][kMostPieces], place[kVectorsPerPiece][kMostPieces];
 };
 
 template <class Floats>
@@ -160,29 +166,32 @@ class AnchoredVectors {
     store_floor(hn::Sub(v, hn::Set(d, lowered_fx16_)), anchors->v_fx16 + k);
   }
 
-  // Of kLanes pixels.
-  static HWY_INLINE LaneVectors lanes_from(const Anchors& anchors, int32_t k) {
+  // Of kLanes pixels, one of the piece's vectors of them.
+  static HWY_INLINE LaneVectors lanes_from(const Anchors& anchors, int32_t k, int32_t vector) {
     const D32 d;
     const hn::RebindToFloat<D32> df;
-    const auto share =
-        share_of(df, hn::ConvertTo(df, hn::Iota(d, 0)), hn::Set(df, anchors.turn[k]));
+    const auto i = hn::ConvertTo(df, hn::Iota(d, vector * kLanes));
+    const auto share = share_of(df, i, hn::Set(df, anchors.turn[k]));
     return {lane_of(df, hn::Set(d, anchors.u_fx16[k]), share, hn::Set(df, anchors.u_rise[k])),
             lane_of(df, hn::Set(d, anchors.v_fx16[k]), share, hn::Set(df, anchors.v_rise[k]))};
   }
 
-  // Of kDoubles pieces from k on. Along a span u and v rise or fall all the way: its ends have the
-  // least and the most.
+  // Of a vector of kDoubles pieces from k on. Along a span u and v rise or fall all the way: its
+  // ends have the least and the most.
   template <class Address>
-  static HWY_INLINE void find_origins(const Pieces& pieces, int32_t k, const Anchors& anchors,
-                                      const Extent& extent, WindowOrigins* origins) {
+  static HWY_INLINE void find_origins(const Pieces& pieces, int32_t k, int32_t vector,
+                                      const Anchors& anchors, const Extent& extent,
+                                      WindowOrigins* origins) {
     const DHalf d;
+    const DHalfFloat df;
     const VHalf width_px =
         hn::Sub(hn::LoadU(d, pieces.right_px + k), hn::LoadU(d, pieces.left_px + k));
-    const VHalf last = hn::Sub(hn::Min(width_px, hn::Set(d, kLanes)), hn::Set(d, 1));
-    const DHalfFloat df;
-    const auto share = share_of(df, hn::ConvertTo(df, last), hn::LoadU(df, anchors.turn + k));
-    const VHalf s = least_texel(anchors.u_fx16 + k, anchors.u_rise + k, share);
-    const VHalf t = least_texel(anchors.v_fx16 + k, anchors.v_rise + k, share);
+    const VHalf end = hn::Min(width_px, hn::Set(d, (vector + 1) * kLanes));
+    const auto turn = hn::LoadU(df, anchors.turn + k);
+    const auto first = share_of(df, hn::Set(df, static_cast<float>(vector * kLanes)), turn);
+    const auto last = share_of(df, hn::ConvertTo(df, hn::Sub(end, hn::Set(d, 1))), turn);
+    const VHalf s = least_texel(anchors.u_fx16 + k, anchors.u_rise + k, first, last);
+    const VHalf t = least_texel(anchors.v_fx16 + k, anchors.v_rise + k, first, last);
     const VHalf last_s = hn::Set(d, extent.width_texel - kLanes);
     const VHalf last_t =
         hn::Sub(hn::Set(d, extent.height_texel), hn::LoadU(d, pieces.window_rows + k));
@@ -191,8 +200,8 @@ class AnchoredVectors {
     const auto outside = hn::Or(hn::Gt(column.index, last_s), hn::Gt(row.index, last_t));
     const VHalf place = hn::Add(hn::Mul(row.index, hn::Set(d, extent.pitch_texel)), column.index);
     hn::StoreU(hn::Add(hn::ShiftLeft<kWindowColumnBits>(row.texel), column.texel), d,
-               origins->index + k);
-    hn::StoreU(hn::IfThenElse(outside, hn::Set(d, -1), place), d, origins->place + k);
+               origins->index[vector] + k);
+    hn::StoreU(hn::IfThenElse(outside, hn::Set(d, -1), place), d, origins->place[vector] + k);
   }
 
  private:
@@ -217,13 +226,12 @@ class AnchoredVectors {
     hn::StoreU(hn::Sub(hn::DemoteTo(d, hn::Floor(value)), bits), d, to);
   }
   static HWY_INLINE VHalf least_texel(const int32_t* anchor_fx16, const float* rise,
-                                      hn::Vec<DHalfFloat> share) {
-    const DHalf d;
+                                      hn::Vec<DHalfFloat> first, hn::Vec<DHalfFloat> last) {
     const DHalfFloat df;
-    const VHalf anchor = hn::LoadU(d, anchor_fx16);
-    const VHalf first = lane_of(df, anchor, hn::Zero(df), hn::LoadU(df, rise));
-    const VHalf last = lane_of(df, anchor, share, hn::LoadU(df, rise));
-    return hn::ShiftRight<kTexelFraction>(hn::Min(first, last));
+    const VHalf anchor = hn::LoadU(DHalf(), anchor_fx16);
+    const auto steepness = hn::LoadU(df, rise);
+    return hn::ShiftRight<kTexelFraction>(
+        hn::Min(lane_of(df, anchor, first, steepness), lane_of(df, anchor, last, steepness)));
   }
 
   Linear u_, v_, denominator_;

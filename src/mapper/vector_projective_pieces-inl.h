@@ -26,6 +26,17 @@ HWY_NOINLINE void draw_left(const Left& left, const ProjectiveSpans& spans,
   }
 }
 
+template <class Address>
+HWY_INLINE void find(const Pieces& pieces, const AnchoredVectors& vectors, const Extent& extent,
+                     Anchors* anchors, WindowOrigins* origins) {
+  for (int32_t k = 0; k < pieces.count; k += kDoubles) {
+    vectors.find(pieces, k, anchors);
+    for (int32_t at = 0; kHasWindows && at < kVectorsPerPiece; ++at) {
+      AnchoredVectors::find_origins<Address>(pieces, k, at, *anchors, extent, origins);
+    }
+  }
+}
+
 // Until `left` may not hold the next ones; false where no piece is left.
 template <class Pixel, class Address>
 HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vectors,
@@ -41,30 +52,29 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
   Pieces pieces;
   Anchors anchors;
   WindowOrigins origins;
-  while (left_count <= Left::kMost - kMostPieces && (more = walk.next(&pieces))) {
-    for (int32_t k = 0; k < pieces.count; k += kDoubles) {
-      vectors.find(pieces, k, &anchors);
-      if constexpr (kHasWindows) {
-        AnchoredVectors::find_origins<Address>(pieces, k, anchors, extent, &origins);
-      }
-    }
+  static_assert(Left::kMost >= kMostPieces * kVectorsPerPiece);
+  while (left_count <= Left::kMost - kMostPieces * kVectorsPerPiece &&
+         (more = walk.next(&pieces))) {
+    find<Address>(pieces, vectors, extent, &anchors, &origins);
     for (int32_t k = 0; k < pieces.count; ++k) {
-      const int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
-      if (HWY_UNLIKELY(count_px <= 0)) continue;
-      const LaneVectors lanes = AnchoredVectors::lanes_from(anchors, k);
+      int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
       const int32_t rows = kHasWindows ? pieces.window_rows[k] : 0;
-      Pixel* const to =
-          reinterpret_cast<Pixel*>(pixels + pieces.row[k] * pitch) + pieces.left_px[k];
-      if (HWY_UNLIKELY(fixed.any_near(lanes) || (rows != 0 && origins.place[k] < 0))) {
-        left->rest[left_count++] = pieces.rest(k);
-      } else if (rows != 0) {
-        const V32 index = fixed.window_index(lanes, hn::Set(D32(), origins.index[k]));
-        store_pixels(pick(texels + origins.place[k], extent.pitch_texel, rows, index), count_px,
-                     to);
-      } else {
-        HWY_ALIGN int32_t place[kLanes];
-        hn::Store(fixed.places(lanes), D32(), place);
-        fetch_vector<Pixel>(texels, place, count_px, reinterpret_cast<char*>(to));
+      Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.row[k] * pitch) + pieces.left_px[k];
+      for (int32_t at = 0; at < kVectorsPerPiece && count_px > 0; ++at) {
+        const LaneVectors lanes = AnchoredVectors::lanes_from(anchors, k, at);
+        if (HWY_UNLIKELY(fixed.any_near(lanes) || (rows != 0 && origins.place[at][k] < 0))) {
+          left->rest[left_count++] = pieces.rest(k, at);
+        } else if (rows != 0) {
+          const V32 index = fixed.window_index(lanes, hn::Set(D32(), origins.index[at][k]));
+          store_pixels(pick(texels + origins.place[at][k], extent.pitch_texel, rows, index),
+                       count_px, to);
+        } else {
+          HWY_ALIGN int32_t place[kLanes];
+          hn::Store(fixed.places(lanes), D32(), place);
+          fetch_vector<Pixel>(texels, place, count_px, reinterpret_cast<char*>(to));
+        }
+        count_px -= kLanes;
+        to += kLanes;
       }
     }
   }
