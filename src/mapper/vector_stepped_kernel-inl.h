@@ -12,47 +12,101 @@
 #include <cmath>
 
 #include "mapper/stepped.h"
+#include "mapper/vector_lanes-inl.h"
 #include "mapper/vector_projective_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// Eight lanes at most: wider ones were slower to take apart again (AMD Zen).
+// By loads, eight lanes at most: wider ones were slower to take apart again (AMD Zen).
 using DStep = hn::CappedTag<int32_t, 8>;
-using VStep = hn::Vec<DStep>;
-inline constexpr int32_t kStepLanes = static_cast<int32_t>(hn::MaxLanes(DStep()));
-inline constexpr int32_t kStepVectors = kStepGroup_px / kStepLanes;
 
-// floor(i step) for pixel i of a group.
+// floor(i step) for pixel i of a group, in units of 2^-16 texel.
+template <class D>
 class StepOffsets {
  public:
-  explicit HWY_INLINE StepOffsets(int64_t step_fx32) {
-    const DStep d;
-    const VStep whole = hn::Set(d, static_cast<int32_t>(step_fx32 >> kStepShift));
-    const VStep fraction = hn::Set(d, static_cast<int32_t>(step_fx32 & ((1 << kStepShift) - 1)));
-    for (int32_t k = 0; k < kStepVectors; ++k) {
-      const VStep i = hn::Iota(d, k * kStepLanes);
-      offset_fx16_[k] =
-          hn::Add(hn::Mul(i, whole), hn::ShiftRight<kStepShift>(hn::Mul(i, fraction)));
+  static constexpr int32_t kLanesOfD = static_cast<int32_t>(hn::MaxLanes(D()));
+  static constexpr int32_t kVectors = kStepGroup_px / kLanesOfD;
+
+  explicit HWY_INLINE StepOffsets(int64_t step_fx32)
+      : whole_(static_cast<int32_t>(step_fx32 >> kStepShift)),
+        fraction_(static_cast<int32_t>(step_fx32 & ((1 << kStepShift) - 1))) {
+    const D d;
+    for (int32_t k = 0; k < kVectors; ++k) {
+      const V i = hn::Iota(d, k * kLanesOfD);
+      const V part = hn::ShiftRight<kStepShift>(hn::Mul(i, hn::Set(d, fraction_)));
+      offset_fx16_[k] = hn::Add(hn::Mul(i, hn::Set(d, whole_)), part);
     }
   }
 
-  // The texels of vector k of a group whose first pixel has this lane.
-  HWY_INLINE VStep texels(int64_t lane_fx32, int32_t k) const {
-    const VStep first = hn::Set(DStep(), static_cast<int32_t>(lane_fx32 >> kStepShift));
-    return hn::ShiftRight<kTexelFraction>(hn::Add(first, offset_fx16_[k]));
+  // Of vector k of a group whose first pixel has this lane.
+  HWY_INLINE hn::Vec<D> lanes(int64_t lane_fx32, int32_t k) const {
+    const auto first_fx16 = static_cast<int32_t>(lane_fx32 >> kStepShift);
+    return hn::Add(hn::Set(D(), first_fx16), offset_fx16_[k]);
+  }
+  HWY_INLINE hn::Vec<D> texels(int64_t lane_fx32, int32_t k) const {
+    return hn::ShiftRight<kTexelFraction>(lanes(lane_fx32, k));
+  }
+  // The least texel of that vector. It means nothing where a step does not fit windows.
+  HWY_INLINE int32_t least_texel(int64_t lane_fx32, int32_t k) const {
+    const int32_t i = k * kLanesOfD + (whole_ < 0 ? kLanesOfD - 1 : 0);
+    const int32_t offset_fx16 = i * whole_ + ((i * fraction_) >> kStepShift);
+    return (static_cast<int32_t>(lane_fx32 >> kStepShift) + offset_fx16) >> kTexelFraction;
   }
 
  private:
-  VStep offset_fx16_[kStepVectors];
+  using V = hn::Vec<D>;
+  int32_t whole_, fraction_;
+  V offset_fx16_[kVectors];
 };
 
-template <class Address>
+// Groups of a segment by windows.
+template <class Pixel, class Address>
+class StepWindows {
+ public:
+  HWY_INLINE StepWindows(const Segment& segment, const selvage_texture& texture)
+      : rows_(window_rows(segment.step, texture)),
+        u_(segment.step.u_fx32),
+        v_(segment.step.v_fx32),
+        fixed_(texture, 0),
+        extent_(extent_of(texture)),
+        texels_(static_cast<const Pixel*>(texture.texels)) {}
+
+  // All pixels of the group whose first one has this lane; false where windows do not hold them.
+  [[nodiscard]] HWY_INLINE bool draw(Lane lane, Pixel* to) const {
+    if (!kHasWindows || rows_ == 0) return false;
+    const int32_t last_column = extent_.width_texel - kLanes;
+    const int32_t last_row = extent_.height_texel - rows_;
+    for (int32_t k = 0; k < StepOffsets<D32>::kVectors; ++k) {
+      const Origin s =
+          Address::origin(u_.least_texel(lane.u_fx32, k), last_column, extent_.width_texel);
+      const Origin t =
+          Address::origin(v_.least_texel(lane.v_fx32, k), last_row, extent_.height_texel);
+      if (s.index > last_column || t.index > last_row) return false;
+      const LaneVectors lanes{u_.lanes(lane.u_fx32, k), v_.lanes(lane.v_fx32, k)};
+      const V32 index =
+          fixed_.window_index(lanes, hn::Set(D32(), (t.texel << kWindowColumnBits) + s.texel));
+      const Pixel* const window = texels_ + t.index * ptrdiff_t{extent_.pitch_texel} + s.index;
+      store_pixels(pick(window, extent_.pitch_texel, rows_, index), kLanes, to + k * kLanes);
+    }
+    return true;
+  }
+
+ private:
+  int32_t rows_;
+  StepOffsets<D32> u_, v_;
+  FixedLanes<Address> fixed_;
+  Extent extent_;
+  const Pixel* texels_;
+};
+
+template <class Pixel, class Address>
 HWY_INLINE void draw_part(const SegmentPart& part, const selvage_texture& texture,
-                          const Extent& extent, char* row) {
-  const DStep d;
-  const StepOffsets u(part.segment.step.u_fx32), v(part.segment.step.v_fx32);
+                          const Extent& extent, Pixel* row) {
+  using Steps = StepOffsets<DStep>;
+  const Steps u(part.segment.step.u_fx32), v(part.segment.step.v_fx32);
+  const StepWindows<Pixel, Address> windows(part.segment, texture);
   const int64_t step_u = kStepGroup_px * part.segment.step.u_fx32;
   const int64_t step_v = kStepGroup_px * part.segment.step.v_fx32;
   HWY_ALIGN int32_t place[kStepGroup_px];
@@ -60,16 +114,19 @@ HWY_INLINE void draw_part(const SegmentPart& part, const selvage_texture& textur
   Lane lane = part.at(px);
   int32_t skipped = part.left_px - px;
   for (; px < part.right_px; px += kStepGroup_px) {
-    for (int32_t k = 0; k < kStepVectors; ++k) {
-      const VStep s = u.texels(lane.u_fx32, k), t = v.texels(lane.v_fx32, k);
-      hn::Store(Address::place(s, t, extent), d, place + k * kStepLanes);
-    }
     const int32_t end = HWY_MIN(part.right_px - px, kStepGroup_px);
-    char* const pixel = row + (px + skipped) * bytes_per_pixel(texture.format);
-    if (HWY_LIKELY(end - skipped == kStepGroup_px)) {
-      fetch(texture, place, kStepGroup_px, pixel);
-    } else {
-      fetch(texture, place + skipped, end - skipped, pixel);
+    const bool whole = HWY_LIKELY(end - skipped == kStepGroup_px);
+    if (!whole || !windows.draw(lane, row + px)) {
+      for (int32_t k = 0; k < Steps::kVectors; ++k) {
+        const auto s = u.texels(lane.u_fx32, k), t = v.texels(lane.v_fx32, k);
+        hn::Store(Address::place(s, t, extent), DStep(), place + k * Steps::kLanesOfD);
+      }
+      char* const pixel = reinterpret_cast<char*>(row + px + skipped);
+      if (whole) {
+        fetch_as<Pixel, kStepGroup_px>(texture.texels, place, pixel);
+      } else {
+        fetch_as<Pixel>(texture.texels, place + skipped, end - skipped, pixel);
+      }
     }
     skipped = 0;
     lane.u_fx32 += step_u;
@@ -163,11 +220,11 @@ class SomeSegments {
   HWY_ALIGN int32_t start_v_[kMost], whole_v_[kMost], part_v_[kMost];
 };
 
-template <class Address>
+template <class Pixel, class Address>
 void draw_parts(const SteppedRow& of, const Surface& surface) {
   const selvage_texture texture = surface.texture;
   const Extent extent = extent_of(texture);
-  char* const row = static_cast<char*>(surface.target.pixels) + of.span.row * surface.target.pitch;
+  Pixel* const row = reinterpret_cast<Pixel*>(first_pixel(surface, {of.span.row, 0, 0}));
   SomeSegments segments(of);
   const int32_t end = (of.span.right_px - 1 - of.whole.left_px) / of.segment_px + 1;
   int32_t left_px = of.span.left_px;
@@ -177,14 +234,18 @@ void draw_parts(const SteppedRow& of, const Surface& surface) {
     for (int32_t k = 0; k < count; ++k) {
       const int32_t first_px = of.whole.left_px + (first + k) * of.segment_px;
       const int32_t right_px = HWY_MIN(first_px + of.segment_px, of.span.right_px);
-      draw_part<Address>({segments.at(k), first_px, left_px, right_px}, texture, extent, row);
+      draw_part<Pixel, Address>({segments.at(k), first_px, left_px, right_px}, texture, extent,
+                                row);
       left_px = right_px;
     }
   }
 }
 
 void draw_stepped(const SteppedRow& row, const Surface& surface) {
-  with_address(surface, [&](auto address) { draw_parts<decltype(address)>(row, surface); });
+  with_address(surface, [&](auto address) {
+    with_pixel(surface.target.format,
+               [&](auto pixel) { draw_parts<decltype(pixel), decltype(address)>(row, surface); });
+  });
 }
 
 }  // namespace
