@@ -16,11 +16,9 @@ inline constexpr selvage_kernel kScalar = SELVAGE_KERNEL_SCALAR, kSse4 = SELVAGE
 inline constexpr KernelOrder kWidestFirst = {kAvx512, kAvx2, kSse4, kNeon, kScalar};
 // By a tenth faster there: small triangles of mixed texels.
 inline constexpr KernelOrder kAvx2First = {kAvx2, kAvx512, kSse4, kNeon, kScalar};
-// Two doubles in a vector gain less than taking them apart costs: SSE4 is slower than scalar.
-inline constexpr KernelOrder kByDoubles = {kAvx512, kAvx2, kNeon, kScalar, kSse4};
 
 // By selvage_work: large, mesh, perspective.
-inline constexpr KernelOrder kNearest[] = {kWidestFirst, kWidestFirst, kByDoubles};
+inline constexpr KernelOrder kNearest[] = {kWidestFirst, kWidestFirst, kWidestFirst};
 inline constexpr KernelOrder kMixed[] = {kWidestFirst, kAvx2First, kWidestFirst};
 
 }  // namespace
