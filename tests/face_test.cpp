@@ -63,6 +63,22 @@ TEST(Face, DrawsTheSameFromAPreparedTexture) {
       SELVAGE_ERROR_PREPARE_SIZE);
 }
 
+TEST(Face, PreparesWithoutSumsToo) {
+  Pictures given, tiled;
+  const Texture texture = given.texture();
+  const size_t bytes = prepare_bytes(texture, SELVAGE_LAYOUT_TILES, false);
+  EXPECT_LT(bytes, prepare_bytes(texture, SELVAGE_LAYOUT_TILES, true));
+  alignas(SELVAGE_PREPARED_ALIGNMENT) static std::array<std::byte, 1 << 18> memory;
+  ASSERT_LE(bytes, memory.size());
+  Texture prepared{};
+  ASSERT_EQ(prepare(texture, SELVAGE_LAYOUT_TILES, false, std::span(memory).first(bytes), prepared),
+            SELVAGE_OK);
+  EXPECT_EQ(prepared.prepared, nullptr);
+  ASSERT_EQ(draw(given.target(), corners(), texture), SELVAGE_OK);
+  ASSERT_EQ(draw(tiled.target(), corners(), prepared), SELVAGE_OK);
+  EXPECT_EQ(given.pixels, tiled.pixels);
+}
+
 TEST(Face, PassesClipAndOptionsOn) {
   Pictures pictures;
   ASSERT_EQ(draw(pictures.target(), corners(), pictures.texture(), {}, Rect{60, 60, 70, 70}),

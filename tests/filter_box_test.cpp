@@ -151,6 +151,19 @@ TEST(BoxMean, RoundsHalvesUpWhateverTheArea) {
   }
 }
 
+// Half a unit of 1 / area below the half: in double the quotient rounds to the next whole number.
+TEST(BoxMean, RoundsDownWhatIsBarelyBelowAHalf) {
+  const std::vector<uint32_t> texels = {0x01FEFEFE, 0x02FFFFFF, 0x02FFFFFF, 0x01FEFEFE};
+  const selvage_texture texture{texels.data(),       2,      2, 8, SELVAGE_RGBA8888,
+                                SELVAGE_LAYOUT_ROWS, nullptr};
+  // Of both columns 2^15 each, one of them less 1/256 texel; and so of the rows.
+  const Box box{0, 0, kMostSide_fx8 - 1, kMostSide_fx8 - 1};
+  const BoxSum sum = box_sum(texture, SELVAGE_ADDRESS_WRAP, box);
+  const uint64_t side = kMostSide_fx8 - 1, area = side * side;
+  ASSERT_EQ(2 * sum[0] + area, 2 * area * 255 - 1);
+  EXPECT_EQ(box_mean(texture, SELVAGE_ADDRESS_WRAP, box), 0x01FEFEFEU);
+}
+
 TEST(BoxMean, OfTheLeastBoxIsBilinear) {
   spec::Random random(2);
   for (int i = 0; i < 2000; ++i) {

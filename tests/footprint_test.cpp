@@ -88,5 +88,20 @@ TEST(Footprint, IsExactAtTheEndsOfEveryRange) {
   EXPECT_GT(seen.most, 50);
 }
 
+// Sides that are whole, or a little more: by less than doubles tell.
+TEST(Footprint, IsExactWhereDoublesCannotDecide) {
+  constexpr int64_t kWidth = 1 << 23, kQ = SELVAGE_Q_MAX;
+  for (const int32_t side_fx8 : {300, 301, 1 << 20, kMostSide_fx8 - 1}) {
+    for (const int beyond : {0, 1}) {
+      const int128 across = int128{side_fx8} * kWidth * kQ + beyond;
+      const EdgePoint left{1, 0, 0, 0, kQ}, right{1, kWidth, across, across - beyond, kQ};
+      const BoxSides sides = Footprint(left, {}, right, {}).at(5);
+      EXPECT_EQ(sides, (BoxSides{side_fx8 + beyond, side_fx8}));
+      EXPECT_NE(sides, (BoxSides{side_fx8 + beyond, side_fx8 + 1}));
+      EXPECT_NE(sides, (BoxSides{side_fx8 + 1 - beyond, side_fx8}));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace selvage::mapper

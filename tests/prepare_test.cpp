@@ -244,6 +244,16 @@ TEST_F(PrepareRefuses, MemoryThatHoldsADescriptor) {
   EXPECT_EQ(call(), SELVAGE_ERROR_PREPARE_OVERLAP);
 }
 
+// Texels alone may end where memory does; sums behind them would not.
+TEST(PreparedMemory, EndsBeforeAddressesDo) {
+  const uint32_t texel = 0;
+  constexpr int32_t kHeight = 3;
+  selvage_texture texture{&texel, 1, kHeight, 64, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr};
+  EXPECT_NE(place_of_sums(texture), nullptr);
+  texture.pitch = PTRDIFF_MAX / kHeight;
+  EXPECT_EQ(place_of_sums(texture), nullptr);
+}
+
 // What a target may not meet: the tiles to the end of the last row of them, and the sums behind.
 TEST(PreparedMemory, LiesApartFromTheTarget) {
   alignas(64) static std::array<char, 16384> block{};

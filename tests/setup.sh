@@ -23,7 +23,7 @@ declare -A selvage_groups=(
   [clang]="clang-19 libclang-rt-19-dev llvm-19"
   [fuzz]="clang-19 libclang-rt-19-dev llvm-19 zip
           libgmp-dev libpng-dev libturbojpeg0-dev libcli11-dev nlohmann-json3-dev"
-  [coverage]="clang-19 libclang-rt-19-dev llvm-19 lcov"
+  [coverage]="clang-19 libclang-rt-19-dev llvm-19 lcov python3"
   [mutants]="clang-19 python3 python3-clang-19"
   [format]="clang-format"
   [reports]="xplanet-images gnuplot-nox libbenchmark-dev"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "selvage.h"
@@ -194,13 +195,14 @@ TEST_P(Tolerant, AllKernelsDrawTheSame) {
 TEST(Stepped, AllKernelsDrawTheSameFromWhateverTexture) {
   for (const selvage_format format : {SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888}) {
     for (const selvage_address address : {SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP}) {
-      for (const int32_t side : {128, 100}) {
+      for (const auto& [width, height] : {std::pair{128, 128}, {100, 100}, {128, 100}}) {
         for (const spec::Layout layout : {spec::Layout::kGiven, spec::Layout::kTiled}) {
           Case c = quad(400, 1 << 20, (1 << 20) + (1 << 17));
           c.format = format;
           c.address = address;
           c.layout = layout;
-          c.texture_width_texel = c.texture_height_texel = side;
+          c.texture_width_texel = width;
+          c.texture_height_texel = height;
           ASSERT_GT(chosen(c, SELVAGE_SUBTEXELS).bound, 0);
           const Picture scalar = drawn(c, SELVAGE_SUBTEXELS, SELVAGE_KERNEL_SCALAR);
           ASSERT_EQ(scalar.status, SELVAGE_OK);
@@ -213,6 +215,23 @@ TEST(Stepped, AllKernelsDrawTheSameFromWhateverTexture) {
       }
     }
   }
+}
+
+// A segment reaches from pixel to pixel: that of a row's last pixel alone has no length.
+TEST(Stepped, AllKernelsDrawTheSameLastPixel) {
+  int rows = 0;
+  for (int32_t width_px = 100; width_px < 1200; ++width_px) {
+    const Case c = quad(width_px, 1 << 20, (1 << 20) + (1 << 18));
+    const selvage_choice choice = chosen(c, SELVAGE_SUBTEXELS);
+    if (choice.segment_px == 0 || (width_px - 1) % choice.segment_px != 0) continue;
+    ++rows;
+    const Picture scalar = drawn(c, SELVAGE_SUBTEXELS, SELVAGE_KERNEL_SCALAR);
+    for (const selvage_kernel kernel : kKernels) {
+      if (selvage_has_kernel(kernel) == 0) continue;
+      EXPECT_EQ(drawn(c, SELVAGE_SUBTEXELS, kernel).pixels, scalar.pixels) << width_px << " px";
+    }
+  }
+  EXPECT_GT(rows, 0);
 }
 
 TEST(Stepped, AllKernelsDrawTheSameOfManySegments) {

@@ -44,6 +44,12 @@ TEST(Wide, ComparesTheHighHalvesFirst) {
   EXPECT_EQ((Wide{2, 4} <=> Wide{1, 5}), kGreater);
 }
 
+TEST(Wide, IsEqualWhereBothHalvesAre) {
+  EXPECT_EQ((Wide{1, 5}), (Wide{1, 5}));
+  EXPECT_NE((Wide{1, 5}), (Wide{1, 4}));
+  EXPECT_NE((Wide{1, 5}), (Wide{2, 5}));
+}
+
 TEST(Wide, MagnitudesHaveNoSign) {
   for (const int n : {0, 1, 2, 77}) {
     EXPECT_TRUE(magnitude(n) == static_cast<uint128>(n)) << n;

@@ -178,6 +178,16 @@ TEST(Scratch, GrowsWithThePolygonsUpToWhatCanBe) {
   EXPECT_EQ(call.draw(), SELVAGE_ERROR_SCRATCH_SIZE);
 }
 
+TEST(Refusal, NeedNotSayWhichPolygonFailed) {
+  Call call;
+  call.list.polygons[7].count = 0;
+  EXPECT_EQ(call.draw(), SELVAGE_ERROR_VERTEX_COUNT);
+  EXPECT_EQ(call.failed, 7U);
+  EXPECT_EQ(selvage_draw_many(&call.target, nullptr, call.polygons, call.count, &call.options, 1,
+                              call.scratch_pointer, call.scratch_bytes, nullptr),
+            SELVAGE_ERROR_VERTEX_COUNT);
+}
+
 // Options, target, threads, polygons, scratch memory, then the polygons: each hides the later ones.
 TEST(Refusal, TheFirstErrorIsTheOneReported) {
   Call call;
