@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -21,7 +22,8 @@ constexpr double kWholeStep = 1.0 / (1 << 20);  // of 1/65536: what double may b
 class Nearest {
  public:
   void add(double distance, bool easy) {
-    const int32_t bits = distance > 0 ? std::min(-std::ilogb(distance), kMostBits) : kMostBits;
+    const int32_t places = distance > 0 ? -std::ilogb(distance) : kTieBits + 1;
+    const int32_t bits = places > kTieBits ? kOfATie : std::min(places, kMostBits);
     bits_.push_back(easy ? bits / kEasyShare : bits);
   }
   [[nodiscard]] int32_t sum() {
@@ -66,6 +68,7 @@ class Places {
     for (size_t i = 0; i < case_.vertices.size(); ++i) {
       const selvage_vertex* top = &case_.vertices[i];
       const selvage_vertex* bottom = &case_.vertices[(i + 1) % case_.vertices.size()];
+      look_at_height(case_.vertices[i], y_fx8);
       if (top->y > bottom->y) std::swap(top, bottom);
       if (top->y <= y_fx8 && y_fx8 < bottom->y) ends.push_back(cross(*top, *bottom, y_fx8));
     }
@@ -77,6 +80,12 @@ class Places {
   [[nodiscard]] Closeness closeness() { return {edges_.sum(), texels_.sum()}; }
 
  private:
+  // A vertex on a row of sample points decides whether the row is crossed.
+  void look_at_height(const selvage_vertex& v, int64_t y_fx8) {
+    const int64_t off_fx8 = std::abs(v.y - y_fx8);
+    if (off_fx8 <= 1) edges_.add(static_cast<double>(off_fx8) / kPixel_fx8, false);
+  }
+
   // The distance of the crossing to a sample point is exact: numerators stay below 2^53.
   [[nodiscard]] End cross(const selvage_vertex& top, const selvage_vertex& bottom, int64_t y_fx8) {
     const int64_t rows = int64_t{bottom.y} - top.y, down = y_fx8 - top.y;

@@ -12,7 +12,7 @@ namespace selvage::spec {
 namespace {
 
 constexpr int kStarts = 4;
-constexpr int kProposals = 3;
+constexpr int kProposals = 2;
 
 // Of different seeds and numbers the climbs have nothing in common.
 [[nodiscard]] uint64_t seed_of(uint64_t seed, uint64_t number) {

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "spec/generate_near_ties.h"
 #include "spec/geometry.h"
 #include "spec/mutate_case.h"
 #include "spec/profiles.h"
@@ -75,6 +76,19 @@ void edge_through_sample(Random& random, Case& c) {
   const int32_t times = random.in(1, 4);
   const int32_t miss = random.pick({0, 1, -1}) * grid_of(c);
   put(moved, {sample.x + arm.x * (times - 1) + miss, sample.y + arm.y * (times - 1)});
+}
+
+// An edge that misses a sample point by as little as an edge of its length can: its ends, seen from
+// there, are neighbours in a Farey sequence.
+void graze_sample(Random& random, Case& c) {
+  if (c.vertices.size() < 3) return;
+  const int32_t side_fx8 = kPixel_fx8 * std::max(c.target_width_px, c.target_height_px);
+  const auto [a, b] = random_neighbours(random, random.pick({side_fx8, 8 * side_fx8, 1 << 22}));
+  const int32_t mirror = random.pick({1, -1});
+  const Point sample = any_sample(random, c);
+  const size_t i = random.below(c.vertices.size());
+  put(c.vertices[i], {sample.x - a.x * mirror, sample.y - a.y});
+  put(c.vertices[(i + 1) % c.vertices.size()], {sample.x + b.x * mirror, sample.y + b.y});
 }
 
 // A vertex onto the line between its neighbours, or a unit off it: no area, or next to none.
@@ -157,6 +171,8 @@ constexpr Mutation kMutations[] = {{"nudge vertex", nudge_vertex},
                                    {"move vertex", move_vertex},
                                    {"snap vertex", snap_vertex},
                                    {"edge through sample", edge_through_sample},
+                                   {"graze sample", graze_sample},
+                                   {"graze sample", graze_sample},
                                    {"sliver", make_sliver},
                                    {"slope", set_slope},
                                    {"align vertices", align_vertices},

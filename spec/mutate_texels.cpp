@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "spec/exact.h"
+#include "spec/generate_near_ties.h"
 #include "spec/model.h"
 #include "spec/mutate_case.h"
 #include "spec/profiles.h"
@@ -114,6 +115,12 @@ void refine_tie(Random& random, Case& c) {
   c.vertices[j].*axis = into_range(int64_t{c.vertices[j].*axis} + best.second);
 }
 
+// Of a triangle: by number theory, as near as the weights of its corners allow.
+void graze_texel(Random& random, Case& c) {
+  if (c.vertices.size() != 3 || c.profile != SELVAGE_PROFILE_EXACT) return;
+  graze_a_texel(random, Frame{c.target_width_px, c.target_height_px}, c.vertices);
+}
+
 // One plane over the outline, its steps ratios without a finite binary fraction; along rows alone,
 // down columns alone, or both.
 void set_plane(Random& random, Case& c) {
@@ -193,6 +200,7 @@ constexpr Mutation kMutations[] = {{"tie at pixel", tie_at_pixel},
                                    {"tie at pixel", tie_at_pixel},
                                    {"refine tie", refine_tie},
                                    {"refine tie", refine_tie},
+                                   {"graze texel", graze_texel},
                                    {"plane", set_plane},
                                    {"plane", set_plane},
                                    {"nudge coordinate", nudge_coordinate},
