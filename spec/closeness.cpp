@@ -56,11 +56,19 @@ struct Steps {
   return c.filter == SELVAGE_FILTER_FOUR ? Steps{1, 0.5} : Steps{256, 0};
 }
 
+// What of the target the clip leaves.
+[[nodiscard]] selvage_rect seen_of(const Case& c) {
+  const selvage_rect whole{0, 0, c.target_width_px, c.target_height_px};
+  if (!c.has_clip) return whole;
+  return {std::max(c.clip.left, whole.left), std::max(c.clip.top, whole.top),
+          std::min(c.clip.right, whole.right), std::min(c.clip.bottom, whole.bottom)};
+}
+
 // The places of a case, row by row.
 class Places {
  public:
   explicit Places(const Case& c)
-      : case_(c), steps_(steps_of(c)), sample_fx8_(profile_of(c).sample_fx8) {}
+      : case_(c), seen_(seen_of(c)), steps_(steps_of(c)), sample_fx8_(profile_of(c).sample_fx8) {}
 
   void look_at_row(int32_t y_px) {
     const int64_t y_fx8 = int64_t{y_px} * SELVAGE_SUBPIXELS + sample_fx8_;
@@ -94,7 +102,8 @@ class Places {
     const int64_t at = (int64_t{top.x} - sample_fx8_) * rows + dx * down;
     const int64_t past = ((at % grid) + grid) % grid;
     const double x_fx8 = static_cast<double>(at) / static_cast<double>(rows) + sample_fx8_;
-    const bool is_seen = x_fx8 > -kPixel_fx8 && x_fx8 < (case_.target_width_px + 1) * kPixel_fx8;
+    const bool is_seen =
+        x_fx8 > (seen_.left - 1) * kPixel_fx8 && x_fx8 < (seen_.right + 1) * kPixel_fx8;
     if (is_seen) {
       edges_.add(static_cast<double>(std::min(past, grid - past)) / static_cast<double>(grid),
                  dx * SELVAGE_SUBTEXELS % rows == 0);
@@ -112,8 +121,8 @@ class Places {
       const double px = std::ceil((x_fx8 - sample_fx8_) / kPixel_fx8);
       return static_cast<int32_t>(std::clamp(px, 0.0, double{65536}));
     };
-    const int32_t first_px = column(left.x_fx8);
-    const int32_t end_px = std::min(column(right.x_fx8), case_.target_width_px);
+    const int32_t first_px = std::max(column(left.x_fx8), seen_.left);
+    const int32_t end_px = std::min(column(right.x_fx8), seen_.right);
     const int32_t stride_px = std::max((end_px - first_px) / kMostLines, 1);
     const bool affine = left.q == right.q;
     for (const auto of : {&End::u_q, &End::v_q}) {
@@ -129,6 +138,7 @@ class Places {
   }
 
   const Case& case_;
+  selvage_rect seen_;
   Steps steps_;
   int32_t sample_fx8_;
   Nearest edges_, texels_;
@@ -139,8 +149,10 @@ class Places {
 Closeness closeness(const Case& c) {
   if (!is_valid(c)) return {};
   Places places(c);
-  const int32_t stride_px = std::max(c.target_height_px / kMostLines, 1);
-  for (int32_t y = 0; y < c.target_height_px; y += stride_px) places.look_at_row(y);
+  const selvage_rect seen = seen_of(c);
+  if (seen.left >= seen.right) return {};
+  const int32_t stride_px = std::max((seen.bottom - seen.top) / kMostLines, 1);
+  for (int32_t y = seen.top; y < seen.bottom; y += stride_px) places.look_at_row(y);
   return places.closeness();
 }
 

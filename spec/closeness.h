@@ -22,7 +22,7 @@ struct Closeness {
   friend bool operator==(const Closeness&, const Closeness&) = default;
 };
 
-// Of a valid case; of any other it is nothing. Filters step where their weights or their box do.
+// Of what a valid case draws within its clip; of any other it is nothing. Filters step where their weights or their box do.
 // At most kMostLines rows and as many columns are looked at, evenly spread. Coordinates are double:
 // near 32768 texels they tell so many bits and no more.
 inline constexpr int32_t kMostLines = 64;

@@ -21,6 +21,7 @@ constexpr int kProposals = 2;
 }
 
 [[nodiscard]] double closeness_to(Aim aim, const Case& c) {
+  if (aim == Aim::kNothing) return 0;
   const Closeness near = closeness(c);
   constexpr double kMost = double{kPlaces} * kMostBits;
   if (aim == Aim::kEdges) return near.edges / kMost;
@@ -38,6 +39,8 @@ Aim aim_at(std::string_view law) {
   constexpr std::array<std::string_view, 3> kEdges = {"COV", "PART", "PINWHEEL"};
   constexpr std::array<std::string_view, 8> kTexels = {"VERT",   "MAP",    "DDA",       "GAMUT",
                                                        "AFFINE", "FILTER", "TOLERANCE", "ORACLE"};
+  constexpr std::array<std::string_view, 3> kNothing = {"MEM", "TOTAL", "SAME"};
+  if (std::ranges::find(kNothing, law) != kNothing.end()) return Aim::kNothing;
   if (std::ranges::find(kEdges, law) != kEdges.end()) return Aim::kEdges;
   return std::ranges::find(kTexels, law) != kTexels.end() ? Aim::kTexels : Aim::kBoth;
 }

@@ -16,13 +16,13 @@
 
 namespace selvage::spec {
 
-// What decides whether the law holds: where edges lie, what u and v are, or both.
+// What decides whether the law holds: where edges lie, what u and v are, both, or neither.
 [[nodiscard]] Aim aim_at(std::string_view law);
 
 // The score of a case that a law was judged on.
 [[nodiscard]] Score score_of(const Law& law, const Case& c, const std::optional<Margin>& margin);
 
-inline constexpr uint64_t kClimbCases = 32;  // then another climb begins elsewhere
+inline constexpr uint64_t kClimbCases = 12;  // then another climb begins elsewhere
 
 // One climb. The same law, claims, profile, seed and number always make the same one, as long as
 // the subject draws the same.

@@ -23,13 +23,31 @@ void accept(Case& c) {
   if (!can_be_filtered(c)) c.filter = SELVAGE_FILTER_NEAREST;
 }
 
+// How many of a hundred mutations are of the outline and how many of the coordinates.
+struct Shares {
+  int outline, texels;
+};
+[[nodiscard]] Shares shares_of(Aim aim) {
+  switch (aim) {
+    case Aim::kEdges:
+      return {70, 10};
+    case Aim::kTexels:
+      return {15, 65};
+    case Aim::kBoth:
+      return {40, 40};
+    case Aim::kNothing:
+      break;
+  }
+  return {30, 20};
+}
+
 [[nodiscard]] const Mutation& choose_mutation(Random& random, Aim aim) {
+  const Shares shares = shares_of(aim);
   const int kind = random.in(0, 100);
-  const int edges = aim == Aim::kEdges ? 70 : aim == Aim::kTexels ? 15 : 40;
-  const int texels = aim == Aim::kEdges ? 10 : aim == Aim::kTexels ? 65 : 40;
-  const std::span<const Mutation> mutations = kind < edges            ? outline_mutations()
-                                              : kind < edges + texels ? texel_mutations()
-                                                                      : drawing_mutations();
+  const std::span<const Mutation> mutations = kind < shares.outline ? outline_mutations()
+                                              : kind < shares.outline + shares.texels
+                                                  ? texel_mutations()
+                                                  : drawing_mutations();
   return mutations[random.below(mutations.size())];
 }
 

@@ -10,8 +10,8 @@
 
 namespace selvage::spec {
 
-// What a mutation is to bring nearer to a tie.
-enum class Aim { kEdges, kTexels, kBoth };
+// What mutations are to bring nearer to a tie.
+enum class Aim { kEdges, kTexels, kBoth, kNothing };
 
 // Changes the case in place. The profile's demands and the ranges of the vertices are seen to by
 // mutate_case; a mutation that finds nothing to change changes nothing.
