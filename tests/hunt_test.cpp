@@ -3,12 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "case_support.h"
 #include "spec/closeness.h"
+#include "spec/generate.h"
 #include "spec/generate_historic.h"
 #include "spec/model.h"
 #include "spec/profiles.h"
@@ -35,7 +38,7 @@ TEST(MutateCase, StaysInRangeAndValid) {
         ASSERT_EQ(out_of_range(changed), "") << mutation->name << print(c) << print(changed);
         ASSERT_TRUE(decode(encode(changed)) == changed) << mutation->name << print(changed);
         ASSERT_EQ(changed.profile, profile.id);
-        if (is_valid(c)) ASSERT_TRUE(is_valid(changed)) << mutation->name << print(changed);
+        ASSERT_TRUE(is_valid(changed) || !is_valid(c)) << mutation->name << print(changed);
         names.insert(mutation->name);
         if (!(changed == c)) changing.insert(mutation->name);
       }
@@ -107,7 +110,7 @@ TEST(Closeness, OfWhatIsNotDrawnIsNothing) {
     const Closeness near = closeness(any);
     EXPECT_GE(std::min(near.edges, near.texels), 0);
     EXPECT_LE(std::max(near.edges, near.texels), kPlaces * kMostBits);
-    if (!is_valid(any)) EXPECT_EQ(near, (Closeness{0, 0}));
+    EXPECT_TRUE(is_valid(any) || near == (Closeness{0, 0}));
   }
 }
 
