@@ -24,7 +24,8 @@ class Nearest {
   void add(double distance, bool easy) {
     const int32_t places = distance > 0 ? -std::ilogb(distance) : kTieBits + 1;
     const int32_t bits = places > kTieBits ? kOfATie : std::min(places, kMostBits);
-    bits_.push_back(easy ? bits / kEasyShare : bits);
+    const int32_t counted = bits * bits / kMostBits;
+    bits_.push_back(easy ? counted / kEasyShare : counted);
   }
   [[nodiscard]] int32_t sum() {
     const size_t count = std::min(bits_.size(), size_t{kPlaces});

@@ -39,7 +39,7 @@ Aim aim_at(std::string_view law) {
   constexpr std::array<std::string_view, 3> kEdges = {"COV", "PART", "PINWHEEL"};
   constexpr std::array<std::string_view, 8> kTexels = {"VERT",   "MAP",    "DDA",       "GAMUT",
                                                        "AFFINE", "FILTER", "TOLERANCE", "ORACLE"};
-  constexpr std::array<std::string_view, 3> kNothing = {"MEM", "TOTAL", "SAME"};
+  constexpr std::array<std::string_view, 4> kNothing = {"IDENTITY", "MEM", "TOTAL", "SAME"};
   if (std::ranges::find(kNothing, law) != kNothing.end()) return Aim::kNothing;
   if (std::ranges::find(kEdges, law) != kEdges.end()) return Aim::kEdges;
   return std::ranges::find(kTexels, law) != kTexels.end() ? Aim::kTexels : Aim::kBoth;
