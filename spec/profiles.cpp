@@ -108,6 +108,10 @@ const Profile* find_profile(std::string_view name) {
   return found != kProfiles.end() ? &*found : nullptr;
 }
 
+bool is_law_name(std::string_view law) {
+  return std::ranges::find(kPromises, law, &Entry::law) != kPromises.end();
+}
+
 Promise promise(selvage_profile id, std::string_view law) {
   const auto found = std::ranges::find(kPromises, law, &Entry::law);
   if (found == kPromises.end()) return none("no law is called so");
@@ -142,6 +146,28 @@ Case in_profile(const Case& exact, selvage_profile id) {
   }
   make_visible(profile, &c.vertices);
   return c;
+}
+
+Case to_profile(const Case& c, selvage_profile id) {
+  if (c.profile == id) return c;
+  const Profile &from = profile_of(c), &exact = profile_of(SELVAGE_PROFILE_EXACT);
+  const int32_t down_fx8 = from.sample_fx8 - exact.sample_fx8;
+  const int32_t down_fx16 = from.rounding_fx16 - exact.rounding_fx16;
+  const auto moved = [](int32_t at, int64_t by, int64_t least, int64_t greatest) {
+    return static_cast<int32_t>(std::clamp(at - by, least, greatest));
+  };
+  Case undone = c;
+  undone.profile = SELVAGE_PROFILE_EXACT;
+  for (selvage_vertex& v : undone.vertices) {
+    for (int32_t* at : {&v.x, &v.y}) {
+      *at = moved(*at, down_fx8, SELVAGE_X_MIN, int64_t{SELVAGE_X_END} - 1);
+    }
+    for (int32_t* at : {&v.u, &v.v}) {
+      *at = moved(*at, -down_fx16, std::numeric_limits<int32_t>::min(),
+                  std::numeric_limits<int32_t>::max());
+    }
+  }
+  return in_profile(undone, id);
 }
 
 }  // namespace selvage::spec

@@ -31,6 +31,9 @@ struct Profile {
 [[nodiscard]] inline const Profile& profile_of(const Case& c) { return profile_of(c.profile); }
 [[nodiscard]] const Profile* find_profile(std::string_view name);
 
+// A law that this specification has, whether or not this build does.
+[[nodiscard]] bool is_law_name(std::string_view law);
+
 // How a law stands with a profile.
 enum class Standing {
   kPromised,
@@ -57,6 +60,9 @@ struct Promise {
 // dropped; an outline that runs counter-clockwise is turned round where it would draw nothing. Ties
 // stay ties. A case that is not of the exact profile is returned as it is.
 [[nodiscard]] Case in_profile(const Case& exact, selvage_profile id);
+
+// The same for a case of any profile: by way of the exact one, to which the moves are undone.
+[[nodiscard]] Case to_profile(const Case& c, selvage_profile id);
 
 // The vertices alone as the profile accepts them: x and y down to whole pixels, q dropped. Nothing
 // changes where they are accepted.

@@ -5,6 +5,7 @@
 
 #include "spec/generate.h"
 #include "spec/generate_historic.h"
+#include "spec/hunt.h"
 #include "spec/law_tools.h"
 
 namespace selvage::spec {
@@ -83,13 +84,28 @@ void Verification::check(uint64_t first_seed, uint64_t number) {
 }
 
 void Verification::check(const Case& c, uint64_t number) {
-  if (verdict_.violation) return;
+  if (!verdict_.violation) (void)add_up(c, number);
+}
+
+Score Verification::check_hunted(const Case& c, uint64_t number) {
+  if (verdict_.violation) return {};
+  const Score score = score_of(*verdict_.law, c, add_up(c, number));
+  ++verdict_.hunted.cases;
+  verdict_.hunted.found = verdict_.violation.has_value();
+  std::optional<Score>& best = verdict_.hunted.best;
+  if (!best || score > *best) best = score;
+  if (verdict_.violation) best.reset();
+  return score;
+}
+
+// The margin of this case alone.
+std::optional<Margin> Verification::add_up(const Case& c, uint64_t number) {
   Judgement judgement = judge(*verdict_.law, subject_, c);
   ++verdict_.cases;
   verdict_.judged_px += judgement.judged_px;
   add(&verdict_.margin, judgement.margin);
   if (judgement.not_claimed) ++verdict_.not_claimed[*judgement.not_claimed];
-  if (!judgement.violation) return;
+  if (!judgement.violation) return judgement.margin;
   Failure least = descend(*verdict_.law, subject_, {c, std::move(*judgement.violation)});
   verdict_.failed_case = number;
   verdict_.judged_px = judgement.judged_px;
@@ -97,6 +113,7 @@ void Verification::check(const Case& c, uint64_t number) {
   verdict_.not_claimed.clear();
   verdict_.violation = std::move(least.violation);
   verdict_.counterexample = std::move(least.on);
+  return judgement.margin;
 }
 
 LawVerdict verify(const Law& law, const Subject& subject, uint64_t first_seed, uint64_t case_count,

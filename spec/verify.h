@@ -1,6 +1,7 @@
 // Holding a subject against the laws: seeds in, a verdict out.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -11,6 +12,22 @@
 #include "spec/laws.h"
 
 namespace selvage::spec {
+
+// How near a case came to breaking a law: by what the law measured, then by how close to ties the
+// case lies (spec/hunt.h). Each from 0 to 1.
+struct Score {
+  double share = 0;      // measured / bound; 0 of an exact law
+  double closeness = 0;  // of the most that there can be
+
+  friend auto operator<=>(const Score&, const Score&) = default;
+};
+
+// What of a verdict came out of the hunt.
+struct Hunted {
+  uint64_t cases = 0;
+  std::optional<Score> best{};  // of all hunted cases; empty where the law is violated
+  bool found = false;           // the violation, if there is one
+};
 
 struct LawVerdict {
   const Law* law = nullptr;
@@ -23,6 +40,7 @@ struct LawVerdict {
   uint64_t failed_case = 0;              // the number of the case that was shrunk; if violated
   std::optional<Margin> margin{};        // of all cases, the nearest to the law's bound
   std::map<std::string, uint64_t> not_claimed{};  // cases that were not judged, by what they want
+  Hunted hunted{};                                // these cases count above, too
 };
 
 // Checks a law on a case. What the subject fails by is a violation, what it does not claim is told.
@@ -38,9 +56,14 @@ class Verification {
   void check(uint64_t first_seed, uint64_t number);
   // Checks a given case, which counts as number `number`.
   void check(const Case& c, uint64_t number);
+  // Checks a case of a hunt, which is number `number` of those, and tells how near it came.
+  Score check_hunted(const Case& c, uint64_t number);
   [[nodiscard]] const LawVerdict& verdict() const { return verdict_; }
+  [[nodiscard]] const Subject& subject() const { return subject_; }
 
  private:
+  std::optional<Margin> add_up(const Case& c, uint64_t number);
+
   const Subject& subject_;
   LawVerdict verdict_;
 };

@@ -9,24 +9,33 @@
 #include "cli/error.h"
 #include "cli/file.h"
 #include "cli/number.h"
-#include "spec/laws.h"
+#include "spec/profiles.h"
 
 namespace selvage::cli {
 namespace {
 
 constexpr size_t kMaxFileOfCaseBytes = size_t{64} << 10;
 
+// Empty unless the digits are a case's whole encoding: a file that was cut off is none.
+[[nodiscard]] std::optional<spec::Case> read_case(std::string_view digits) {
+  const std::optional<spec::Case> found = spec::from_hex(digits);
+  return found && spec::to_hex(*found) == digits ? found : std::nullopt;
+}
+
 // One line: the law's name, a blank, the case in hexadecimal.
 [[nodiscard]] KnownCase read_known(const std::filesystem::path& path) {
   std::string text = read_text_file(path, kMaxFileOfCaseBytes);
   while (text.ends_with('\n') || text.ends_with('\r')) text.pop_back();
   const std::vector<std::string_view> words = split(text, ' ');
-  const std::optional<spec::Case> found =
-      words.size() == 2 ? spec::from_hex(words[1]) : std::nullopt;
+  const std::optional<spec::Case> found = words.size() == 2 ? read_case(words[1]) : std::nullopt;
+  if (found && !spec::is_law_name(words[0])) {
+    throw UserError("'" + path.string() + "': no law is called '" + std::string(words[0]) +
+                    "'; 'selvage laws' lists them");
+  }
   if (!found) {
     throw UserError("'" + path.string() +
                     "' is no known violation: one line is right, a law's name, a blank and the "
-                    "case's hexadecimal digits");
+                    "case's hexadecimal digits as verify prints them");
   }
   return {std::string(words[0]), *found};
 }
@@ -48,8 +57,12 @@ std::vector<KnownCase> read_corpus(const std::filesystem::path& directory) {
                     "' is no directory and cannot be made one");
   }
   std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(directory)) {
-    if (entry.path().extension() == ".case") paths.push_back(entry.path());
+  std::filesystem::directory_iterator entry(directory, error);
+  for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
+    if (entry->path().extension() == ".case") paths.push_back(entry->path());
+  }
+  if (error) {
+    throw UserError("--corpus: cannot read '" + directory.string() + "': " + error.message());
   }
   std::sort(paths.begin(), paths.end());
   std::vector<KnownCase> known;

@@ -25,6 +25,8 @@ void demand_one_run(const VerifyRun& first, const std::string& first_name, const
   demand(first.profile == other.profile, "the profile", first.profile, other.profile);
   demand(first.seed == other.seed, "the seed", text(first.seed), text(other.seed));
   demand(first.cases == other.cases, "the number of cases", text(first.cases), text(other.cases));
+  demand(first.hunted == other.hunted, "the number of hunted cases", text(first.hunted),
+         text(other.hunted));
   demand(first.arguments == other.arguments, "what the subject was told by", first.arguments,
          other.arguments);
   demand(first.known_cases == other.known_cases, "the number of known cases",
@@ -62,12 +64,19 @@ void demand_all_shards(const std::vector<VerifyRun>& runs, const std::vector<std
   if (!b.found.violation) return a.found.violation.has_value();
   if (!a.found.violation) return false;
   if (a.from_corpus != b.from_corpus) return a.from_corpus;
+  if (a.found.hunted.found != b.found.hunted.found) return b.found.hunted.found;
   return a.found.failed_case < b.found.failed_case;
+}
+
+void add(spec::Hunted* total, const spec::Hunted& part) {
+  total->cases += part.cases;
+  if (part.best && (!total->best || *part.best > *total->best)) total->best = part.best;
 }
 
 [[nodiscard]] Verdict sum(const std::vector<VerifyRun>& runs, size_t law) {
   Verdict total;
   total.found.law = runs.front().verdicts[law].found.law;
+  total.known = runs.front().verdicts[law].known;  // every shard tries all of them
   int64_t time_ns = 0;
   for (const VerifyRun& run : runs) {
     const Verdict& part = run.verdicts[law];
@@ -77,6 +86,7 @@ void demand_all_shards(const std::vector<VerifyRun>& runs, const std::vector<std
     total.found.cases += part.found.cases;
     total.found.judged_px += part.found.judged_px;
     spec::add(&total.found.margin, part.found.margin);
+    add(&total.found.hunted, part.found.hunted);
     for (const auto& [what, cases] : part.found.not_claimed) total.found.not_claimed[what] += cases;
   }
   total.time_ns = time_ns;

@@ -28,11 +28,56 @@ namespace {
   return verdict.found.violation ? "VIOLATED" : outcome(verdict);
 }
 
+[[nodiscard]] std::string score_text(const spec::Score& score) {
+  char text[48];
+  if (score.share > 0) {
+    std::snprintf(text, sizeof text, "%.2f of bound", score.share);
+  } else {
+    std::snprintf(text, sizeof text, "%.2f of the closeness there can be", score.closeness);
+  }
+  return text;
+}
+
+// What the hunts came to, a line for each law that was hunted for.
+[[nodiscard]] std::string hunt_summary(const VerifyRun& run) {
+  std::string text;
+  for (const Verdict& verdict : run.verdicts) {
+    const spec::Hunted& hunted = verdict.found.hunted;
+    if (hunted.cases == 0) continue;
+    text += "hunted: " + std::string(verdict.found.law->name) + ": " +
+            std::to_string(hunted.cases) + " cases";
+    if (hunted.found) text += ", the last a violation";
+    if (hunted.best) text += ", the best " + score_text(*hunted.best);
+    text += "\n";
+  }
+  return text;
+}
+
+// The known cases that say nothing about this subject.
+[[nodiscard]] std::string known_summary(const VerifyRun& run) {
+  std::string text;
+  const auto tell = [&](const std::string& law, uint64_t cases, const std::string& why) {
+    text += "known, not judged: " + law + ": " + std::to_string(cases) + " cases: " + why + "\n";
+  };
+  for (const Verdict& verdict : run.verdicts) {
+    for (const auto& [why, cases] : verdict.known.not_judged) {
+      tell(std::string(verdict.found.law->name), cases, why);
+    }
+  }
+  for (const auto& [law, cases] : run.known_of_others) tell(law, cases, "the law is not checked");
+  return text;
+}
+
 }  // namespace
 
 std::string_view outcome(const Verdict& verdict) {
   if (verdict.found.violation) return "violated";
   return verdict.found.judged_px == 0 ? "judged nothing" : "holds";
+}
+
+std::string_view found_by(const Verdict& verdict) {
+  if (verdict.from_corpus) return "corpus";
+  return verdict.found.hunted.found ? "hunt" : "random";
 }
 
 bool passed(const VerifyRun& run) {
@@ -92,6 +137,7 @@ std::string table_summary(const VerifyRun& run) {
               " cases: " + what + "\n";
     }
   }
+  text += hunt_summary(run) + known_summary(run);
   for (const NotPromised& law : run.not_promised) {
     text += "not promised: " + law.law + ": " + law.why + "\n";
   }

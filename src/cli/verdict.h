@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,12 +11,22 @@
 
 namespace selvage::cli {
 
+// What became of the known violations of a law.
+struct Known {
+  uint64_t tried = 0;
+  std::map<std::string, uint64_t> not_judged{};  // of these, and why
+};
+
 struct Verdict {
   spec::LawVerdict found;
   int64_t time_ns = 0;
   std::string picture{};     // where the counterexample was drawn; empty if it was not
   bool from_corpus = false;  // it was known before
+  Known known{};
 };
+
+// "corpus", "random" or "hunt": what the violation was found by.
+[[nodiscard]] std::string_view found_by(const Verdict& verdict);
 
 struct NotPromised {
   std::string law, why;
@@ -37,7 +48,9 @@ struct VerifyRun {
   bool oracle_missing = false;              // this build has no ORACLE law
   std::string arguments{};   // " --subject ./theirs.so ...": how the subject is told again
   uint64_t cases = 0;        // asked for; 0 where a replay or a time was
-  uint64_t known_cases = 0;  // of the corpus, of this profile: tried before any other
+  uint64_t hunted = 0;       // asked for besides these, of each law
+  uint64_t known_cases = 0;  // of the corpus, tried before any other
+  std::map<std::string, uint64_t> known_of_others{};  // of these, by law: laws that are not checked
   Shard shard{};
 };
 

@@ -18,13 +18,29 @@ using nlohmann::ordered_json;
                          {"drawn", violation.drawn}, {"shown_case", spec::to_hex(violation.shown)}};
   if (violation.x_px >= 0) values["pixel_px"] = {violation.x_px, violation.y_px};
   if (!run.replay) values["case_number"] = verdict.found.failed_case;
-  if (verdict.from_corpus) values["from_corpus"] = true;
+  if (!run.replay) values["found_by"] = found_by(verdict);
   if (verdict.found.counterexample) {
     values["case"] = spec::to_hex(*verdict.found.counterexample);
     values["replay"] = replay_line(run, verdict);
   }
   if (!verdict.picture.empty()) values["picture"] = verdict.picture;
   return values;
+}
+
+[[nodiscard]] ordered_json hunted_json(const spec::Hunted& hunted) {
+  ordered_json values = {{"cases", hunted.cases}};
+  if (hunted.best) {
+    values["best"] = {{"share", hunted.best->share}, {"closeness", hunted.best->closeness}};
+  }
+  return values;
+}
+
+[[nodiscard]] spec::Hunted read_hunted(const ordered_json& values) {
+  spec::Hunted hunted{.cases = values.at("cases")};
+  if (values.contains("best")) {
+    hunted.best = {values["best"].at("share"), values["best"].at("closeness")};
+  }
+  return hunted;
 }
 
 [[nodiscard]] ordered_json law_json(const VerifyRun& run, const Verdict& verdict) {
@@ -38,6 +54,10 @@ using nlohmann::ordered_json;
     law["nearest"] = {{"measured", found.margin->measured}, {"bound", found.margin->bound}};
   }
   if (!found.not_claimed.empty()) law["not_claimed"] = found.not_claimed;
+  if (found.hunted.cases > 0) law["hunted"] = hunted_json(found.hunted);
+  if (verdict.known.tried > 0) {
+    law["known"] = {{"tried", verdict.known.tried}, {"not_judged", verdict.known.not_judged}};
+  }
   if (found.violation) law["violation"] = violation_json(run, verdict);
   return law;
 }
@@ -76,12 +96,18 @@ using nlohmann::ordered_json;
     found.margin = {values["nearest"].at("measured"), values["nearest"].at("bound")};
   }
   if (values.contains("not_claimed")) found.not_claimed = values["not_claimed"];
+  if (values.contains("hunted")) found.hunted = read_hunted(values["hunted"]);
+  if (values.contains("known")) {
+    verdict.known = {values["known"].at("tried"), values["known"].at("not_judged")};
+  }
   if (!values.contains("violation")) return verdict;
   const ordered_json& violation = values["violation"];
   found.violation = read_violation(violation, name);
   found.counterexample = read_case(violation.at("case"));
   found.failed_case = violation.at("case_number");
-  verdict.from_corpus = violation.value("from_corpus", false);
+  const std::string found_by = violation.at("found_by");
+  verdict.from_corpus = found_by == "corpus";
+  found.hunted.found = found_by == "hunt";
   verdict.picture = violation.value("picture", "");
   return verdict;
 }
@@ -97,7 +123,9 @@ using nlohmann::ordered_json;
                 .seed = values.at("seed"),
                 .verdicts = {}};
   run.cases = values.at("cases");
+  run.hunted = values.at("hunted");
   run.known_cases = values.at("known_cases");
+  run.known_of_others = values.at("known_of_others");
   run.arguments = values.at("arguments");
   run.oracle_missing = values.at("oracle_missing");
   if (values.contains("shard")) run.shard = {values["shard"].at("index"), values["shard"].at("of")};
@@ -119,7 +147,9 @@ std::string verdict_json(const VerifyRun& run) {
   if (!run.replay) {
     values["seed"] = run.seed;
     values["cases"] = run.cases;
+    values["hunted"] = run.hunted;
     values["known_cases"] = run.known_cases;
+    values["known_of_others"] = run.known_of_others;
   }
   if (run.shard.count > 1) values["shard"] = {{"index", run.shard.index}, {"of", run.shard.count}};
   values["oracle_missing"] = run.oracle_missing;

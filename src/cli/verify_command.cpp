@@ -110,10 +110,9 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
   plan.cases = case_count(options.cases);
   plan.shard = parse_shard(options.shard, plan.cases);
   if (!options.time.empty()) plan.time = parse_time(options.time);
+  plan.hunted = parse_hunt(options.hunt, plan.time.has_value());
   if (!options.corpus.empty() && !plan.replayed) {
     plan.known = read_corpus(options.corpus);
-    std::erase_if(plan.known,
-                  [&](const KnownCase& known) { return known.found.profile != subject.profile; });
   }
   return plan;
 }
@@ -129,7 +128,13 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
   run.oracle_missing = options.laws.empty() && spec::find_law("ORACLE") == nullptr;
   run.arguments = chosen.arguments;
   run.cases = plan.replayed || plan.time ? 0 : plan.cases;
+  run.hunted = plan.replayed || plan.time ? 0 : plan.hunted;
   run.known_cases = plan.known.size();
+  for (const KnownCase& known : plan.known) {
+    const bool checked =
+        std::ranges::any_of(plan.laws, [&](const auto* law) { return law->name == known.law; });
+    if (!checked) ++run.known_of_others[known.law];
+  }
   run.shard = plan.shard;
   return run;
 }
@@ -142,7 +147,7 @@ void show_beginning(const VerifyOptions& options, const VerifyRun& run, const Ve
   if (plan.replayed) console.out << spec::print(*plan.replayed) << '\n';
   if (!plan.replayed) console.out << "seed " << run.seed << '\n';
   if (!options.corpus.empty()) {
-    console.out << "corpus " << run.known_cases << " known cases of this profile\n";
+    console.out << "corpus " << run.known_cases << " known cases\n";
   }
   console.out << table_header() << std::flush;
 }
@@ -163,7 +168,7 @@ void keep_output(const VerifyOptions& options, const ChosenSubject& chosen,
 void add_to_corpus(const std::string& corpus, const VerifyRun& run) {
   if (corpus.empty() || run.replay) return;
   for (const Verdict& verdict : run.verdicts) {
-    if (!verdict.found.violation) continue;
+    if (!verdict.found.violation || verdict.from_corpus) continue;
     write_to_corpus(corpus, {std::string(verdict.found.law->name), *verdict.found.counterexample});
   }
 }

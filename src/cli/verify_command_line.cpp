@@ -14,12 +14,15 @@ constexpr const char* kVerifyExamples = R"(Examples:
   selvage verify --law MAP --law CLIP --cases 5000 --seed 7
   selvage verify --profile abrash56            what the two-stage DDA of 1992 promises
   selvage verify --cases 1000000 --seed 1 --shard 3/16 --json >3.json   then: selvage merge *.json
+  selvage verify --hunt 2000                   besides, climb toward what is hard to draw
   selvage verify --time 600 --corpus known/    as much as fits, known violations first
   selvage verify --law MAP --case 0200...      one case again, as a failure prints it
   selvage verify --case-file crash-1f3a        the same from a fuzzer's raw bytes
 
 A law that found no pixel to judge has shown nothing and counts as failed; in a replay, only if no
 law found any; in a shard never, for the other shards have the other cases.
+A corpus may be shared: what breaks a law on one subject is tried on all others, as their profile and
+claims take it. New violations are added to it, shrunk, a file each, MAP-0123456789abcdef.case.
 A subject runs in a process of its own, so that it may crash, hang or write where it must not: that
 is reported as a violation. What it claims, it says by selvage_subject.h, or the command line does.
 )";
@@ -99,6 +102,12 @@ void add_cases(CLI::App& verify, VerifyOptions& options) {
   CLI::Option* cases = verify.add_option("--cases", options.cases, "Cases for each law")
                            ->type_name("N")
                            ->capture_default_str();
+  CLI::Option* hunt =
+      verify
+          .add_option("--hunt", options.hunt,
+                      "Hunted cases for each law, besides: climbs toward ties and larger errors; "
+                      "none if left out, but as many as fit with --time")
+          ->type_name("N");
   CLI::Option* seed =
       verify.add_option("--seed", options.seed, "Seed of the first case; a fresh one if left out")
           ->type_name("S");
@@ -118,10 +127,10 @@ void add_cases(CLI::App& verify, VerifyOptions& options) {
                             ->type_name("DIR");
   CLI::Option* hex = verify.add_option("--case", options.case_hex, "Replay this one case")
                          ->type_name("HEX")
-                         ->excludes(cases, seed, profile, time, shard, corpus);
+                         ->excludes(cases, hunt, seed, profile, time, shard, corpus);
   verify.add_option("--case-file", options.case_file, "Replay the case of these raw bytes")
       ->type_name("FILE")
-      ->excludes(cases, seed, profile, hex, time, shard, corpus);
+      ->excludes(cases, hunt, seed, profile, hex, time, shard, corpus);
 }
 
 }  // namespace

@@ -4,8 +4,10 @@
 #include <deque>
 
 #include "cli/error.h"
+#include "cli/law_run.h"
 #include "cli/number.h"
 #include "cli/status_line.h"
+#include "spec/hunt.h"
 
 namespace selvage::cli {
 namespace {
@@ -14,63 +16,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr uint64_t kCasesPerRound = 20;
 constexpr double kMostTime_s = 1e6;
-
-// One law's part of a run.
-class LawRun {
- public:
-  LawRun(const spec::Law& law, const spec::Subject& subject)
-      : subject_(subject), verification_(law, subject) {}
-
-  template <typename Work>
-  void timed(Work work) {
-    const auto start = Clock::now();
-    work();
-    time_ += Clock::now() - start;
-  }
-
-  [[nodiscard]] bool is_violated() const { return verification_.verdict().violation.has_value(); }
-
-  // Known violations count only where they still are some.
-  void try_known(const std::vector<KnownCase>& known) {
-    const spec::Law& law = *verification_.verdict().law;
-    for (const KnownCase& one : known) {
-      if (is_violated() || one.law != law.name) continue;
-      if (one.found.profile != subject_.profile) continue;
-      if (!spec::judge(law, subject_, one.found).violation) continue;
-      verification_.check(one.found, 0);
-      from_corpus_ = is_violated();
-    }
-  }
-
-  void check(uint64_t seed, uint64_t number) { verification_.check(seed, number); }
-  void check(const spec::Case& c) {
-    spec::Judgement judgement = spec::judge(*verification_.verdict().law, subject_, c);
-    replayed_ = verification_.verdict();
-    replayed_->cases = 1;
-    replayed_->judged_px = judgement.judged_px;
-    replayed_->margin = judgement.margin;
-    if (judgement.not_claimed) replayed_->not_claimed[*judgement.not_claimed] = 1;
-    replayed_->violation = std::move(judgement.violation);
-    if (replayed_->violation) replayed_->counterexample = c;
-  }
-
-  [[nodiscard]] Verdict verdict() const {
-    Verdict verdict{.found = replayed_ ? *replayed_ : verification_.verdict(),
-                    .time_ns = std::chrono::nanoseconds(time_).count(),
-                    .picture = {},
-                    .from_corpus = from_corpus_};
-    // Whoever has the other cases: those before the one that failed have been checked.
-    if (is_violated() && !from_corpus_) verdict.found.cases = verdict.found.failed_case + 1;
-    return verdict;
-  }
-
- private:
-  const spec::Subject& subject_;
-  spec::Verification verification_;
-  std::optional<spec::LawVerdict> replayed_;  // a replay shrinks nothing
-  Clock::duration time_{};
-  bool from_corpus_ = false;
-};
 
 void check_shard(const VerifyPlan& plan, const Console& console, LawRun* run,
                  std::string_view law) {
@@ -82,7 +27,19 @@ void check_shard(const VerifyPlan& plan, const Console& console, LawRun* run,
   }
 }
 
-// Every law gets a round of cases in turn, and each at least one.
+// Climbs are shared out as cases are.
+void hunt_shard(const VerifyPlan& plan, const Console& console, LawRun* run, std::string_view law) {
+  StatusLine status(console);
+  const std::string what = std::string(law) + ", hunted";
+  for (uint64_t climb = plan.shard.index - 1; climb * spec::kClimbCases < plan.hunted;
+       climb += plan.shard.count) {
+    if (run->is_violated()) return;
+    run->hunt(plan.seed, climb, plan.hunted);
+    status.count(what, std::min((climb + 1) * spec::kClimbCases, plan.hunted), plan.hunted);
+  }
+}
+
+// Every law gets a round of cases and a climb in turn, and each at least one round.
 void check_rounds(const VerifyPlan& plan, const Console& console, std::deque<LawRun>* runs) {
   StatusLine status(console);
   const auto end = Clock::now() + *plan.time;
@@ -92,6 +49,7 @@ void check_rounds(const VerifyPlan& plan, const Console& console, std::deque<Law
       if (first > 0 && Clock::now() >= end) return;
       run.timed([&] {
         for (uint64_t i = 0; i < kCasesPerRound; ++i) run.check(plan.seed, first + i);
+        if (Clock::now() < end) run.hunt(plan.seed, first / kCasesPerRound, plan.hunted);
       });
       const auto left_s =
           static_cast<uint64_t>(std::max<int64_t>(0, (end - Clock::now()).count()) / 1'000'000'000);
@@ -120,6 +78,16 @@ Shard parse_shard(const std::string& text, uint64_t cases) {
   return shard;
 }
 
+uint64_t parse_hunt(const std::string& text, bool by_time) {
+  constexpr uint64_t kMost = 1'000'000'000;
+  if (text.empty()) return by_time ? kMost : 0;
+  const std::optional<uint64_t> count = parse_integer<uint64_t>(text);
+  if (!count || *count > kMost) {
+    throw UserError("--hunt: '" + text + "' is no number from 0 to " + std::to_string(kMost));
+  }
+  return *count;
+}
+
 std::chrono::nanoseconds parse_time(const std::string& text) {
   const std::optional<double> seconds = parse_double(text);
   if (!seconds || *seconds <= 0 || *seconds > kMostTime_s) {
@@ -136,15 +104,17 @@ std::vector<Verdict> carry_out(const VerifyPlan& plan, const spec::Subject& subj
     LawRun& run = runs.emplace_back(*law, subject);
     run.timed([&] {
       run.try_known(plan.known);
-      if (plan.replayed) run.check(*plan.replayed);
-      if (!plan.replayed && !plan.time) check_shard(plan, console, &run, law->name);
+      if (plan.replayed) run.replay(*plan.replayed);
+      if (plan.replayed || plan.time) return;
+      check_shard(plan, console, &run, law->name);
+      hunt_shard(plan, console, &run, law->name);
     });
-    if (!plan.time) done(run.verdict());
+    if (!plan.time) done(run.verdict(plan.cases));
   }
   if (plan.time) check_rounds(plan, console, &runs);
   std::vector<Verdict> verdicts;
   for (const LawRun& run : runs) {
-    verdicts.push_back(run.verdict());
+    verdicts.push_back(plan.time ? run.verdict() : run.verdict(plan.cases));
     if (plan.time) done(verdicts.back());
   }
   return verdicts;

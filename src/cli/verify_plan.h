@@ -21,12 +21,15 @@ struct VerifyPlan {
   std::vector<KnownCase> known;        // before generated ones
   uint64_t seed = 0;                   // of case 0
   uint64_t cases = 0;                  // of each law, in all shards together
-  Shard shard;                         // cases index - 1, index - 1 + count, ... are this run's
-  std::optional<std::chrono::nanoseconds> time;  // as many rounds of cases as fit, instead
+  uint64_t hunted = 0;                 // besides these, of each law, in all shards together
+  Shard shard;                         // cases and climbs index - 1, index - 1 + count, ... are its
+  std::optional<std::chrono::nanoseconds> time;  // as many rounds as fit, instead
 };
 
 // "2/8": the second of eight. Throws UserError.
 [[nodiscard]] Shard parse_shard(const std::string& text, uint64_t cases);
+// A number of cases; if left out none, and without end in a run by time.
+[[nodiscard]] uint64_t parse_hunt(const std::string& text, bool by_time);
 // Seconds, decimal. Throws UserError.
 [[nodiscard]] std::chrono::nanoseconds parse_time(const std::string& text);
 

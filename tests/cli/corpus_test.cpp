@@ -1,5 +1,7 @@
 #include "cli/corpus.h"
 
+#include <thread>
+
 #include "support.h"
 
 namespace selvage::cli::test {
@@ -33,12 +35,38 @@ TEST_F(Corpus, NamesFilesByLawAndCase) {
 
 TEST_F(Corpus, NamesTheFileThatIsNoCase) {
   std::filesystem::create_directory("known");
-  for (const char* text : {"", "MAP", "MAP 0", "MAP 00 00", "MAP xx"}) {
-    put("known/a.case", std::string(text));
+  const std::string whole = spec::to_hex(spec::Case{});
+  const std::string cut_off = "MAP " + whole.substr(0, whole.size() - 2);
+  for (const std::string& text : {std::string(), std::string("MAP"), std::string("MAP 0"),
+                                  "MAP " + whole + " 00", std::string("MAP xx"), cut_off}) {
+    put("known/a.case", text);
     expect_contains(error_of([] { (void)read_corpus("known"); }), "'known/a.case' is no known");
   }
+  put("known/a.case", "MOP " + whole);
+  expect_contains(error_of([] { (void)read_corpus("known"); }),
+                  "'known/a.case': no law is called 'MOP'");
   put("file", std::string());
   expect_contains(error_of([] { (void)read_corpus("file"); }), "'file' is no directory");
+}
+
+// Whoever reads while others write sees whole cases and no half ones.
+TEST_F(Corpus, MayBeWrittenByManyAtOnce) {
+  constexpr uint32_t kCases = 20;
+  (void)read_corpus("known");
+  const auto write = [] {
+    for (uint32_t choice = 0; choice < kCases; ++choice) {
+      spec::Case c;
+      c.choice = choice;
+      write_to_corpus("known", {"MAP", c});
+      for (const KnownCase& known : read_corpus("known")) EXPECT_LT(known.found.choice, kCases);
+    }
+  };
+  std::vector<std::thread> writers;
+  for (int i = 0; i < 3; ++i) writers.emplace_back(write);
+  for (std::thread& writer : writers) writer.join();
+  EXPECT_EQ(read_corpus("known").size(), kCases);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator("known"), {}), kCases)
+      << "nothing else is left there";
 }
 
 }  // namespace

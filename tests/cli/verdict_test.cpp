@@ -106,7 +106,13 @@ TEST(VerdictJson, IsReadAsItWasWritten) {
   VerifyRun run = run_of({holding("COV"), violated("MAP"), holding("CLIP", 0)});
   run.verdicts[0].found.margin = {0.5, 0.75};
   run.verdicts[0].found.not_claimed = {{"perspective", 3}};
+  run.verdicts[0].found.hunted = {.cases = 12, .best = spec::Score{0.5, 0.25}};
+  run.verdicts[0].known = {.tried = 2, .not_judged = {{"perspective", 1}}};
   run.verdicts[1].from_corpus = true;
+  run.verdicts.push_back(violated("GAMUT"));
+  run.verdicts.back().found.hunted = {.cases = 3, .best = {}, .found = true};
+  run.hunted = 40;
+  run.known_of_others = {{"TOTAL", 2}};
   run.not_promised = {{"SPLIT", "it cannot"}};
   run.arguments = " --subject './my mapper.so'";
   run.cases = 20;
@@ -115,6 +121,25 @@ TEST(VerdictJson, IsReadAsItWasWritten) {
   const std::string json = verdict_json(run);
   EXPECT_EQ(verdict_json(read_verdict(json)), json);
   expect_contains(json, "selvage verify --subject './my mapper.so' --law MAP --case ");
+}
+
+TEST(VerdictTable, TellsWhatWasHuntedAndWhatIsKnown) {
+  VerifyRun run = run_of({holding("MAP"), violated("COV"), holding("CLIP")});
+  run.verdicts[0].found.hunted = {.cases = 12, .best = spec::Score{0.5, 0.25}};
+  run.verdicts[1].found.hunted = {.cases = 3, .best = {}, .found = true};
+  run.verdicts[2].found.hunted = {.cases = 12, .best = spec::Score{0, 0.25}};
+  run.verdicts[2].known = {.tried = 2, .not_judged = {{"perspective", 1}}};
+  run.known_of_others = {{"TOTAL", 2}};
+  expect_contains(table_summary(run),
+                  "hunted: MAP: 12 cases, the best 0.50 of bound\n"
+                  "hunted: COV: 3 cases, the last a violation\n"
+                  "hunted: CLIP: 12 cases, the best 0.25 of the closeness there can be\n"
+                  "known, not judged: CLIP: 1 cases: perspective\n"
+                  "known, not judged: TOTAL: 2 cases: the law is not checked\n");
+  EXPECT_EQ(found_by(run.verdicts[0]), "random");
+  EXPECT_EQ(found_by(run.verdicts[1]), "hunt");
+  run.verdicts[1].from_corpus = true;
+  EXPECT_EQ(found_by(run.verdicts[1]), "corpus");
 }
 
 TEST(VerdictJson, RefusesWhatItHasNotWritten) {

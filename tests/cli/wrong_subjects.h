@@ -24,6 +24,18 @@ namespace selvage::cli::test {
           }};
 }
 
+// Does so with triangles in a texture of an odd width alone, which few cases have.
+[[nodiscard]] inline spec::Subject far_shifted_texture() {
+  return {"shifted where odd",
+          [shifted = shifted_texture(1)](
+              const selvage_image* target, const selvage_rect* clip, const selvage_vertex* vertices,
+              size_t count, const selvage_texture* texture, const selvage_options* options) {
+            const bool odd = texture != nullptr && texture->width % 2 == 1 && texture->width > 8;
+            return (odd && count == 3 ? shifted.draw : selvage_draw)(target, clip, vertices, count,
+                                                                     texture, options);
+          }};
+}
+
 // Accepts everything and draws nothing.
 [[nodiscard]] inline spec::Subject blank() {
   return {
