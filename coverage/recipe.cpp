@@ -17,12 +17,19 @@ namespace {
                      [&](spec::Texel texel) { return texel_value(job, texel); });
 }
 
+[[nodiscard]] Recipe::RowMap map_of_row(const Recipe& recipe, const Job& job,
+                                        const spec::ScanLine& line) {
+  if (recipe.map_of_row) return recipe.map_of_row(job, line);
+  return [&](const spec::Rational& x) { return recipe.map(job, line, x); };
+}
+
 void draw_row(const Recipe& recipe, const Job& job, const spec::ScanLine& line, int32_t y) {
+  if (line.left.x == line.right.x) return;
+  const Recipe::RowMap map = map_of_row(recipe, job, line);
   for (int32_t x = 0; x < job.target.width; ++x) {
     const spec::Rational centre = x + spec::Rational(1, 2);
     if (!recipe.in_clip(job, x, y) || !recipe.covers(line, centre)) continue;
-    if (line.left.x == line.right.x) continue;
-    const spec::Sample point = recipe.map(job, line, centre);
+    const spec::Sample point = map(centre);
     if (job.filter != SELVAGE_FILTER_NEAREST) {
       set_pixel(job, filtered(recipe, job, point, x, y), x, y);
       continue;

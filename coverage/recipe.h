@@ -30,6 +30,9 @@ struct Recipe {
       [](const Job&, const spec::ScanLine& line, const spec::Rational& x) {
         return interpolate(line, x);
       };
+  // The same along a row, of a mapper that decides something once a row; empty: `map` is asked.
+  using RowMap = std::function<spec::Sample(const spec::Rational& x)>;
+  std::function<RowMap(const Job&, const spec::ScanLine&)> map_of_row{};
   // Texel coordinates, before the address mode.
   std::function<int32_t(const spec::Rational&)> round = [](const spec::Rational& u) {
     return spec::floor(u);
