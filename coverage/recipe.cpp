@@ -53,12 +53,18 @@ void draw(const Recipe& recipe, Job job) {
 
 }  // namespace
 
+spec::Gradient gradient_at(const std::vector<selvage_vertex>& vertices, int32_t x_px,
+                           int32_t y_px) {
+  return spec::gradient(vertices, x_px, y_px).value_or(spec::Gradient{});
+}
+
 spec::Sample Recipe::interpolate(const spec::ScanLine& line, const spec::Rational& x) {
   const spec::Rational t = (x - line.left.x) / (line.right.x - line.left.x);
   const auto mix = [&](const spec::Rational& a, const spec::Rational& b) {
     return spec::Rational(a + t * (b - a));
   };
   const spec::Rational q = mix(line.left.q, line.right.q);
+  if (q == 0) return {};  // beyond the ends of the span
   return {mix(line.left.uq, line.right.uq) / q, mix(line.left.vq, line.right.vq) / q};
 }
 

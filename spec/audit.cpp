@@ -83,35 +83,28 @@ struct Due {
   return texels({0});  // MAP, DDA, GAMUT, ORACLE
 }
 
-// How many pixels of the target and how many covered ones a law judges, and others besides.
+// How many pixels of the target and how many covered ones a law judges, others besides, and how
+// often it draws the case's own outline, as it is or moved within the target.
 struct Count {
   std::string_view law;
   uint64_t targets, covered;
-  bool exactly = true;
-  uint64_t others = 0;
+  bool exactly;
+  uint64_t others;
+  uint64_t drawings;
 };
 constexpr std::array kCounts = {
-    Count{"COV", 1, 0},
-    Count{"PART", 1, 0},
-    Count{"PINWHEEL", 0, 0, true, 1},
-    Count{"CLIP", 4, 0},
-    Count{"VERT", 0, 0, false, 1},
-    Count{"MAP", 0, 1},
-    Count{"DDA", 0, 1},
-    Count{"GAMUT", 0, 1},
-    Count{"SHIFT", 1, 0, false},
-    Count{"ORDER", 2, 0},
-    Count{"MIRROR", 3, 0, false},
-    Count{"SPLIT", 1, 0, false},
-    Count{"IDENTITY", 1, 0},
-    Count{"AFFINE", 1, 0, false},
-    Count{"FILTER", 0, 2},
-    Count{"TOLERANCE", 1, 1, false, kWideRow_px},
-    Count{"MEM", 1, 0, false},
-    Count{"TOTAL", 1, 0, false, 1},
-    Count{"SAME", 8, 0, false},
-    Count{"ORACLE", 0, 1},
+    Count{"COV", 1, 0, true, 0, 1},      Count{"PART", 1, 0, true, 0, 0},
+    Count{"PINWHEEL", 0, 0, true, 1, 0}, Count{"CLIP", 4, 0, true, 0, 2},
+    Count{"VERT", 0, 0, false, 1, 0},    Count{"MAP", 0, 1, true, 0, 1},
+    Count{"DDA", 0, 1, true, 0, 1},      Count{"GAMUT", 0, 1, true, 0, 1},
+    Count{"SHIFT", 1, 0, false, 0, 3},   Count{"ORDER", 2, 0, true, 0, 2},
+    Count{"MIRROR", 3, 0, false, 0, 6},  Count{"SPLIT", 1, 0, false, 0, 0},
+    Count{"IDENTITY", 1, 0, true, 0, 0}, Count{"AFFINE", 1, 0, false, 0, 2},
+    Count{"FILTER", 0, 2, true, 0, 2},   Count{"TOLERANCE", 1, 1, false, kWideRow_px, 1},
+    Count{"MEM", 1, 0, false, 0, 1},     Count{"TOTAL", 1, 0, false, 1, 0},
+    Count{"SAME", 8, 0, false, 0, 3},    Count{"ORACLE", 0, 1, true, 0, 1},
 };
+inline constexpr uint64_t kCallsPerDrawing = 2;
 
 struct Pixel {
   int32_t x_px, y_px;
@@ -168,15 +161,16 @@ void judge_right(const Check& check, const Case& c, const Count& count, Audit* r
   result->due_px = count.targets * pixels_of(c, Place::kTarget).size() +
                    count.covered * pixels_of(c, Place::kCovered).size() + count.others;
   result->due_exactly = count.exactly;
+  result->due_drawn_px = std::max<uint64_t>(
+      1, kCallsPerDrawing * count.drawings * pixels_of(c, Place::kCovered).size());
   result->judged_px = of_right.judged_px;
   result->drawn_px = *drawn_px;
   result->rejects_right = of_right.violation.has_value();
 }
 
-// Of a law that looks at a few pixels, another few with each choice. Each pixel of the target is
-// likely to be among them within a few times the target's pixels; so many leave less than 10^-8 of
-// a chance for one to be missed.
-inline constexpr uint32_t kChoicesPerPixel = 24;
+// Of a law that looks at a few pixels, another few with each choice: after so many choices a pixel
+// of the target has been left out with a chance of e^-12.
+inline constexpr uint32_t kChoicesPerPixel = 12;
 
 [[nodiscard]] Audit audit_by_choices(const Check& check, Case c, const Count& count) {
   std::vector<Pixel> unseen = pixels_of(c, Place::kTarget);

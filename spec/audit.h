@@ -20,13 +20,14 @@ struct Audit {
   uint64_t due_px = 0;         // pixels that the law has to judge, by the audit's own count
   bool due_exactly = true;     // or at least so many
   uint64_t judged_px = 0;      // as the law says, of a mapper that is right
+  uint64_t due_drawn_px = 1;   // to be drawn by that mapper, in all calls together, at least
   uint64_t drawn_px = 0;       // by that mapper, in all that the law made it draw
   bool rejects_right = false;  // that mapper
   std::optional<std::string> missed{};  // a wrong pixel that was not noticed, the first of them
 
   [[nodiscard]] bool is_passed() const {
     return due_px > 0 && (due_exactly ? judged_px == due_px : judged_px >= due_px) &&
-           drawn_px > 0 && !rejects_right && !missed;
+           drawn_px >= due_drawn_px && !rejects_right && !missed;
   }
 };
 

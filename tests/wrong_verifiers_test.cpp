@@ -26,7 +26,7 @@ namespace {
 // The polygon reaches beyond the target on every side.
 [[nodiscard]] Case whole_target() {
   Case c = part_of_target();
-  c.vertices = {{-700, -300, 0, 0, 1}, {6000, -900, 900000, 0, 1}, {-900, 5000, 0, 700000, 1}};
+  c.vertices = {{-700, -300, 0, 0, 7}, {6000, -900, 900000, 0, 3}, {-900, 5000, 0, 700000, 5}};
   return c;
 }
 
@@ -53,10 +53,16 @@ namespace {
   return c;
 }
 
-// What a law is audited by: see spec/audit.h.
+[[nodiscard]] Case small(Case c) {
+  c.target_width_px = 5;
+  c.target_height_px = 3;
+  return c;
+}
+
+// What a law is audited by: see spec/audit.h. Of the first, pixels in all rows and columns matter.
 [[nodiscard]] std::vector<Case> cases_for(std::string_view law) {
-  const Case part = part_of_target();
-  if (law == "CLIP" || law == "MEM") return {clipped(part), clipped(filtered(whole_target()))};
+  const Case part = part_of_target(), whole = whole_target();
+  if (law == "CLIP" || law == "MEM") return {clipped(part), clipped(filtered(whole))};
   if (law == "SPLIT") {
     return {with_outline(
         {{300, 100, 0, 0, 1}, {2200, 300, 0, 0, 1}, {1900, 1200, 0, 0, 1}, {400, 900, 0, 0, 1}})};
@@ -70,13 +76,14 @@ namespace {
                           {1300, 1250, 0, 0, 1}})};
   }
   if (law == "DDA") {
-    return {in_profile(part, SELVAGE_PROFILE_ABRASH56), in_profile(part, SELVAGE_PROFILE_ABRASH57),
+    return {in_profile(whole, SELVAGE_PROFILE_ABRASH56), in_profile(part, SELVAGE_PROFILE_ABRASH57),
             in_profile(part, SELVAGE_PROFILE_DKIT)};
   }
-  if (law == "FILTER") return {filtered(part), filtered(whole_target()), high(filtered(part))};
-  if (law == "COV" || law == "MAP") {
-    return {part, high(part), whole_target(), clipped(whole_target())};
-  }
+  if (law == "FILTER") return {filtered(whole), filtered(part), high(filtered(part))};
+  if (law == "COV" || law == "MAP") return {whole, part, high(part), clipped(whole)};
+  if (law == "GAMUT" || law == "ORACLE") return {whole, high(part)};
+  if (law == "PINWHEEL" || law == "VERT") return {small(part)};
+  if (law == "IDENTITY") return {part};  // its choice is of a rectangle that is seen
   return {part, high(part)};
 }
 
@@ -204,8 +211,8 @@ struct WrongVerifier {
 
 [[nodiscard]] std::string told(const Audit& a) {
   return std::to_string(a.judged_px) + " px judged, due " + (a.due_exactly ? "" : "at least ") +
-         std::to_string(a.due_px) + ", drawn " + std::to_string(a.drawn_px) +
-         (a.rejects_right ? ", the right mapper rejected" : "") +
+         std::to_string(a.due_px) + ", drawn " + std::to_string(a.drawn_px) + ", due at least " +
+         std::to_string(a.due_drawn_px) + (a.rejects_right ? ", the right mapper rejected" : "") +
          (a.missed ? ", not noticed: " + *a.missed : "");
 }
 
@@ -222,11 +229,10 @@ TEST_P(Audits, IsPassedByTheLaw) {
 
 TEST_P(Audits, IsFailedByWrongVerifiers) {
   const Law& law = GetParam();
-  for (const Case& c : cases_for(law.name)) {
-    for (const WrongVerifier& wrong : wrong_verifiers_of(law, c)) {
-      const Audit result = audit(law.name, wrong.check, c);
-      EXPECT_FALSE(result.is_passed()) << wrong.name << ": " << told(result) << "\n" << print(c);
-    }
+  const Case c = cases_for(law.name).front();
+  for (const WrongVerifier& wrong : wrong_verifiers_of(law, c)) {
+    const Audit result = audit(law.name, wrong.check, c);
+    EXPECT_FALSE(result.is_passed()) << wrong.name << ": " << told(result) << "\n" << print(c);
   }
 }
 

@@ -40,11 +40,12 @@ ExpectedKillers expected_of(const Matrix& matrix) {
 }
 
 std::string expected_text(const Matrix& matrix) {
-  std::string text = "# Which laws kill which wrong mapper within " +
-                     std::to_string(matrix.budget.cases) + " cases from seed " +
-                     std::to_string(matrix.budget.first_seed) +
-                     ".\n# Written by coverage/killers --write; ORACLE is there in builds with "
-                     "OpenCV alone.\n";
+  const auto& [first_seed, cases, killer_cases] = matrix.budget;
+  std::string text = "# Which laws kill which wrong mapper within " + std::to_string(cases) +
+                     " cases from seed " + std::to_string(first_seed) +
+                     " on; the law that the catalogue\n# names, within " +
+                     std::to_string(killer_cases) +
+                     ". Written by coverage/killers --write, in a build with OpenCV.\n";
   for (const Row& row : matrix.rows) {
     text += row.mapper->name + ":";
     for (size_t i = 0; i < row.cells.size(); ++i) {

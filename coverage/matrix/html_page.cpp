@@ -109,17 +109,18 @@ tfoot th, tfoot td { border-top: 1px solid var(--line); font-weight: 600; }
 }
 
 [[nodiscard]] std::string intro_html(const Matrix& matrix) {
+  const auto& [first_seed, cases, killer_cases] = matrix.budget;
   const auto survivors = std::ranges::count(matrix.rows, size_t{0}, kills_of);
   return "<h1>Wrong mappers and the laws that kill them</h1>\n<p>" +
          counted(matrix.rows.size(), "wrong mapper") + ", of which " + std::to_string(survivors) +
-         " survive, against " + counted(spec::laws().size(), "law") + ": each law looked at the " +
-         counted(matrix.budget.cases, "case") + " from seed " +
-         std::to_string(matrix.budget.first_seed) +
-         " on until it saw something wrong.</p>\n<p>A number is the case that killed, dark where "
-         "it "
-         "was one of the first; &ndash; is a law that saw nothing wrong, 0 one that found nothing "
-         "to judge; grey is a law that the profile does not promise. The framed law is the one "
-         "that the catalogue names and that the tests run.</p>\n";
+         " survive, against " + counted(spec::laws().size(), "law") + ". Each law looked at " +
+         counted(cases, "case") + ", from seed " + std::to_string(first_seed) +
+         " on, until it saw something wrong; the one that the catalogue names, which is framed, "
+         "at " +
+         std::to_string(std::max(cases, killer_cases)) + ".</p>\n<p>" +
+         "A number is the case that killed, dark where it was one of the first; &ndash; is a law "
+         "that saw nothing wrong, 0 one that found nothing to judge; grey is a law that the "
+         "profile does not promise.</p>\n";
 }
 
 }  // namespace

@@ -42,6 +42,7 @@ std::string json_text(const Matrix& matrix) {
   Json json;
   json["first_seed"] = matrix.budget.first_seed;
   json["cases"] = matrix.budget.cases;
+  json["killer_cases"] = matrix.budget.killer_cases;
   json["laws"] = Json::array();
   for (size_t i = 0; i < spec::laws().size(); ++i) {
     const Tally of_law = tally(matrix, i);
