@@ -8,9 +8,9 @@ namespace {
 
 constexpr std::array kLarge = {
     LargeCounterexample{"abrash57_untransformed_not_copied",
-                        {.target_px = 220},
+                        {.target_px = 330},
                         "the last of n pixels lies 1/(2 n) texel from the next texel, and n steps, "
-                        "each up to 1/65536 texel short, cross that where n^2 > 32768"},
+                        "each up to 1/65536 texel short, cross that only where n^2 > 32768"},
 };
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace selvage::coverage {
 
 struct CounterexampleSize {
   size_t vertices = 4;
-  int32_t target_px = 10;      // width + height
-  int32_t texture_texel = 10;  // likewise
+  int32_t target_px = 16;      // width + height
+  int32_t texture_texel = 60;  // likewise
 };
 
 // A bug that cannot be seen on less.

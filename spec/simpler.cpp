@@ -103,26 +103,33 @@ void drop_vertices(const Case& c, Candidates& candidates) {
   }
 }
 
-// Keeps the left or the right half of the target, the upper or the lower, three quarters, or all but
-// one line.
+// Laws choose by Case::choice at random: any of a few numbers is as good as another.
+constexpr uint32_t kFewChoices = 12;
+// For what a law chooses may not fit into less of a target.
+constexpr uint32_t kChoicesOfATarget = 4;
+
+// Keeps the left or the right half of the target, the upper or the lower, three quarters, or all
+// but one line.
 void shrink_target(const Case& c, Candidates& candidates) {
-  const int32_t width = c.target_width_px, height = c.target_height_px;
-  for (const int32_t kept : {width / 2, width - width / 4, width - 1}) {
-    if (kept < 1) continue;
-    candidates.offer_value(&Case::target_width_px, kept);
-    candidates.offer([&](Case& right) {
-      right.target_width_px = kept;
-      move_outline(right, int64_t{kept} - width, 0);
-    });
-  }
-  for (const int32_t kept : {height / 2, height - height / 4, height - 1}) {
-    if (kept < 1) continue;
-    candidates.offer_value(&Case::target_height_px, kept);
-    candidates.offer([&](Case& lower) {
-      lower.target_height_px = kept;
-      move_outline(lower, 0, int64_t{kept} - height);
-    });
-  }
+  const auto shrink = [&](int32_t Case::*side, int64_t dx, int64_t dy) {
+    const int32_t size = c.*side;
+    for (const int32_t kept : {size / 2, size - size / 4, size - 1}) {
+      if (kept < 1) continue;
+      candidates.offer_value(side, kept);
+      candidates.offer([&](Case& far) {
+        far.*side = kept;
+        move_outline(far, dx * (kept - size), dy * (kept - size));
+      });
+      for (uint32_t choice = 0; choice < kChoicesOfATarget; ++choice) {
+        candidates.offer([&](Case& other) {
+          other.*side = kept;
+          other.choice = choice;
+        });
+      }
+    }
+  };
+  shrink(&Case::target_width_px, 1, 0);
+  shrink(&Case::target_height_px, 0, 1);
 }
 
 // Keeps the first texels of an axis, or the last: then the coordinates move with them.
@@ -162,8 +169,6 @@ void plain_options(const Case& c, Candidates& candidates) {
   for (const int64_t padding : nearer_to_zero(c.padding_px)) {
     candidates.offer_value(&Case::padding_px, static_cast<int32_t>(padding));
   }
-  // Laws choose by it at random: any of a few numbers is as good as another.
-  constexpr uint32_t kFewChoices = 12;
   for (uint32_t choice = 0; choice < std::min(c.choice, kFewChoices); ++choice) {
     candidates.offer_value(&Case::choice, choice);
   }

@@ -118,7 +118,7 @@ tfoot th, tfoot td { border-top: 1px solid var(--line); font-weight: 600; }
          " on, until it saw something wrong; the one that the catalogue names, which is framed, "
          "at " +
          std::to_string(std::max(cases, killer_cases)) + ".</p>\n<p>" +
-         "A number is the case that killed, dark where it was one of the first; &ndash; is a law "
+         "A number is the case that killed, the stronger its colour the earlier; &ndash; is a law "
          "that saw nothing wrong, 0 one that found nothing to judge; grey is a law that the "
          "profile does not promise.</p>\n";
 }
