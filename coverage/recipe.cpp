@@ -17,12 +17,19 @@ namespace {
                      [&](spec::Texel texel) { return texel_value(job, texel); });
 }
 
+[[nodiscard]] Recipe::RowMap map_of_row(const Recipe& recipe, const Job& job,
+                                        const spec::ScanLine& line) {
+  if (recipe.map_of_row) return recipe.map_of_row(job, line);
+  return [&](const spec::Rational& x) { return recipe.map(job, line, x); };
+}
+
 void draw_row(const Recipe& recipe, const Job& job, const spec::ScanLine& line, int32_t y) {
+  if (line.left.x == line.right.x) return;
+  const Recipe::RowMap map = map_of_row(recipe, job, line);
   for (int32_t x = 0; x < job.target.width; ++x) {
     const spec::Rational centre = x + spec::Rational(1, 2);
     if (!recipe.in_clip(job, x, y) || !recipe.covers(line, centre)) continue;
-    if (line.left.x == line.right.x) continue;
-    const spec::Sample point = recipe.map(job, line, centre);
+    const spec::Sample point = map(centre);
     if (job.filter != SELVAGE_FILTER_NEAREST) {
       set_pixel(job, filtered(recipe, job, point, x, y), x, y);
       continue;
@@ -46,12 +53,18 @@ void draw(const Recipe& recipe, Job job) {
 
 }  // namespace
 
+spec::Gradient gradient_at(const std::vector<selvage_vertex>& vertices, int32_t x_px,
+                           int32_t y_px) {
+  return spec::gradient(vertices, x_px, y_px).value_or(spec::Gradient{});
+}
+
 spec::Sample Recipe::interpolate(const spec::ScanLine& line, const spec::Rational& x) {
   const spec::Rational t = (x - line.left.x) / (line.right.x - line.left.x);
   const auto mix = [&](const spec::Rational& a, const spec::Rational& b) {
     return spec::Rational(a + t * (b - a));
   };
   const spec::Rational q = mix(line.left.q, line.right.q);
+  if (q == 0) return {};  // beyond the ends of the span
   return {mix(line.left.uq, line.right.uq) / q, mix(line.left.vq, line.right.vq) / q};
 }
 

@@ -12,6 +12,10 @@
 
 namespace selvage::coverage {
 
+// 0 where the polygon does not cover the pixel, which a wrong mapper may draw all the same.
+[[nodiscard]] spec::Gradient gradient_at(const std::vector<selvage_vertex>& vertices, int32_t x_px,
+                                         int32_t y_px);
+
 struct Recipe {
   // Arguments, as the mapper takes them.
   std::function<void(Job&)> prepare = [](Job&) {};
@@ -30,6 +34,9 @@ struct Recipe {
       [](const Job&, const spec::ScanLine& line, const spec::Rational& x) {
         return interpolate(line, x);
       };
+  // The same along a row, of a mapper that decides something once a row; empty: `map` is asked.
+  using RowMap = std::function<spec::Sample(const spec::Rational& x)>;
+  std::function<RowMap(const Job&, const spec::ScanLine&)> map_of_row{};
   // Texel coordinates, before the address mode.
   std::function<int32_t(const spec::Rational&)> round = [](const spec::Rational& u) {
     return spec::floor(u);
@@ -39,9 +46,7 @@ struct Recipe {
   // Of filters other than nearest: how fast (u, v) changes at a pixel, the box's sides from that,
   // columns or rows and their weights, where these lie in the texture, and the pixel.
   std::function<spec::Gradient(const Job&, int32_t x, int32_t y)> gradient =
-      [](const Job& job, int32_t x, int32_t y) {
-        return spec::gradient(job.vertices, x, y).value();
-      };
+      [](const Job& job, int32_t x, int32_t y) { return gradient_at(job.vertices, x, y); };
   std::function<spec::BoxSides(const spec::Gradient&)> sides = spec::box_sides;
   std::function<spec::Taps(selvage_filter, const spec::Rational&, int32_t side_fx8)> taps =
       spec::taps;

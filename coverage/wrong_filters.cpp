@@ -162,7 +162,7 @@ void spoil_box(Catalogue* catalogue) {
                    r.gradient = [](const Job& job, int32_t x, int32_t y) {
                      std::vector<selvage_vertex> flat = job.vertices;
                      for (selvage_vertex& v : flat) v.q = 1;
-                     return spec::gradient(flat, x, y).value();
+                     return gradient_at(flat, x, y);
                    };
                  });
 }

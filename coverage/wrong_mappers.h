@@ -10,6 +10,9 @@
 
 namespace selvage::coverage {
 
+// Within so many cases its killer has rejected each.
+inline constexpr uint64_t kKillerCases = 1500;
+
 struct WrongMapper {
   std::string name;
   std::string_view bug;     // what it does wrong, in one sentence

@@ -15,19 +15,36 @@ using spec::ScanLine;
 
 constexpr std::string_view kKiller = "TOLERANCE";
 
-// The map at a centre x, straight between its values segment_px apart.
-[[nodiscard]] Sample subdivided(const ScanLine& line, const Rational& x, int32_t segment_px) {
-  const spec::Columns columns = spec::columns_of(line);
-  const int32_t px = spec::floor(x);
-  const int32_t from_px = px - (px - columns.first_px) % segment_px;
-  const int32_t to_px = std::min(from_px + segment_px, columns.last_px());
-  const Sample from = Recipe::interpolate(line, from_px + Rational(1, 2));
-  if (to_px <= from_px) return from;
-  const Sample to = Recipe::interpolate(line, to_px + Rational(1, 2));
-  Rational t(px - from_px, to_px - from_px);
-  t.canonicalize();
-  return {from.u + t * (to.u - from.u), from.v + t * (to.v - from.v)};
-}
+// The map of a row at its centres, straight between its values segment_px apart.
+class Segments {
+ public:
+  Segments(const ScanLine& line, int32_t segment_px)
+      : line_(line), columns_(spec::columns_of(line)), segment_px_(segment_px) {}
+
+  [[nodiscard]] Sample operator()(const Rational& x) {
+    const int32_t px = spec::floor(x);
+    move_to(px - (px - columns_.first_px) % segment_px_);
+    Rational t(px - from_px_, std::max(to_px_ - from_px_, 1));
+    t.canonicalize();
+    return {from_.u + t * (to_.u - from_.u), from_.v + t * (to_.v - from_.v)};
+  }
+
+ private:
+  void move_to(int32_t from_px) {
+    if (to_px_ >= from_px_ && from_px == from_px_) return;
+    const Rational half(1, 2);
+    from_px_ = from_px;
+    to_px_ = std::min(from_px + segment_px_, columns_.last_px());
+    from_ = Recipe::interpolate(line_, from_px_ + half);
+    to_ = Recipe::interpolate(line_, to_px_ + half);
+  }
+
+  ScanLine line_;
+  spec::Columns columns_;
+  int32_t segment_px_;
+  int32_t from_px_ = 0, to_px_ = -1;  // no segment yet
+  Sample from_{}, to_{};
+};
 
 // The longest segments, a multiple of 16 px, whose chords keep the tolerance; 0 if none do.
 [[nodiscard]] int32_t longest_px(const ScanLine& line, double tolerance_fx16,
@@ -42,9 +59,11 @@ template <class SegmentPx>
 void add_subdivided(Catalogue* catalogue, std::string_view name, std::string_view bug,
                     SegmentPx segment_px) {
   catalogue->add(name, kKiller, bug, [=](Recipe& r) {
-    r.map = [=](const Job& job, const ScanLine& line, const Rational& x) {
-      const int32_t px = job.tolerance > 0 ? segment_px(job, line) : 0;
-      return px > 0 ? subdivided(line, x, px) : Recipe::interpolate(line, x);
+    r.map_of_row = [=](const Job& job, const ScanLine& line) -> Recipe::RowMap {
+      const bool bends = job.tolerance > 0 && !spec::columns_of(line).empty();
+      const int32_t px = bends ? segment_px(job, line) : 0;
+      if (px > 0) return Segments(line, px);
+      return [&line](const Rational& x) { return Recipe::interpolate(line, x); };
     };
   });
 }

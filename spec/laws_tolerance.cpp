@@ -118,14 +118,19 @@ class TolerantCase {
         case_(c),
         tolerance_fx16_(tolerance_fx16),
         drawn_(draw(tolerating(subject, tolerance_fx16), c)),
-        asked_(subject, c, tolerance_fx16) {}
+        asked_(subject, c, tolerance_fx16) {
+    for (int32_t y = 0; y < c.target_height_px; ++y) {
+      lines_.push_back(scan_line(c.vertices, y));
+      columns_.push_back(lines_.back() ? columns_of(*lines_.back()) : Columns{0, 0});
+    }
+  }
 
   [[nodiscard]] Judgement judge() {
     Judgement judgement = judge_coverage();
     selvage_choice all{SELVAGE_METHOD_NONE, 0, 0};
     for (int32_t y = 0; !judgement.violation && y < case_.target_height_px; ++y) {
-      const std::optional<ScanLine> line = scan_line(case_.vertices, y);
-      if (!line || columns_of(*line).empty()) continue;
+      const std::optional<ScanLine>& line = lines_[static_cast<size_t>(y)];
+      if (columns_[static_cast<size_t>(y)].empty()) continue;
       Rational allowed = texels(tolerance_fx16_);
       if (subject_.choose) {
         const selvage_choice choice = asked_.row(y);
@@ -149,13 +154,20 @@ class TolerantCase {
   }
 
  private:
+  [[nodiscard]] bool is_due(int32_t x, int32_t y) const {
+    const bool clipped = case_.has_clip && (x < case_.clip.left || case_.clip.right <= x ||
+                                            y < case_.clip.top || case_.clip.bottom <= y);
+    const Columns& columns = columns_[static_cast<size_t>(y)];
+    return !clipped && columns.first_px <= x && x < columns.end_px;
+  }
+
   // Which pixels are drawn is exact whatever the tolerance.
   [[nodiscard]] Judgement judge_coverage() const {
-    const Picture model = expected(case_);
     return compare(kLaw, "which pixels are drawn does not depend on the tolerance", case_, drawn_,
                    [&](int32_t x, int32_t y) {
-                     const bool same = model.at(x, y).has_value() == drawn_.at(x, y).has_value();
-                     return must_be(same ? drawn_.at(x, y) : model.at(x, y));
+                     const bool due = is_due(x, y);
+                     if (due == drawn_.at(x, y).has_value()) return must_be(drawn_.at(x, y));
+                     return must_be(due ? expected(case_).at(x, y) : MaybePixel());
                    });
   }
 
@@ -214,6 +226,8 @@ class TolerantCase {
   int32_t tolerance_fx16_;
   Picture drawn_;
   Asked asked_;
+  std::vector<std::optional<ScanLine>> lines_;  // of the rows
+  std::vector<Columns> columns_;                // that they cover
 };
 
 // Linearly from [least, greatest] of the values to [to_least, to_greatest].

@@ -35,12 +35,14 @@ class Candidates {
   std::vector<Case> list_;
 };
 
-// Whole values nearer to zero, by less and less.
+// Whole values nearer to zero, by less and less: in shares of the value, so that even a bound far
+// from zero is come near in few steps.
 [[nodiscard]] std::vector<int64_t> nearer_to_zero(int64_t value) {
   if (value == 0) return {};
   std::vector<int64_t> values;
   const int64_t one = value < 0 ? -1 : 1;
-  for (const int64_t nearer : {int64_t{0}, value / 2, value - value / 4, value - one}) {
+  for (const int64_t nearer : {int64_t{0}, value / 2, value - value / 4, value - value / 32,
+                               value - value / 1024, value - one}) {
     const bool known = std::find(values.begin(), values.end(), nearer) != values.end();
     if (nearer != value && !known) values.push_back(nearer);
   }
@@ -62,9 +64,8 @@ class Candidates {
   const int32_t sign = value < 0 ? -1 : 1;
   values = {whole * unit, value - sign * last_place};
   if (whole == 0) values.push_back(sign * unit);
-  if (whole != 0) {
-    values.push_back(whole / 2 * unit + fraction);
-    values.push_back(value - sign * unit);
+  for (const int64_t nearer : nearer_to_zero(whole)) {
+    values.push_back(static_cast<int32_t>(nearer * unit) + fraction);
   }
   return values;
 }
@@ -102,33 +103,53 @@ void drop_vertices(const Case& c, Candidates& candidates) {
   }
 }
 
-// Keeps the left or the right half of the target, the upper or the lower, or all but one line.
+// Laws choose by Case::choice at random: any of a few numbers is as good as another.
+constexpr uint32_t kFewChoices = 12;
+// For what a law chooses may not fit into less of a target.
+constexpr uint32_t kChoicesOfATarget = 4;
+
+// Keeps the left or the right half of the target, the upper or the lower, three quarters, or all
+// but one line.
 void shrink_target(const Case& c, Candidates& candidates) {
-  const int32_t width = c.target_width_px, height = c.target_height_px;
-  for (const int32_t kept : {width / 2, width - 1}) {
-    if (kept < 1) continue;
-    candidates.offer_value(&Case::target_width_px, kept);
-    candidates.offer([&](Case& right) {
-      right.target_width_px = kept;
-      move_outline(right, int64_t{kept} - width, 0);
-    });
-  }
-  for (const int32_t kept : {height / 2, height - 1}) {
-    if (kept < 1) continue;
-    candidates.offer_value(&Case::target_height_px, kept);
-    candidates.offer([&](Case& lower) {
-      lower.target_height_px = kept;
-      move_outline(lower, 0, int64_t{kept} - height);
-    });
-  }
+  const auto shrink = [&](int32_t Case::*side, int64_t dx, int64_t dy) {
+    const int32_t size = c.*side;
+    for (const int32_t kept : {size / 2, size - size / 4, size - 1}) {
+      if (kept < 1) continue;
+      candidates.offer_value(side, kept);
+      candidates.offer([&](Case& far) {
+        far.*side = kept;
+        move_outline(far, dx * (kept - size), dy * (kept - size));
+      });
+      for (uint32_t choice = 0; choice < kChoicesOfATarget; ++choice) {
+        candidates.offer([&](Case& other) {
+          other.*side = kept;
+          other.choice = choice;
+        });
+      }
+    }
+  };
+  shrink(&Case::target_width_px, 1, 0);
+  shrink(&Case::target_height_px, 0, 1);
 }
 
+// Keeps the first texels of an axis, or the last: then the coordinates move with them.
 void shrink_texture(const Case& c, Candidates& candidates) {
-  for (const auto side : {&Case::texture_width_texel, &Case::texture_height_texel}) {
+  const auto shrink = [&](int32_t Case::*side, int32_t selvage_vertex::*field) {
     for (const int32_t size : {1, c.*side / 2, c.*side - 1}) {
-      if (size >= 1) candidates.offer_value(side, size);
+      if (size < 1) continue;
+      candidates.offer_value(side, size);
+      candidates.offer([&](Case& last) {
+        const int64_t dropped_fx16 = int64_t{c.*side - size} * SELVAGE_SUBTEXELS;
+        last.*side = size;
+        for (selvage_vertex& vertex : last.vertices) {
+          const int64_t value = vertex.*field - dropped_fx16;
+          vertex.*field = static_cast<int32_t>(std::max<int64_t>(value, INT32_MIN));
+        }
+      });
     }
-  }
+  };
+  shrink(&Case::texture_width_texel, &selvage_vertex::u);
+  shrink(&Case::texture_height_texel, &selvage_vertex::v);
 }
 
 void plain_options(const Case& c, Candidates& candidates) {
@@ -147,6 +168,9 @@ void plain_options(const Case& c, Candidates& candidates) {
   candidates.offer_value(&Case::flip_texture, false);
   for (const int64_t padding : nearer_to_zero(c.padding_px)) {
     candidates.offer_value(&Case::padding_px, static_cast<int32_t>(padding));
+  }
+  for (uint32_t choice = 0; choice < std::min(c.choice, kFewChoices); ++choice) {
+    candidates.offer_value(&Case::choice, choice);
   }
   for (const int64_t choice : nearer_to_zero(c.choice)) {
     candidates.offer_value(&Case::choice, static_cast<uint32_t>(choice));
@@ -222,9 +246,9 @@ void simplify_vertex(const Case& c, size_t index, Candidates& candidates) {
   const auto offer_field = [&](int32_t selvage_vertex::*field, int32_t value) {
     candidates.offer([&](Case& changed) { changed.vertices[index].*field = value; });
   };
-  offer_field(&selvage_vertex::q, 1);
-  offer_field(&selvage_vertex::q, (vertex.q + 1) / 2);
-  offer_field(&selvage_vertex::q, std::max(1, vertex.q - 1));
+  for (const int64_t nearer : nearer_to_zero(vertex.q - 1)) {
+    offer_field(&selvage_vertex::q, static_cast<int32_t>(nearer + 1));
+  }
   for (const auto field : {&selvage_vertex::x, &selvage_vertex::y}) {
     for (const int32_t value : rounder(vertex.*field, SELVAGE_SUBPIXELS)) offer_field(field, value);
   }

@@ -1,0 +1,30 @@
+#include "coverage/counterexample_size.h"
+
+#include <algorithm>
+#include <array>
+
+namespace selvage::coverage {
+namespace {
+
+constexpr std::array kLarge = {
+    LargeCounterexample{"abrash57_untransformed_not_copied",
+                        {.target_px = 330},
+                        "the last of n pixels lies 1/(2 n) texel from the next texel, and n steps, "
+                        "each up to 1/65536 texel short, cross that only where n^2 > 32768"},
+};
+
+}  // namespace
+
+std::span<const LargeCounterexample> large_counterexamples() { return kLarge; }
+
+CounterexampleSize largest_counterexample(std::string_view mapper) {
+  const auto large = std::ranges::find(kLarge, mapper, &LargeCounterexample::mapper);
+  return large != kLarge.end() ? large->size : CounterexampleSize{};
+}
+
+CounterexampleSize size_of(const spec::Case& c) {
+  return {c.vertices.size(), c.target_width_px + c.target_height_px,
+          c.texture_width_texel + c.texture_height_texel};
+}
+
+}  // namespace selvage::coverage
