@@ -1,7 +1,7 @@
 // polygon3d(3alleg4): no concave or self-intersecting shapes; "the width and height of the texture
-// bitmap must be powers of two"; the texture repeats. x and y "specify the position of the vertex
-// in 2d screen coordinates". POLYTYPE_ATEX is linear; POLYTYPE_PTEX is perspective-correct for
-// triangles, for others "not perfect". set_clip_rect clips.
+// bitmap must be powers of two", and it is tiled; texels are blocks, "whole numbers for u and v
+// refer to the top-left corner of a texel". Where pixels are sampled is not said. set_clip_rect
+// clips.
 #include "reports/peers/subjects/subject.h"
 
 namespace selvage::reports {
