@@ -13,25 +13,29 @@ std::string text_of(const json& values, const char* key) {
   return escaped(values.value(key, std::string()));
 }
 
+// As it calls itself, or where it could not be asked by its file.
+std::string name_of(const json& subject) {
+  return text_of(subject, subject.contains("subject") ? "subject" : "id");
+}
+
 // "defect", "convention", ...; what nobody has looked at is no defect yet.
 std::string kind_of(const json& cell) {
   return cell.contains("finding") ? cell["finding"].at("kind").get<std::string>() : "unexamined";
 }
 
 std::string holding(const json& cell) {
-  std::string title = grouped(cell.at("cases").get<uint64_t>()) + " cases, " +
-                      grouped(cell.at("judged_px").get<uint64_t>()) + " px";
-  std::string text = "holds";
+  const std::string px = grouped(cell.at("judged_px").get<uint64_t>()) + " px";
+  std::string title = grouped(cell.at("cases").get<uint64_t>()) + " cases, " + px;
+  std::string text = cell.contains("not_claimed") ? "holds*" : "holds";
+  text += element("small", px);
   if (cell.contains("nearest")) {
     const json& nearest = cell["nearest"];
-    text += "<br>" + element("small", rounded(nearest.at("measured").get<double>() /
-                                              nearest.at("bound").get<double>()) +
-                                          " of bound");
+    const double share = nearest.at("measured").get<double>() / nearest.at("bound").get<double>();
+    text += element("small", rounded(share) + " of bound");
   }
   if (cell.contains("not_claimed")) {
     for (const auto& [what, cases] : cell["not_claimed"].items())
       title += "; not claimed: " + cases.dump() + " cases: " + escaped(what);
-    text += "*";
   }
   return element("td", text, "class=good title=\"" + title + "\"");
 }
@@ -50,7 +54,7 @@ std::string cell_html(const json& cell) {
 }
 
 std::string row_html(const json& subject, const json& laws) {
-  std::string row = element("th", escaped(subject.value("subject", subject.at("id"))), "scope=row");
+  std::string row = element("th", name_of(subject), "scope=row");
   if (subject.contains("error")) {
     row += element("td", "not judged: " + text_of(subject, "error"),
                    "class=quiet colspan=" + std::to_string(laws.size()));
@@ -91,7 +95,7 @@ std::string about(const json& subject) {
   for (const json& cell : subject.value("cells", json::array())) {
     if (cell.contains("finding")) items += finding_item(cell);
   }
-  std::string title = escaped(subject.value("subject", subject.at("id")));
+  std::string title = name_of(subject);
   const std::string examined = subject.value("examined", "");
   if (!subject.value("subject", std::string()).ends_with(examined))
     title += " (examined: " + escaped(examined) + ")";

@@ -65,7 +65,7 @@ std::vector<MatrixRow> read_rows(const fs::path& folder) {
   for (std::string line; std::getline(lines, line);) {
     const size_t tab = line.find('\t');
     if (tab == std::string::npos) throw cli::UserError("rows.tsv: no tab in '" + line + "'");
-    MatrixRow row{.group = line.substr(0, tab), .id = line.substr(tab + 1)};
+    MatrixRow row{line.substr(0, tab), line.substr(tab + 1), nullptr, ""};
     const fs::path verdict = folder / (row.id + ".json");
     if (!fs::exists(verdict)) {
       row.error = cli::read_text_file(folder / (row.id + ".error"));
