@@ -50,6 +50,20 @@ using Outline = std::vector<selvage_vertex>;
   return !(left && right);
 }
 
+[[nodiscard]] bool is_power_of_two(int32_t side) { return (side & (side - 1)) == 0; }
+
+// u or v, from the texture's one end to the other.
+[[nodiscard]] int32_t inside(int32_t coordinate, int32_t side_texel) {
+  const int64_t end = int64_t{side_texel} * SELVAGE_SUBTEXELS;
+  return static_cast<int32_t>(std::clamp<int64_t>(coordinate, 0, end));
+}
+
+[[nodiscard]] bool lies_inside(const Case& c) {
+  return std::ranges::all_of(c.vertices, [&](const selvage_vertex& v) {
+    return v.u == inside(v.u, c.texture_width_texel) && v.v == inside(v.v, c.texture_height_texel);
+  });
+}
+
 [[nodiscard]] bool is_right_way(Winding winding, const Outline& outline) {
   if (winding == Winding::kBoth) return true;
   const int64_t area = area_of(outline);
@@ -104,7 +118,7 @@ void take_outline(const Capabilities& claims, Case* c) {
 
 std::optional<std::string> beyond(const Capabilities& claims, const Case& c) {
   const auto longest = [](int32_t a, int32_t b) { return std::max(a, b); };
-  const std::array<std::pair<bool, const char*>, 9> reasons = {{
+  const std::array<std::pair<bool, const char*>, 11> reasons = {{
       {!holds(claims.formats, c.format), "a format that it does not draw"},
       {!holds(claims.filters, c.filter), "a filter that it does not have"},
       {!holds(claims.addresses, c.address), "an address mode that it does not have"},
@@ -115,6 +129,10 @@ std::optional<std::string> beyond(const Capabilities& claims, const Case& c) {
        "a target too large for it"},
       {longest(c.texture_width_texel, c.texture_height_texel) > claims.longest_side_texel,
        "a texture too large for it"},
+      {!claims.any_texture_side &&
+           !(is_power_of_two(c.texture_width_texel) && is_power_of_two(c.texture_height_texel)),
+       "a texture whose sides are no powers of two"},
+      {!claims.outside_texels && !lies_inside(c), "texture coordinates outside the texture"},
       {!claims.named_errors && !is_valid(c), "an outline to be refused"},
   }};
   for (const auto& [is_beyond, what] : reasons) {
@@ -139,6 +157,14 @@ Case within(const Capabilities& claims, const Case& c) {
   }
   for (const auto side : {&Case::texture_width_texel, &Case::texture_height_texel}) {
     taken.*side = std::min(taken.*side, claims.longest_side_texel);
+    if (!claims.any_texture_side)
+      taken.*side = static_cast<int32_t>(std::bit_floor(static_cast<uint32_t>(taken.*side)));
+  }
+  if (!claims.outside_texels) {
+    for (selvage_vertex& v : taken.vertices) {
+      v.u = inside(v.u, taken.texture_width_texel);
+      v.v = inside(v.v, taken.texture_height_texel);
+    }
   }
   if (!taken.vertices.empty()) take_outline(claims, &taken);
   return taken;

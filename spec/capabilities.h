@@ -36,6 +36,8 @@ struct Capabilities {
   bool negative_pitch = true;               // pictures stored bottom row first
   bool concave = true;                      // y-monotone outlines that are not convex
   bool named_errors = true;                 // bad arguments get the status that they should
+  bool any_texture_side = true;             // textures whose sides are no powers of two
+  bool outside_texels = true;               // vertices whose u, v lie beyond the texture
   int32_t longest_side_px = kAnyNumber;     // of the target
   int32_t longest_side_texel = kAnyNumber;  // of the texture
   int32_t most_vertices = kAnyNumber;       // at least 3
@@ -48,9 +50,10 @@ struct Capabilities {
 
 // The case as the subject can take it: other formats, filters and address modes become claimed
 // ones, in turn by Case::choice; q are made equal; clip and negative pitches are left out; sides
-// are cut; outlines become their convex hull, with as many corners as are drawn, in the right
-// winding. What is within the claims stays as it is, and so does an outline that must be refused by
-// a subject that names no errors: it cannot be mapped.
+// are cut, and those of textures made powers of two; u and v are brought into the texture; outlines
+// become their convex hull, with as many corners as are drawn, in the right winding. What is within
+// the claims stays as it is, and so does an outline that must be refused by a subject that names no
+// errors: it cannot be mapped.
 [[nodiscard]] Case within(const Capabilities& claims, const Case& c);
 
 // Reverses an outline that the profile or the subject would not draw this way round.

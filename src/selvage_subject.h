@@ -28,13 +28,19 @@ enum {
 
 /* What is not drawn, as a sum. */
 enum {
-  SELVAGE_LACKS_PERSPECTIVE = 1,    /* q that differ */
-  SELVAGE_LACKS_CLIP = 2,           /* a clip rectangle: clip is NULL */
-  SELVAGE_LACKS_NEGATIVE_PITCH = 4, /* pictures stored bottom row first */
-  SELVAGE_LACKS_CONCAVE = 8,        /* outlines that are not convex */
-  SELVAGE_LACKS_NAMED_ERRORS = 16,  /* bad arguments: none are given */
-  SELVAGE_LACKS_ALL = 31
+  SELVAGE_LACKS_PERSPECTIVE = 1,       /* q that differ */
+  SELVAGE_LACKS_CLIP = 2,              /* a clip rectangle: clip is NULL */
+  SELVAGE_LACKS_NEGATIVE_PITCH = 4,    /* pictures stored bottom row first */
+  SELVAGE_LACKS_CONCAVE = 8,           /* outlines that are not convex */
+  SELVAGE_LACKS_NAMED_ERRORS = 16,     /* bad arguments: none are given */
+  SELVAGE_LACKS_ANY_TEXTURE_SIDE = 32, /* textures whose sides are no powers of two */
+  SELVAGE_LACKS_OUTSIDE_TEXELS = 64,   /* vertices whose u, v lie beyond [0, width] x [0, height] */
+  SELVAGE_LACKS_ALL = 127
 };
+
+/* What selvage_draw may answer, drawing nothing, where a drawing is beyond the subject in a way
+ * that no field tells. It counts as not claimed, and the verdict shows how often it was said. */
+enum { SELVAGE_STATUS_BEYOND_CLAIMS = -1 };
 
 typedef struct selvage_claims {
   size_t bytes;            /* sizeof(selvage_claims): later versions have more fields behind */

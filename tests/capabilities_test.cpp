@@ -11,7 +11,7 @@ namespace selvage::spec {
 namespace {
 
 [[nodiscard]] std::vector<Capabilities> some_claims() {
-  std::vector<Capabilities> some(10);
+  std::vector<Capabilities> some(12);
   some[0].winding = Winding::kClockwise;
   some[1].winding = Winding::kCounterClockwise;
   some[2].formats = only(SELVAGE_RGB565);
@@ -22,6 +22,9 @@ namespace {
   some[7].longest_side_px = 5;
   some[7].longest_side_texel = 3;
   some[8].most_vertices = 3;
+  some[10].any_texture_side = false;
+  some[11].outside_texels = false;
+  some[11].any_texture_side = false;
   some[9].winding = Winding::kClockwise;
   some[9].most_vertices = 4;
   some[9].perspective = false;

@@ -8,6 +8,7 @@
 
 #include "cli/error.h"
 #include "cli/file.h"
+#include "reports/page/matrix.h"
 #include "reports/page/plots.h"
 #include "reports/page/sections.h"
 #include "reports/page/worst_cases.h"
@@ -39,12 +40,29 @@ void write_plot_data(const fs::path& folder) {
     write_text(folder / file.name, file.text);
 }
 
+// Returns whether our own mappers keep their promises.
+bool write_matrix(const fs::path& folder, const std::string& findings) {
+  const fs::path parts = folder / "matrix";
+  const json matrix = matrix_of(read_rows(parts), read_json(parts / "laws.json"),
+                                findings.empty() ? json::object() : read_json(findings));
+  write_text(folder / "matrix.json", matrix.dump(1) + "\n");
+  for (const json& subject : matrix.at("subjects")) {
+    for (const json& cell : subject.value("cells", json::array())) {
+      if (cell.contains("page"))
+        write_text(folder / cell["page"].get<std::string>(),
+                   counterexample_page(matrix, subject, cell));
+    }
+  }
+  return ours_hold(matrix);
+}
+
 void write_page(const fs::path& folder, Results results) {
   results.verify = read_json(folder / "verify.json");
   results.laws = read_json(folder / "laws.json");
   results.gallery = read_json(folder / "gallery.json");
   results.stability = read_json(folder / "stability.json");
   if (fs::exists(folder / "bench.json")) results.bench = read_json(folder / "bench.json");
+  if (fs::exists(folder / "matrix.json")) results.matrix = read_json(folder / "matrix.json");
   write_text(folder / "index.html", page(results));
   std::printf("%s\n", summary_line(results).c_str());
 }
@@ -59,7 +77,8 @@ int main(int argc, char** argv) {
       "  selvage_page worst reports/out\n"
       "  selvage_page html reports/out --revision \"$(git describe --always)\" --command "
       "reports/run\n\n"
-      "Exit codes: 0 written, 2 wrong use or a file that is missing, damaged or unwritable.");
+      "Exit codes: 0 written, 1 a mapper of ours in the matrix breaks a law, 2 wrong use or a file "
+      "that is missing, damaged or unwritable.");
   std::string folder;
   Results results;
   CLI::App* plots =
@@ -67,7 +86,15 @@ int main(int argc, char** argv) {
   CLI::App* worst = app.add_subcommand(
       "worst", "stability.json to lines: a picture's name, a tab, what selvage draws it with");
   CLI::App* html = app.add_subcommand("html", "the JSON files to index.html");
-  for (CLI::App* command : {plots, worst, html}) command->add_option("folder", folder)->required();
+  CLI::App* matrix = app.add_subcommand(
+      "matrix",
+      "the verdicts in its folder matrix, which reports/matrix makes, to matrix.json and a "
+      "page of each violation");
+  std::string findings;
+  matrix->add_option("--findings", findings,
+                     "JSON: what is known of subjects and their violations");
+  for (CLI::App* command : {plots, worst, html, matrix})
+    command->add_option("folder", folder)->required();
   html->add_option("--revision", results.revision, "what source this is about");
   html->add_option("--unmeasured", results.unmeasured, "why there is no bench.json");
   html->add_option("--command", results.command, "the commands that make the page");
@@ -78,6 +105,8 @@ int main(int argc, char** argv) {
       write_plot_data(folder);
     else if (worst->parsed())
       std::cout << worst_case_lines(read_json(fs::path(folder) / "stability.json"));
+    else if (matrix->parsed())
+      return write_matrix(folder, findings) ? 0 : 1;
     else
       write_page(folder, std::move(results));
     return 0;

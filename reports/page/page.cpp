@@ -1,5 +1,6 @@
 // The document: everything in one file but the pictures, nothing from outside its folder.
 #include "reports/page/html.h"
+#include "reports/page/matrix.h"
 #include "reports/page/sections.h"
 
 namespace selvage::reports {
@@ -41,20 +42,29 @@ img { max-width: 100%; height: auto; display: block; }
 .worst code { overflow-wrap: anywhere; } .worst img { background: #181818; }
 pre { background: var(--soft); padding: .8rem 1rem; overflow-x: auto; font-size: .85rem; }
 summary { cursor: pointer; } details { margin: .8rem 0; }
+.matrix td, .matrix th { padding: .2rem .35rem; font-size: .8rem; }
+.matrix th:first-child { position: sticky; left: 0; background: var(--page); min-width: 8rem; }
+.matrix small { display: block; font-weight: normal; } .differs { background: var(--soft); }
+.quiet { opacity: .65; } .enlarged { image-rendering: pixelated; }
 )";
 
 }  // namespace
 
-std::string page(const Results& results) {
+std::string document(const std::string& title, const std::string& body) {
   const std::string head =
       "<meta charset=utf-8>\n"
       "<meta name=viewport content=\"width=device-width, initial-scale=1\">\n" +
-      element("title", "Selvage: verdicts, pictures, measurements") + element("style", kStyle);
-  const std::string body = summary_section(results) + verdict_section(results) +
-                           gallery_section(results) + stability_section(results) +
-                           measurement_section(results) + method_section(results);
+      element("title", title) + element("style", kStyle);
   return "<!doctype html>\n" +
          element("html", element("head", head) + element("body", body), "lang=en");
+}
+
+std::string page(const Results& results) {
+  const std::string body = summary_section(results) + verdict_section(results) +
+                           matrix_section(results.matrix) + gallery_section(results) +
+                           stability_section(results) + measurement_section(results) +
+                           method_section(results);
+  return document("Selvage: verdicts, pictures, measurements", body);
 }
 
 }  // namespace selvage::reports

@@ -12,6 +12,7 @@ struct Results {
   nlohmann::ordered_json gallery;    // selvage_gallery
   nlohmann::ordered_json stability;  // selvage stability --json
   nlohmann::ordered_json bench;      // selvage bench --json; null where nothing was measured
+  nlohmann::ordered_json matrix;     // selvage_page matrix; null where none was made
   std::string revision;              // of the source
   std::string command;               // that made the page
   std::string unmeasured;            // why, where bench is null
@@ -25,6 +26,9 @@ struct Results {
 [[nodiscard]] std::string stability_section(const Results& results);
 [[nodiscard]] std::string measurement_section(const Results& results);
 [[nodiscard]] std::string method_section(const Results& results);
+
+// HTML of ours around a body, with nothing from outside. Title and body are HTML.
+[[nodiscard]] std::string document(const std::string& title, const std::string& body);
 
 // The whole document.
 [[nodiscard]] std::string page(const Results& results);

@@ -24,20 +24,28 @@ Bitmap make_bitmap(int32_t width_px, int32_t height_px) {
   return {bitmap, destroy_bitmap};
 }
 
-Bitmap bitmap_over(Target& target) {
-  Bitmap bitmap = make_bitmap(target.width_px, target.height_px);
-  for (int32_t y = 0; y < target.height_px; ++y)
-    bitmap->line[y] = reinterpret_cast<unsigned char*>(target.row(y));
+Bitmap bitmap_over(const Canvas& canvas) {
+  const selvage_image& target = canvas.target;
+  Bitmap bitmap = make_bitmap(target.width, target.height);
+  for (int32_t y = 0; y < target.height; ++y)
+    bitmap->line[y] = static_cast<unsigned char*>(target.pixels) + y * target.pitch;
+  if (canvas.clip) {
+    const selvage_rect& clip = *canvas.clip;
+    set_clip_rect(bitmap.get(), clip.left, clip.top, clip.right - 1, clip.bottom - 1);
+  }
   return bitmap;
 }
 
+bool is_power_of_two(int32_t side) { return (side & (side - 1)) == 0; }
+
 // Allegro's texture has no row padding.
-Bitmap bitmap_of(const Texture& texture) {
-  const int32_t side = texture.side_texel;
-  Bitmap bitmap = make_bitmap(side, side);
-  for (int32_t t = 0; t < side; ++t) {
-    const uint32_t* row = texture.texels.data() + static_cast<ptrdiff_t>(t) * texture.pitch_texel;
-    std::copy(row, row + side, reinterpret_cast<uint32_t*>(bitmap->line[t]));
+Bitmap bitmap_of(const selvage_texture& texture) {
+  if (!is_power_of_two(texture.width) || !is_power_of_two(texture.height))
+    throw Inexpressible("the sides of Allegro's textures are powers of two");
+  Bitmap bitmap = make_bitmap(texture.width, texture.height);
+  for (int32_t t = 0; t < texture.height; ++t) {
+    const auto* row = static_cast<const unsigned char*>(texture.texels) + t * texture.pitch;
+    std::copy(row, row + ptrdiff_t{texture.width} * (kBits / 8), bitmap->line[t]);
   }
   return bitmap;
 }
@@ -53,14 +61,19 @@ V3D_f corner_of(const selvage_vertex& vertex, int32_t first_q) {
           0};
 }
 
-class Painter {
+class AllegroPainter : public Painter {
  public:
-  Painter(const Workload& load, const Texture& texture, Target& target)
-      : kind_(load.perspective ? POLYTYPE_PTEX : POLYTYPE_ATEX),
-        texture_(bitmap_of(texture)),
-        target_(bitmap_over(target)) {}
+  explicit AllegroPainter(const Canvas& canvas)
+      : kind_(canvas.perspective ? POLYTYPE_PTEX : POLYTYPE_ATEX),
+        texture_(bitmap_of(canvas.texture)),
+        target_(bitmap_over(canvas)) {}
 
-  void draw(const std::vector<selvage_vertex>& polygon) {
+  void draw(std::span<const Polygon> polygons) override {
+    for (const Polygon& polygon : polygons) draw(polygon);
+  }
+
+ private:
+  void draw(const Polygon& polygon) {
     corners_.clear();
     for (const selvage_vertex& vertex : polygon)
       corners_.push_back(corner_of(vertex, polygon.front().q));
@@ -73,24 +86,26 @@ class Painter {
                   pointers_.data());
   }
 
- private:
   int kind_;
   Bitmap texture_, target_;
   std::vector<V3D_f> corners_;
   std::vector<V3D_f*> pointers_;
 };
 
-std::function<void()> prepare(const Workload& load, const Texture& texture, Target& target) {
-  return [&load, painter = std::make_shared<Painter>(load, texture, target)] {
-    for (const auto& polygon : load.polygons) painter->draw(polygon);
-  };
+void demand_allegro() {
+  static const int status = install_allegro(SYSTEM_NONE, &errno, nullptr);
+  if (status != 0) throw std::runtime_error(std::string("Allegro: ") + allegro_error);
 }
 
 }  // namespace
 
+std::unique_ptr<Painter> paint_with_allegro(const Canvas& canvas) {
+  demand_allegro();
+  return std::make_unique<AllegroPainter>(canvas);
+}
+
 Peer peer_allegro() {
-  if (install_allegro(SYSTEM_NONE, &errno, nullptr) != 0)
-    throw std::runtime_error(std::string("Allegro: ") + allegro_error);
+  demand_allegro();
   Subject subject;
   subject.id = "Allegro";
   subject.title = "Allegro " ALLEGRO_VERSION_STR " software polygons";
@@ -100,7 +115,7 @@ Peer peer_allegro() {
       "bitmaps of 32 bits, triangle3d_f or polygon3d_f once a polygon, one thread; vertices less "
       "half a pixel, for it samples at whole coordinates; bitmaps are made beforehand";
   subject.refusal = [](const Workload&) { return std::string(); };
-  subject.prepare = prepare;
+  subject.prepare = prepared_by(paint_with_allegro);
   return {subject, allegro_id};
 }
 

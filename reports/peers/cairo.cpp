@@ -1,10 +1,11 @@
 // Cairo's image backend: each polygon a path filled with the texture as a pattern.
 #include <cairo.h>
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
-#include "reports/bench/planes.h"
+#include "reports/peers/map.h"
 #include "reports/peers/peer.h"
 
 namespace selvage::reports {
@@ -16,53 +17,80 @@ using Owned = std::shared_ptr<T>;
 
 void demand(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS)
-    throw std::runtime_error(std::string("Cairo: ") + cairo_status_to_string(status));
+    throw Inexpressible(std::string("Cairo: ") + cairo_status_to_string(status));
 }
 
-Owned<cairo_surface_t> surface_over(void* pixels, int32_t width_px, int32_t height_px,
-                                    int32_t pitch_px) {
+Owned<cairo_surface_t> surface_over(const void* pixels, int32_t width_px, int32_t height_px,
+                                    ptrdiff_t pitch_bytes) {
+  // Cairo only reads its sources; it has no constant view.
+  auto* bytes = static_cast<unsigned char*>(const_cast<void*>(pixels));
   const Owned<cairo_surface_t> surface(
-      cairo_image_surface_create_for_data(static_cast<unsigned char*>(pixels), CAIRO_FORMAT_ARGB32,
-                                          width_px, height_px, pitch_px * 4),
+      cairo_image_surface_create_for_data(bytes, CAIRO_FORMAT_ARGB32, width_px, height_px,
+                                          static_cast<int>(pitch_bytes)),
       cairo_surface_destroy);
   demand(cairo_surface_status(surface.get()));
   return surface;
 }
 
-void draw(cairo_t* cairo, cairo_pattern_t* pattern, const std::vector<selvage_vertex>& polygon) {
-  const Planes planes = planes_of(polygon);
-  cairo_matrix_t to_texture;
-  cairo_matrix_init(&to_texture, planes.u.dx, planes.v.dx, planes.u.dy, planes.v.dy,
-                    planes.u.origin, planes.v.origin);
-  cairo_pattern_set_matrix(pattern, &to_texture);
-  cairo_set_source(cairo, pattern);
-  for (const selvage_vertex& vertex : polygon) cairo_line_to(cairo, x_px(vertex), y_px(vertex));
-  cairo_close_path(cairo);
-  cairo_fill(cairo);
-}
-
-std::function<void()> prepare(const Workload& load, const Texture& texture, Target& target) {
-  // Cairo only reads the source; it has no constant view.
-  const auto source = surface_over(const_cast<uint32_t*>(texture.texels.data()), texture.side_texel,
-                                   texture.side_texel, texture.pitch_texel);
-  const auto drawn =
-      surface_over(target.pixels.data(), target.width_px, target.height_px, target.width_px);
+Owned<cairo_pattern_t> pattern_of(const Canvas& canvas) {
+  const selvage_texture& texture = canvas.texture;
+  const auto source = surface_over(texture.texels, texture.width, texture.height, texture.pitch);
   const Owned<cairo_pattern_t> pattern(cairo_pattern_create_for_surface(source.get()),
                                        cairo_pattern_destroy);
-  const auto filter = load.filter == kBilinear ? CAIRO_FILTER_BILINEAR : CAIRO_FILTER_NEAREST;
-  cairo_pattern_set_filter(pattern.get(), filter);
-  cairo_pattern_set_extend(pattern.get(), CAIRO_EXTEND_PAD);
-  const Owned<cairo_t> cairo(cairo_create(drawn.get()), cairo_destroy);
-  cairo_set_antialias(cairo.get(), CAIRO_ANTIALIAS_NONE);
-  cairo_set_operator(cairo.get(), CAIRO_OPERATOR_SOURCE);
-  return [&load, cairo, pattern, drawn] {
-    for (const auto& polygon : load.polygons) draw(cairo.get(), pattern.get(), polygon);
-    cairo_surface_flush(drawn.get());
-    demand(cairo_status(cairo.get()));
-  };
+  const bool bilinear = canvas.filter == SELVAGE_FILTER_BILINEAR;
+  const bool wraps = canvas.address == SELVAGE_ADDRESS_WRAP;
+  cairo_pattern_set_filter(pattern.get(), bilinear ? CAIRO_FILTER_BILINEAR : CAIRO_FILTER_NEAREST);
+  cairo_pattern_set_extend(pattern.get(), wraps ? CAIRO_EXTEND_REPEAT : CAIRO_EXTEND_PAD);
+  return pattern;
 }
 
+class CairoPainter : public Painter {
+ public:
+  explicit CairoPainter(const Canvas& canvas)
+      : surface_(surface_over(canvas.target.pixels, canvas.target.width, canvas.target.height,
+                              canvas.target.pitch)),
+        pattern_(pattern_of(canvas)),
+        cairo_(cairo_create(surface_.get()), cairo_destroy) {
+    cairo_set_antialias(cairo_.get(), CAIRO_ANTIALIAS_NONE);
+    cairo_set_operator(cairo_.get(), CAIRO_OPERATOR_SOURCE);
+    if (!canvas.clip) return;
+    const selvage_rect& clip = *canvas.clip;
+    cairo_rectangle(cairo_.get(), clip.left, clip.top, width_of(clip), height_of(clip));
+    cairo_clip(cairo_.get());
+  }
+
+  void draw(std::span<const Polygon> polygons) override {
+    for (const Polygon& polygon : polygons) draw(polygon);
+    cairo_surface_flush(surface_.get());
+    demand(cairo_status(cairo_.get()));
+  }
+
+ private:
+  void draw(const Polygon& polygon) {
+    const Planes planes = map_of(polygon);
+    cairo_matrix_t to_texture;
+    cairo_matrix_init(&to_texture, planes.u.dx, planes.v.dx, planes.u.dy, planes.v.dy,
+                      planes.u.origin, planes.v.origin);
+    cairo_matrix_t inverse = to_texture;
+    demand(cairo_matrix_invert(&inverse));  // the documented condition, before anything is drawn
+    cairo_pattern_set_matrix(pattern_.get(), &to_texture);
+    cairo_set_source(cairo_.get(), pattern_.get());
+    for (const selvage_vertex& vertex : polygon)
+      cairo_line_to(cairo_.get(), x_px(vertex), y_px(vertex));
+    cairo_close_path(cairo_.get());
+    cairo_fill(cairo_.get());
+  }
+
+  Owned<cairo_surface_t> surface_;
+  Owned<cairo_pattern_t> pattern_;
+  Owned<cairo_t> cairo_;
+};
+
 }  // namespace
+
+std::unique_ptr<Painter> paint_with_cairo(const Canvas& canvas) {
+  return std::make_unique<CairoPainter>(canvas);
+}
 
 Peer peer_cairo() {
   Subject subject;
@@ -78,7 +106,7 @@ Peer peer_cairo() {
   subject.refusal = [](const Workload& load) {
     return std::string(load.perspective ? "its patterns are affine" : "");
   };
-  subject.prepare = prepare;
+  subject.prepare = prepared_by(paint_with_cairo);
   return {subject, cairo_version_string()};
 }
 

@@ -1,10 +1,12 @@
-// The mappers of other projects as subjects, a file each. What its library was not found for is not
-// defined; peers.cpp knows which are.
+// The mappers of other projects as subjects of the benchmark, a file each. What its library was not
+// found for is not defined; peers.cpp knows which are.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "reports/bench/subject.h"
+#include "reports/peers/painter.h"
 
 namespace selvage::reports {
 
@@ -26,10 +28,16 @@ struct Peer {
 // texel (s, t) that is s, and t modulo 256.
 inline constexpr uint32_t kThreeBytes = 0x00FFFFFF;
 
-// A vertex's coordinates as the numbers other libraries want.
-[[nodiscard]] inline double x_px(const selvage_vertex& vertex) { return vertex.x / 256.0; }
-[[nodiscard]] inline double y_px(const selvage_vertex& vertex) { return vertex.y / 256.0; }
-[[nodiscard]] inline double u_texel(const selvage_vertex& vertex) { return vertex.u / 65536.0; }
-[[nodiscard]] inline double v_texel(const selvage_vertex& vertex) { return vertex.v / 65536.0; }
+// For Subject::prepare: the painter is made beforehand, its drawing is timed.
+[[nodiscard]] inline auto prepared_by(MakePainter make) {
+  return [make](const Workload& load, const Texture& texture,
+                Target& target) -> std::function<void()> {
+    const std::shared_ptr<Painter> painter = make({.target = target.image(),
+                                                   .texture = texture.view(),
+                                                   .filter = load.filter,
+                                                   .perspective = load.perspective});
+    return [&load, painter] { painter->draw(load.polygons); };
+  };
+}
 
 }  // namespace selvage::reports

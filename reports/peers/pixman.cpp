@@ -7,14 +7,13 @@
 #include <memory>
 #include <stdexcept>
 
-#include "reports/bench/planes.h"
+#include "reports/peers/map.h"
 #include "reports/peers/peer.h"
 
 namespace selvage::reports {
 
 namespace {
 
-using Polygon = std::vector<selvage_vertex>;
 using Image = std::shared_ptr<pixman_image_t>;
 
 Image owned(pixman_image_t* image) {
@@ -22,11 +21,12 @@ Image owned(pixman_image_t* image) {
   return {image, pixman_image_unref};
 }
 
-Image image_over(pixman_format_code_t format, const uint32_t* pixels, int32_t width, int32_t height,
-                 int32_t pitch) {
+Image image_over(pixman_format_code_t format, const void* pixels, int32_t width, int32_t height,
+                 ptrdiff_t pitch_bytes) {
   // pixman only reads its sources; it has no constant view.
+  auto* bits = static_cast<uint32_t*>(const_cast<void*>(pixels));
   return owned(
-      pixman_image_create_bits(format, width, height, const_cast<uint32_t*>(pixels), pitch * 4));
+      pixman_image_create_bits(format, width, height, bits, static_cast<int>(pitch_bytes)));
 }
 
 // The matrix is of 16.16 numbers, and so are the products u q, v q and q that a pixel divides: the
@@ -43,7 +43,7 @@ double scale_of(const Planes& planes, const Polygon& polygon) {
 }
 
 void set_map(pixman_image_t* source, const Polygon& polygon) {
-  const Planes p = planes_of(polygon);
+  const Planes p = map_of(polygon);
   pixman_f_transform_t exact = {
       {{p.u.dx, p.u.dy, p.u.origin}, {p.v.dx, p.v.dy, p.v.origin}, {p.q.dx, p.q.dy, p.q.origin}}};
   if (!p.affine) {
@@ -55,7 +55,7 @@ void set_map(pixman_image_t* source, const Polygon& polygon) {
   pixman_transform_t rounded;
   if (pixman_transform_from_pixman_f_transform(&rounded, &exact) == 0 ||
       pixman_image_set_transform(source, &rounded) == 0)
-    throw std::runtime_error("pixman: the map is beyond its 16.16");
+    throw Inexpressible("the map is beyond the 16.16 of pixman's matrix");
 }
 
 std::vector<pixman_triangle_t> triangles_of(const Polygon& polygon) {
@@ -68,54 +68,68 @@ std::vector<pixman_triangle_t> triangles_of(const Polygon& polygon) {
   return triangles;
 }
 
-struct Images {
-  Image texture, target, bits;
+class PixmanPainter : public Painter {
+ public:
+  explicit PixmanPainter(const Canvas& canvas)
+      : clip_(canvas.clip),
+        width_(canvas.target.width),
+        height_(canvas.target.height),
+        bits_(owned(pixman_image_create_bits(PIXMAN_a1, width_, height_, nullptr, 0))) {
+    const selvage_texture& texture = canvas.texture;
+    const auto format = canvas.opaque ? PIXMAN_x8r8g8b8 : PIXMAN_a8r8g8b8;
+    texture_ = image_over(format, texture.texels, texture.width, texture.height, texture.pitch);
+    target_ = image_over(format, canvas.target.pixels, width_, height_, canvas.target.pitch);
+    const bool bilinear = canvas.filter == SELVAGE_FILTER_BILINEAR;
+    const bool wraps = canvas.address == SELVAGE_ADDRESS_WRAP;
+    pixman_image_set_filter(texture_.get(),
+                            bilinear ? PIXMAN_FILTER_BILINEAR : PIXMAN_FILTER_NEAREST, nullptr, 0);
+    pixman_image_set_repeat(texture_.get(), wraps ? PIXMAN_REPEAT_NORMAL : PIXMAN_REPEAT_PAD);
+  }
+
+  void draw(std::span<const Polygon> polygons) override {
+    if (polygons.size() == 1) return draw_clipped(polygons.front());
+    for (const Polygon& polygon : polygons) draw_triangle(polygon);
+  }
+
+ private:
+  void draw_clipped(const Polygon& polygon) {
+    set_map(texture_.get(), polygon);
+    const pixman_color_t none{};
+    const pixman_box32_t all{0, 0, width_, height_};
+    pixman_image_fill_boxes(PIXMAN_OP_SRC, bits_.get(), &none, 1, &all);
+    const auto triangles = triangles_of(polygon);
+    pixman_add_triangles(bits_.get(), 0, 0, static_cast<int>(triangles.size()), triangles.data());
+    pixman_region32_t covered;
+    pixman_region32_init_from_image(&covered, bits_.get());
+    if (clip_) {
+      const auto side = [](int32_t px) { return static_cast<unsigned>(px); };
+      pixman_region32_intersect_rect(&covered, &covered, clip_->left, clip_->top,
+                                     side(width_of(*clip_)), side(height_of(*clip_)));
+    }
+    pixman_image_set_clip_region32(target_.get(), &covered);
+    pixman_image_composite32(PIXMAN_OP_SRC, texture_.get(), nullptr, target_.get(), 0, 0, 0, 0, 0,
+                             0, width_, height_);
+    pixman_image_set_clip_region32(target_.get(), nullptr);
+    pixman_region32_fini(&covered);
+  }
+
+  void draw_triangle(const Polygon& polygon) {
+    set_map(texture_.get(), polygon);
+    const auto triangles = triangles_of(polygon);
+    pixman_composite_triangles(PIXMAN_OP_OVER, texture_.get(), target_.get(), PIXMAN_a1, 0, 0, 0, 0,
+                               static_cast<int>(triangles.size()), triangles.data());
+  }
+
+  const std::optional<selvage_rect> clip_;
+  const int32_t width_, height_;
+  Image bits_, texture_, target_;
 };
 
-void draw_clipped(const Images& images, const Polygon& polygon) {
-  const int32_t width = pixman_image_get_width(images.target.get());
-  const int32_t height = pixman_image_get_height(images.target.get());
-  const pixman_color_t none{};
-  const pixman_box32_t all{0, 0, width, height};
-  pixman_image_fill_boxes(PIXMAN_OP_SRC, images.bits.get(), &none, 1, &all);
-  const auto triangles = triangles_of(polygon);
-  pixman_add_triangles(images.bits.get(), 0, 0, static_cast<int>(triangles.size()),
-                       triangles.data());
-  pixman_region32_t covered;
-  pixman_region32_init_from_image(&covered, images.bits.get());
-  pixman_image_set_clip_region32(images.target.get(), &covered);
-  set_map(images.texture.get(), polygon);
-  pixman_image_composite32(PIXMAN_OP_SRC, images.texture.get(), nullptr, images.target.get(), 0, 0,
-                           0, 0, 0, 0, width, height);
-  pixman_image_set_clip_region32(images.target.get(), nullptr);
-  pixman_region32_fini(&covered);
-}
-
-void draw_triangle(const Images& images, const Polygon& polygon) {
-  set_map(images.texture.get(), polygon);
-  const auto triangles = triangles_of(polygon);
-  pixman_composite_triangles(PIXMAN_OP_OVER, images.texture.get(), images.target.get(), PIXMAN_a1,
-                             0, 0, 0, 0, static_cast<int>(triangles.size()), triangles.data());
-}
-
-std::function<void()> prepare(const Workload& load, const Texture& texture, Target& target) {
-  Images images;
-  images.texture = image_over(PIXMAN_x8r8g8b8, texture.texels.data(), texture.side_texel,
-                              texture.side_texel, texture.pitch_texel);
-  images.target = image_over(PIXMAN_x8r8g8b8, target.pixels.data(), target.width_px,
-                             target.height_px, target.width_px);
-  images.bits =
-      owned(pixman_image_create_bits(PIXMAN_a1, target.width_px, target.height_px, nullptr, 0));
-  const auto filter = load.filter == kBilinear ? PIXMAN_FILTER_BILINEAR : PIXMAN_FILTER_NEAREST;
-  pixman_image_set_filter(images.texture.get(), filter, nullptr, 0);
-  pixman_image_set_repeat(images.texture.get(), PIXMAN_REPEAT_PAD);
-  const auto draw = load.polygons.size() == 1 ? draw_clipped : draw_triangle;
-  return [&load, images, draw] {
-    for (const Polygon& polygon : load.polygons) draw(images, polygon);
-  };
-}
-
 }  // namespace
+
+std::unique_ptr<Painter> paint_with_pixman(const Canvas& canvas) {
+  return std::make_unique<PixmanPainter>(canvas);
+}
 
 Peer peer_pixman() {
   Subject subject;
@@ -131,7 +145,7 @@ Peer peer_pixman() {
   subject.bilinear = true;
   subject.carried_bits = kThreeBytes;
   subject.refusal = [](const Workload&) { return std::string(); };
-  subject.prepare = prepare;
+  subject.prepare = prepared_by(paint_with_pixman);
   return {subject, pixman_version_string()};
 }
 

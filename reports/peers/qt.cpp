@@ -8,30 +8,32 @@
 #include <algorithm>
 #include <vector>
 
-#include "reports/bench/planes.h"
+#include "reports/peers/map.h"
 #include "reports/peers/peer.h"
 
 namespace selvage::reports {
 
 namespace {
 
-using Polygon = std::vector<selvage_vertex>;
-
 // Whether its corners are the texture's.
-bool carries_whole_texture(const Polygon& polygon, int32_t side_texel) {
-  const int32_t end = side_texel * SELVAGE_SUBTEXELS;
+bool carries_whole_texture(const Polygon& polygon, const selvage_texture& texture) {
+  const int32_t u_end = texture.width * SELVAGE_SUBTEXELS;
+  const int32_t v_end = texture.height * SELVAGE_SUBTEXELS;
   return polygon.size() == 4 &&
          std::all_of(polygon.begin(), polygon.end(), [&](const selvage_vertex& vertex) {
-           return (vertex.u == 0 || vertex.u == end) && (vertex.v == 0 || vertex.v == end);
+           return (vertex.u == 0 || vertex.u == u_end) && (vertex.v == 0 || vertex.v == v_end);
          });
 }
 
 QTransform texture_to_target(const Polygon& polygon) {
-  const Planes planes = planes_of(polygon);
+  const Planes planes = map_of(polygon);
   const QTransform target_to_texture(planes.u.dx, planes.v.dx, planes.q.dx,  //
                                      planes.u.dy, planes.v.dy, planes.q.dy,  //
                                      planes.u.origin, planes.v.origin, planes.q.origin);
-  return target_to_texture.inverted();
+  bool has_inverse = false;
+  const QTransform inverse = target_to_texture.inverted(&has_inverse);
+  if (!has_inverse) throw Inexpressible("a brush's transform is the inverse, and there is none");
+  return inverse;
 }
 
 void fill(QPainter& painter, QBrush& brush, const Polygon& polygon, std::vector<QPointF>& points) {
@@ -42,34 +44,52 @@ void fill(QPainter& painter, QBrush& brush, const Polygon& polygon, std::vector<
   painter.drawConvexPolygon(points.data(), static_cast<int>(points.size()));
 }
 
-void draw(const Workload& load, const QImage& texture, Target& target) {
-  QImage picture(reinterpret_cast<uchar*>(target.pixels.data()), target.width_px, target.height_px,
-                 static_cast<qsizetype>(target.width_px) * 4, QImage::Format_RGB32);
-  QPainter painter(&picture);
-  painter.setRenderHint(QPainter::Antialiasing, false);
-  painter.setRenderHint(QPainter::SmoothPixmapTransform, load.filter == kBilinear);
-  painter.setPen(Qt::NoPen);
-  QBrush brush(texture);
-  std::vector<QPointF> points;
-  for (const Polygon& polygon : load.polygons) {
-    if (carries_whole_texture(polygon, load.texture_side_texel)) {
-      painter.setTransform(texture_to_target(polygon));
-      painter.drawImage(0, 0, texture);
-      painter.resetTransform();
-    } else {
-      fill(painter, brush, polygon, points);
+class QtPainter : public Painter {
+ public:
+  explicit QtPainter(const Canvas& canvas)
+      : canvas_(canvas),
+        format_(canvas.opaque ? QImage::Format_RGB32 : QImage::Format_ARGB32_Premultiplied),
+        texture_(static_cast<const uchar*>(canvas.texture.texels), canvas.texture.width,
+                 canvas.texture.height, canvas.texture.pitch, format_) {}
+
+  void draw(std::span<const Polygon> polygons) override {
+    const selvage_image& target = canvas_.target;
+    QImage picture(static_cast<uchar*>(target.pixels), target.width, target.height, target.pitch,
+                   format_);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setRenderHint(QPainter::SmoothPixmapTransform,
+                          canvas_.filter == SELVAGE_FILTER_BILINEAR);
+    painter.setPen(Qt::NoPen);
+    if (!canvas_.opaque) painter.setCompositionMode(QPainter::CompositionMode_Source);
+    if (canvas_.clip) {
+      const selvage_rect& clip = *canvas_.clip;
+      painter.setClipRect(QRect(clip.left, clip.top, width_of(clip), height_of(clip)));
+    }
+    QBrush brush(texture_);
+    std::vector<QPointF> points;
+    for (const Polygon& polygon : polygons) {
+      if (carries_whole_texture(polygon, canvas_.texture)) {
+        painter.setTransform(texture_to_target(polygon));
+        painter.drawImage(0, 0, texture_);
+        painter.resetTransform();
+      } else {
+        fill(painter, brush, polygon, points);
+      }
     }
   }
-}
 
-std::function<void()> prepare(const Workload& load, const Texture& texture, Target& target) {
-  const QImage source(reinterpret_cast<const uchar*>(texture.texels.data()), texture.side_texel,
-                      texture.side_texel, static_cast<qsizetype>(texture.pitch_texel) * 4,
-                      QImage::Format_RGB32);
-  return [&load, &target, source] { draw(load, source, target); };
-}
+ private:
+  const Canvas canvas_;
+  const QImage::Format format_;
+  const QImage texture_;
+};
 
 }  // namespace
+
+std::unique_ptr<Painter> paint_with_qt(const Canvas& canvas) {
+  return std::make_unique<QtPainter>(canvas);
+}
 
 Peer peer_qt() {
   Subject subject;
@@ -83,7 +103,7 @@ Peer peer_qt() {
       "transform; transforms from the vertices and the QPainter are timed";
   subject.bilinear = true;
   subject.refusal = [](const Workload&) { return std::string(); };
-  subject.prepare = prepare;
+  subject.prepare = prepared_by(paint_with_qt);
   return {subject, qVersion()};
 }
 

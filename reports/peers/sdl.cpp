@@ -1,6 +1,7 @@
 // SDL2's software renderer: SDL_RenderGeometry into a surface over the target's memory.
 #include <SDL.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr Uint32 kFormat = SDL_PIXELFORMAT_ARGB8888;
 
-[[noreturn]] void fail() { throw std::runtime_error(std::string("SDL: ") + SDL_GetError()); }
+[[noreturn]] void fail() { throw Inexpressible(std::string("SDL: ") + SDL_GetError()); }
 
 template <typename T>
 T* needed(T* pointer) {
@@ -25,44 +26,57 @@ void demand(int status) {
   if (status != 0) fail();
 }
 
+SDL_Vertex corner_of(const selvage_vertex& vertex, const selvage_texture& texture) {
+  const auto number = [](double value) { return static_cast<float>(value); };
+  return {{number(x_px(vertex)), number(y_px(vertex))},
+          {255, 255, 255, 255},
+          {number(u_texel(vertex) / texture.width), number(v_texel(vertex) / texture.height)}};
+}
+
 // A renderer over the target, with the texture it owns.
-class Screen {
+class SdlPainter : public Painter {
  public:
-  Screen(const Texture& texture, Target& target)
-      : surface_(needed(SDL_CreateRGBSurfaceWithFormatFrom(target.pixels.data(), target.width_px,
-                                                           target.height_px, 32,
-                                                           target.width_px * 4, kFormat)),
+  explicit SdlPainter(const Canvas& canvas)
+      : view_(canvas.texture),
+        surface_(needed(SDL_CreateRGBSurfaceWithFormatFrom(
+                     canvas.target.pixels, canvas.target.width, canvas.target.height, 32,
+                     static_cast<int>(canvas.target.pitch), kFormat)),
                  SDL_FreeSurface),
         renderer_(needed(SDL_CreateSoftwareRenderer(surface_.get())), SDL_DestroyRenderer),
         texture_(needed(SDL_CreateTexture(renderer_.get(), kFormat, SDL_TEXTUREACCESS_STATIC,
-                                          texture.side_texel, texture.side_texel)),
+                                          view_.width, view_.height)),
                  SDL_DestroyTexture) {
-    demand(
-        SDL_UpdateTexture(texture_.get(), nullptr, texture.texels.data(), texture.pitch_texel * 4));
+    demand(SDL_UpdateTexture(texture_.get(), nullptr, view_.texels, static_cast<int>(view_.pitch)));
     demand(SDL_SetTextureBlendMode(texture_.get(), SDL_BLENDMODE_NONE));
     demand(SDL_SetTextureScaleMode(texture_.get(), SDL_ScaleModeNearest));
+    if (!canvas.clip) return;
+    const selvage_rect& clip = *canvas.clip;
+    const SDL_Rect rect{clip.left, clip.top, width_of(clip), height_of(clip)};
+    demand(SDL_RenderSetClipRect(renderer_.get(), &rect));
   }
 
-  void draw(const std::vector<SDL_Vertex>& corners) {
-    demand(SDL_RenderGeometry(renderer_.get(), texture_.get(), corners.data(),
-                              static_cast<int>(corners.size()), nullptr, 0));
+  void draw(std::span<const Polygon> polygons) override {
+    corners_.clear();
+    for (const Polygon& polygon : polygons) {
+      for (size_t i = 1; i + 1 < polygon.size(); ++i) {
+        for (const size_t j : {size_t{0}, i, i + 1})
+          corners_.push_back(corner_of(polygon[j], view_));
+      }
+    }
+    demand(SDL_RenderGeometry(renderer_.get(), texture_.get(), corners_.data(),
+                              static_cast<int>(corners_.size()), nullptr, 0));
     demand(SDL_RenderFlush(renderer_.get()));
   }
 
  private:
   template <typename T>
   using Owned = std::unique_ptr<T, void (*)(T*)>;
+  const selvage_texture view_;
   Owned<SDL_Surface> surface_;
   Owned<SDL_Renderer> renderer_;
   Owned<SDL_Texture> texture_;
+  std::vector<SDL_Vertex> corners_;
 };
-
-SDL_Vertex corner_of(const selvage_vertex& vertex, int32_t side_texel) {
-  const auto number = [](double value) { return static_cast<float>(value); };
-  return {{number(x_px(vertex)), number(y_px(vertex))},
-          {255, 255, 255, 255},
-          {number(u_texel(vertex) / side_texel), number(v_texel(vertex) / side_texel)}};
-}
 
 // Its software rasteriser truncates vertices to whole pixels, works on half pixels, and multiplies
 // twice the triangle's area by texture coordinates in 32 bits. Beyond them SDL 2.26 reads outside
@@ -98,18 +112,11 @@ std::string refusal(const Workload& load) {
   return "";
 }
 
-void draw(const Workload& load, Screen& screen, std::vector<SDL_Vertex>& corners) {
-  corners.clear();
-  for (const auto& polygon : load.polygons) {
-    for (size_t i = 1; i + 1 < polygon.size(); ++i) {
-      for (const size_t j : {size_t{0}, i, i + 1})
-        corners.push_back(corner_of(polygon[j], load.texture_side_texel));
-    }
-  }
-  screen.draw(corners);
-}
-
 }  // namespace
+
+std::unique_ptr<Painter> paint_with_sdl(const Canvas& canvas) {
+  return std::make_unique<SdlPainter>(canvas);
+}
 
 Peer peer_sdl() {
   SDL_version version;
@@ -126,12 +133,7 @@ Peer peer_sdl() {
       "SDL_RenderGeometry for all polygons, then SDL_RenderFlush, one thread; filling its vertices "
       "is timed; it truncates vertices to whole pixels and whole texels";
   subject.refusal = refusal;
-  subject.prepare = [](const Workload& load, const Texture& texture, Target& target) {
-    const auto screen = std::make_shared<Screen>(texture, target);
-    return [&load, screen, corners = std::vector<SDL_Vertex>()]() mutable {
-      draw(load, *screen, corners);
-    };
-  };
+  subject.prepare = prepared_by(paint_with_sdl);
   return {subject, number.append(", ").append(SDL_GetRevision())};
 }
 

@@ -1,6 +1,7 @@
 #include "cli/subject_options.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <string_view>
 #include <utility>
@@ -47,6 +48,41 @@ void read_set(const char* option, const std::vector<std::string>& names, Parse p
   }
 }
 
+constexpr std::array<std::string_view, SELVAGE_KERNEL_NEON + 1> kKernels = {
+    "fastest", "scalar", "sse4", "avx2", "avx512", "neon"};
+
+[[nodiscard]] selvage_kernel parse_kernel(const std::string& name) {
+  const auto* const found = std::ranges::find(kKernels, name);
+  const auto kernel = static_cast<selvage_kernel>(found - kKernels.begin());
+  if (found != kKernels.end() && selvage_has_kernel(kernel) != 0) return kernel;
+  std::string known;
+  for (selvage_kernel i = 0; i < SELVAGE_KERNEL_NEON + 1; ++i) {
+    if (selvage_has_kernel(i) != 0) known += " " + std::string(kKernels[static_cast<size_t>(i)]);
+  }
+  throw UserError("--kernel: '" + name + "' is none of this machine; there are" + known);
+}
+
+// Draws by this kernel, unless another is asked for.
+void take_kernel(selvage_kernel kernel, spec::Subject* subject) {
+  const auto options_with = [kernel](const selvage_options* options) {
+    selvage_options changed = options != nullptr ? *options : selvage_options{};
+    if (changed.kernel == SELVAGE_KERNEL_FASTEST) changed.kernel = kernel;
+    return changed;
+  };
+  subject->draw = [options_with, draw = subject->draw](auto* target, auto* clip, auto* vertices,
+                                                       size_t count, auto* texture, auto* options) {
+    const selvage_options changed = options_with(options);
+    return draw(target, clip, vertices, count, texture, &changed);
+  };
+  subject->draw_many = [options_with, draw = subject->draw_many](auto* target, auto* clip,
+                                                                 auto* polygons, size_t count,
+                                                                 auto* options, int32_t threads) {
+    const selvage_options changed = options_with(options);
+    return draw(target, clip, polygons, count, &changed, threads);
+  };
+  subject->name += ", kernel " + std::string(kKernels[static_cast<size_t>(kernel)]);
+}
+
 void read_number(const char* option, const std::string& text, int32_t least, int32_t* number) {
   if (text.empty()) return;
   const std::optional<int32_t> value = parse_integer<int32_t>(text);
@@ -70,6 +106,8 @@ void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
   claims->negative_pitch = options.negative_pitch.value_or(claims->negative_pitch);
   claims->concave = options.concave.value_or(claims->concave);
   claims->named_errors = options.named_errors.value_or(claims->named_errors);
+  claims->any_texture_side = options.any_texture_side.value_or(claims->any_texture_side);
+  claims->outside_texels = options.outside_texels.value_or(claims->outside_texels);
   read_number("--longest-side", options.longest_side, 1, &claims->longest_side_px);
   read_number("--longest-texture-side", options.longest_texture_side, 1,
               &claims->longest_side_texel);
@@ -91,6 +129,7 @@ void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
   };
   tell("--subject", options.library);
   tell("--call-limit", options.call_limit);
+  tell("--kernel", options.kernel);
   tell("--name", options.name);
   tell("--winding", options.winding);
   tell_all("--formats", options.formats);
@@ -101,6 +140,8 @@ void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
   tell_flag("negative-pitch", options.negative_pitch);
   tell_flag("concave", options.concave);
   tell_flag("named-errors", options.named_errors);
+  tell_flag("any-texture-side", options.any_texture_side);
+  tell_flag("outside-texels", options.outside_texels);
   tell("--longest-side", options.longest_side);
   tell("--longest-texture-side", options.longest_texture_side);
   tell("--most-vertices", options.most_vertices);
@@ -125,6 +166,10 @@ ChosenSubject choose_subject(const SubjectOptions& options, const std::string& p
   if (options.library.empty() && !(options.call_limit.empty() && options.output.empty())) {
     throw UserError("--call-limit and --subject-output are about a --subject, and none is given");
   }
+  if (!options.kernel.empty() && !options.library.empty()) {
+    throw UserError("--kernel is about the built-in mapper, and not about a --subject");
+  }
+  if (!options.kernel.empty()) take_kernel(parse_kernel(options.kernel), &chosen.subject);
   try {
     if (!options.library.empty()) {
       chosen.host = std::make_shared<testbed::Host>(options.library, limit);

@@ -15,11 +15,13 @@ namespace selvage::cli {
 struct SubjectOptions {
   std::string library;  // empty: the built-in mapper
   std::string call_limit;
+  std::string kernel;  // of the built-in mapper
   std::string output;  // a file for what the subject prints
   std::string name;
   std::string winding;
   std::vector<std::string> formats, filters, addresses;
-  std::optional<bool> perspective, clip, negative_pitch, concave, named_errors;
+  std::optional<bool> perspective, clip, negative_pitch, concave, named_errors, any_texture_side,
+      outside_texels;
   std::string longest_side, longest_texture_side, most_vertices;
 };
 

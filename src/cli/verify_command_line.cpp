@@ -52,6 +52,9 @@ void add_subject(CLI::App& verify, VerifyOptions& options) {
   verify.add_option("--call-limit", subject.call_limit, "Time that a call may take; 2 if left out")
       ->type_name("SECONDS")
       ->group(kSubject);
+  verify.add_option("--kernel", subject.kernel, "Of the built-in mapper: scalar, avx2, ...")
+      ->type_name("NAME")
+      ->group(kSubject);
   verify.add_option("--subject-output", subject.output, "A file for what it prints, up to 1 MiB")
       ->type_name("FILE")
       ->group(kSubject);
@@ -88,6 +91,9 @@ void add_claims(CLI::App& verify, VerifyOptions& options) {
   add_flag("negative-pitch", subject.negative_pitch, "Whether pictures may be bottom row first");
   add_flag("concave", subject.concave, "Whether outlines need not be convex");
   add_flag("named-errors", subject.named_errors, "Whether bad arguments get their status");
+  add_flag("any-texture-side", subject.any_texture_side,
+           "Whether texture sides need not be powers of two");
+  add_flag("outside-texels", subject.outside_texels, "Whether u, v may lie beyond the texture");
   add("--longest-side", subject.longest_side, "PX", "Of the target");
   add("--longest-texture-side", subject.longest_texture_side, "TEXELS", "Of the texture");
   add("--most-vertices", subject.most_vertices, "N", "3: it draws triangles alone");

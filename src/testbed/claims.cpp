@@ -54,6 +54,8 @@ spec::Subject claimed(const selvage_claims& claims) {
       .negative_pitch = has(SELVAGE_LACKS_NEGATIVE_PITCH),
       .concave = has(SELVAGE_LACKS_CONCAVE),
       .named_errors = has(SELVAGE_LACKS_NAMED_ERRORS),
+      .any_texture_side = has(SELVAGE_LACKS_ANY_TEXTURE_SIDE),
+      .outside_texels = has(SELVAGE_LACKS_OUTSIDE_TEXELS),
       .longest_side_px = number_of(claims.longest_side_px, 1, "longest_side_px"),
       .longest_side_texel = number_of(claims.longest_side_texel, 1, "longest_side_texel"),
       .most_vertices = number_of(claims.most_vertices, 3, "most_vertices"),

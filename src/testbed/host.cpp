@@ -158,6 +158,8 @@ selvage_status Host::draw(const selvage_image* target, const selvage_rect* clip,
   }
   if (hung) throw spec::SubjectFailure{describe_hang(call_limit_), true};
   if (state == State::kGone) throw spec::SubjectFailure{describe_end(control, placement)};
+  if (control.status == SELVAGE_STATUS_BEYOND_CLAIMS)
+    throw spec::NotClaimed{"what it says itself is beyond it"};
   return control.status;
 }
 

@@ -1,0 +1,128 @@
+// The table, and what each subject and each of its violations is about.
+#include "reports/page/matrix.h"
+
+#include "reports/page/html.h"
+
+namespace selvage::reports {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+
+std::string text_of(const json& values, const char* key) {
+  return escaped(values.value(key, std::string()));
+}
+
+// As it calls itself, or where it could not be asked by its file.
+std::string name_of(const json& subject) {
+  return text_of(subject, subject.contains("subject") ? "subject" : "id");
+}
+
+// "defect", "convention", ...; what nobody has looked at is no defect yet.
+std::string kind_of(const json& cell) {
+  return cell.contains("finding") ? cell["finding"].at("kind").get<std::string>() : "unexamined";
+}
+
+std::string holding(const json& cell) {
+  const std::string px = grouped(cell.at("judged_px").get<uint64_t>()) + " px";
+  std::string title = grouped(cell.at("cases").get<uint64_t>()) + " cases, " + px;
+  std::string text = cell.contains("not_claimed") ? "holds*" : "holds";
+  text += element("small", px);
+  if (cell.contains("nearest")) {
+    const json& nearest = cell["nearest"];
+    const double share = nearest.at("measured").get<double>() / nearest.at("bound").get<double>();
+    text += element("small", rounded(share) + " of bound");
+  }
+  if (cell.contains("not_claimed")) {
+    for (const auto& [what, cases] : cell["not_claimed"].items())
+      title += "; not claimed: " + cases.dump() + " cases: " + escaped(what);
+  }
+  return element("td", text, "class=good title=\"" + title + "\"");
+}
+
+std::string cell_html(const json& cell) {
+  const auto verdict = cell.at("verdict").get<std::string>();
+  if (verdict == "holds") return holding(cell);
+  if (verdict == "not promised")
+    return element("td", "&ndash;", "class=quiet title=\"" + text_of(cell, "why") + "\"");
+  if (verdict != "violated") return element("td", escaped(verdict), "class=quiet");
+  const std::string kind = kind_of(cell);
+  const std::string link =
+      element("a", kind == "defect" ? "defect" : "fails", "href=\"" + text_of(cell, "page") + "\"");
+  return element("td", link + element("small", escaped(kind == "defect" ? "" : kind)),
+                 kind == "defect" ? "class=bad" : "class=differs");
+}
+
+std::string row_html(const json& subject, const json& laws) {
+  std::string row = element("th", name_of(subject), "scope=row");
+  if (subject.contains("error")) {
+    row += element("td", "not judged: " + text_of(subject, "error"),
+                   "class=quiet colspan=" + std::to_string(laws.size()));
+    return element("tr", row);
+  }
+  for (const json& law : laws) {
+    std::string html = element("td", "", "class=quiet");
+    for (const json& cell : subject.at("cells")) {
+      if (cell.at("law") == law.at("law")) html = cell_html(cell);
+    }
+    row += html;
+  }
+  return element("tr", row);
+}
+
+std::string table(const json& matrix) {
+  std::string head = "<tr><th>subject";
+  for (const json& law : matrix.at("laws"))
+    head += "<th title=\"" + text_of(law, "statement") + "\">" + text_of(law, "law");
+  std::string rows = head + "</tr>\n";
+  for (const json& subject : matrix.at("subjects")) rows += row_html(subject, matrix.at("laws"));
+  return element("div", element("table", rows, "class=matrix"), "class=wide");
+}
+
+std::string finding_item(const json& cell) {
+  const json& finding = cell.at("finding");
+  std::string item = element("a", element("strong", text_of(cell, "law")),
+                             "href=\"" + text_of(cell, "page") + "\"") +
+                     " (" + text_of(finding, "kind") + "): " + text_of(finding, "text");
+  if (finding.contains("source")) item += " " + element("small", text_of(finding, "source"));
+  return element("li", item);
+}
+
+// What a subject follows, and what its violations are.
+std::string about(const json& subject) {
+  if (!subject.contains("convention")) return {};
+  std::string items;
+  for (const json& cell : subject.value("cells", json::array())) {
+    if (cell.contains("finding")) items += finding_item(cell);
+  }
+  std::string title = name_of(subject);
+  const std::string examined = subject.value("examined", "");
+  if (!subject.value("subject", std::string()).ends_with(examined))
+    title += " (examined: " + escaped(examined) + ")";
+  return element("details", element("summary", element("strong", title)) +
+                                element("p", text_of(subject, "convention")) +
+                                element("ul", items));
+}
+
+}  // namespace
+
+std::string matrix_section(const json& matrix) {
+  if (matrix.is_null()) return {};
+  std::string abouts;
+  for (const json& subject : matrix.at("subjects")) abouts += about(subject);
+  const auto& count = [&](const char* key) { return matrix.value(key, uint64_t{0}); };
+  return element("h2", "Subjects against laws", "id=matrix") +
+         element("p",
+                 "Other mappers, and each of our own, held against the laws that they promise: " +
+                     grouped(count("cases")) + " cases each from seed " + grouped(count("seed")) +
+                     ", with no tolerance. &ldquo;fails&rdquo; leads to the smallest "
+                     "counterexample; it says that a picture differs from the exact one, not "
+                     "that the mapper is wrong: most mappers never promised it. Where a "
+                     "violation was examined, its kind is below it: a convention or a precision "
+                     "that the mapper documents or leaves open, or a defect, where its own "
+                     "documentation promises otherwise. &ndash; is not promised, * is promised "
+                     "in part.") +
+         table(matrix) + abouts;
+}
+
+}  // namespace selvage::reports

@@ -1,0 +1,110 @@
+// The verdicts of single subjects, put together.
+#include <sstream>
+
+#include "cli/error.h"
+#include "cli/file.h"
+#include "reports/page/matrix.h"
+
+namespace selvage::reports {
+
+namespace {
+
+using json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+json cell_of_law(const json& law, const std::string& id) {
+  json cell = law;
+  cell.erase("time_ns");
+  if (cell.at("verdict") != "violated") return cell;
+  cell["page"] = "matrix/" + id + "-" + cell.at("law").get<std::string>() + ".html";
+  json& violation = cell["violation"];
+  if (violation.contains("picture"))
+    violation["picture"] = fs::path(violation["picture"].get<std::string>()).filename().string();
+  return cell;
+}
+
+// The cell of a law in a verdict, or null where the verdict says nothing of it.
+json cell_of(const MatrixRow& row, const std::string& name) {
+  for (const json& law : row.verdict.at("laws")) {
+    if (law.at("law") == name) return cell_of_law(law, row.id);
+  }
+  for (const json& law : row.verdict.at("not_promised")) {
+    if (law.at("law") == name)
+      return {{"law", name}, {"verdict", "not promised"}, {"why", law.at("why")}};
+  }
+  return nullptr;
+}
+
+json subject_of(const MatrixRow& row, const json& laws, const json& known) {
+  json subject = {{"id", row.id}, {"group", row.group}};
+  if (known.contains("convention")) subject["convention"] = known["convention"];
+  if (known.contains("examined")) subject["examined"] = known["examined"];
+  if (row.verdict.is_null()) {
+    subject["error"] = row.error;
+    return subject;
+  }
+  for (const char* key : {"subject", "profile", "passed", "arguments"})
+    subject[key] = row.verdict.at(key);
+  subject["cells"] = json::array();
+  for (const json& law : laws) {
+    const auto name = law.at("law").get<std::string>();
+    json cell = cell_of(row, name);
+    if (cell.is_null()) continue;
+    if (cell.at("verdict") == "violated" && known.contains("laws") && known["laws"].contains(name))
+      cell["finding"] = known["laws"][name];
+    subject["cells"].push_back(std::move(cell));
+  }
+  return subject;
+}
+
+}  // namespace
+
+std::vector<MatrixRow> read_rows(const fs::path& folder) {
+  std::vector<MatrixRow> rows;
+  std::istringstream lines(cli::read_text_file(folder / "rows.tsv"));
+  for (std::string line; std::getline(lines, line);) {
+    const size_t tab = line.find('\t');
+    if (tab == std::string::npos) throw cli::UserError("rows.tsv: no tab in '" + line + "'");
+    MatrixRow row{line.substr(0, tab), line.substr(tab + 1), nullptr, ""};
+    const fs::path verdict = folder / (row.id + ".json");
+    if (!fs::exists(verdict)) {
+      row.error = cli::read_text_file(folder / (row.id + ".error"));
+      rows.push_back(std::move(row));
+      continue;
+    }
+    row.verdict = cli::about(verdict.string(), [&] {
+      try {
+        return json::parse(cli::read_text_file(verdict));
+      } catch (const json::exception& error) {
+        throw cli::UserError(std::string("not JSON: ") + error.what());
+      }
+    });
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+json matrix_of(const std::vector<MatrixRow>& rows, const json& laws, const json& findings) {
+  json matrix = json::object();
+  for (const MatrixRow& row : rows) {
+    if (row.verdict.is_null()) continue;
+    for (const char* key : {"selvage", "seed", "cases"}) matrix[key] = row.verdict.at(key);
+    break;
+  }
+  matrix["laws"] = json::array();
+  for (const json& law : laws)
+    matrix["laws"].push_back({{"law", law.at("law")}, {"statement", law.at("statement")}});
+  matrix["subjects"] = json::array();
+  for (const MatrixRow& row : rows)
+    matrix["subjects"].push_back(subject_of(row, laws, findings.value(row.id, json::object())));
+  return matrix;
+}
+
+bool ours_hold(const json& matrix) {
+  for (const json& subject : matrix.at("subjects")) {
+    if (subject.at("group") == "ours" && !subject.value("passed", false)) return false;
+  }
+  return true;
+}
+
+}  // namespace selvage::reports

@@ -1,0 +1,126 @@
+// The matrix as a value and as a page, from verdicts that are written down here.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "reports/page/matrix.h"
+#include "spec/case.h"
+
+namespace selvage::reports {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+const json kLaws = {{{"law", "COV"}, {"statement", "covered <is> covered"}},
+                    {{"law", "MAP"}, {"statement", "the texel"}},
+                    {{"law", "TOTAL"}, {"statement", "errors"}}};
+
+[[nodiscard]] json verdict() {
+  spec::Case shown;
+  shown.vertices = {{0, 0, 0, 0, 1}, {256, 0, 0, 0, 1}, {0, 256, 0, 0, 1}};
+  const json violation = {{"what", "texel & place"},
+                          {"u_texel", "1/3"},
+                          {"v_texel", "2/7"},
+                          {"allowed", "texel (0, 0)"},
+                          {"drawn", "nothing"},
+                          {"shown_case", spec::to_hex(shown)},
+                          {"pixel_px", {4, 5}},
+                          {"case_number", 12},
+                          {"case", spec::to_hex(shown)},
+                          {"replay", "selvage verify --subject a.so --law MAP --case 02"},
+                          {"picture", "/some/where/one-MAP.png"}};
+  return {{"selvage", "1"},
+          {"subject", "one 2.0"},
+          {"profile", "exact"},
+          {"passed", false},
+          {"arguments", " --subject a.so"},
+          {"seed", 7},
+          {"cases", 90},
+          {"laws",
+           {{{"law", "COV"},
+             {"verdict", "holds"},
+             {"cases", 90},
+             {"judged_px", 12345},
+             {"time_ns", 5},
+             {"nearest", {{"measured", 1.0}, {"bound", 4.0}}},
+             {"not_claimed", {{"perspective", 3}}}},
+            {{"law", "MAP"},
+             {"verdict", "violated"},
+             {"cases", 13},
+             {"judged_px", 2},
+             {"time_ns", 5},
+             {"violation", violation}}}},
+          {"not_promised", {{{"law", "TOTAL"}, {"why", "names no errors"}}}}};
+}
+
+[[nodiscard]] bool holds(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+[[nodiscard]] json matrix_with(const json& findings, const std::string& group = "peers") {
+  return matrix_of({{.group = group, .id = "one", .verdict = verdict(), .error = ""},
+                    {.group = "peers", .id = "two", .verdict = nullptr, .error = "no <library>"}},
+                   kLaws, findings);
+}
+
+TEST(Matrix, TakesFromEachVerdictWhatItsCellsSay) {
+  const json matrix = matrix_with(json::object());
+  EXPECT_EQ(matrix.at("seed"), 7);
+  EXPECT_EQ(matrix.at("cases"), 90);
+  const json& cells = matrix.at("subjects")[0].at("cells");
+  ASSERT_EQ(cells.size(), 3u);
+  EXPECT_EQ(cells[1].at("page"), "matrix/one-MAP.html");
+  EXPECT_EQ(cells[1].at("violation").at("picture"), "one-MAP.png");
+  EXPECT_EQ(cells[2].at("verdict"), "not promised");
+  EXPECT_EQ(matrix["subjects"][1].at("error"), "no <library>");
+}
+
+TEST(Matrix, IsNoFailureUnlessAMapperOfOursBreaksALaw) {
+  EXPECT_TRUE(ours_hold(matrix_with(json::object())));
+  EXPECT_FALSE(ours_hold(matrix_with(json::object(), "ours")));
+}
+
+TEST(Matrix, SectionShowsEveryKindOfCell) {
+  const std::string html = matrix_section(matrix_with(json::object()));
+  EXPECT_TRUE(holds(html, "one 2.0"));
+  EXPECT_TRUE(holds(html, "title=\"covered &lt;is&gt; covered\""));
+  EXPECT_TRUE(holds(html, "0.250 of bound"));
+  EXPECT_TRUE(holds(html, "90 cases, 12&nbsp;345 px; not claimed: 3 cases: perspective"));
+  EXPECT_TRUE(holds(html, "href=\"matrix/one-MAP.html\""));
+  EXPECT_TRUE(holds(html, "unexamined"));
+  EXPECT_TRUE(holds(html, "names no errors"));
+  EXPECT_TRUE(holds(html, "not judged: no &lt;library&gt;"));
+  EXPECT_EQ(matrix_section(nullptr), "");
+}
+
+TEST(Matrix, FindingsAreShownWhereTheLawWasBrokenAlone) {
+  const json finding = {
+      {"kind", "defect"}, {"text", "it promises <more>"}, {"source", "its manual"}};
+  const json findings = {{"one",
+                          {{"convention", "samples corners"},
+                           {"examined", "1.9"},
+                           {"laws", {{"MAP", finding}, {"COV", finding}}}}}};
+  const json matrix = matrix_with(findings);
+  EXPECT_FALSE(matrix.at("subjects")[0].at("cells")[0].contains("finding"));
+  const std::string html = matrix_section(matrix);
+  EXPECT_TRUE(holds(html, ">defect</a>"));
+  EXPECT_TRUE(holds(html, "it promises &lt;more&gt;"));
+  EXPECT_TRUE(holds(html, "samples corners"));
+  EXPECT_TRUE(holds(html, "(examined: 1.9)"));
+  EXPECT_FALSE(holds(html, "unexamined"));
+}
+
+TEST(Matrix, CounterexampleTellsAllThatIsNeeded) {
+  const json matrix = matrix_with(json::object());
+  const json& subject = matrix.at("subjects")[0];
+  const std::string html = counterexample_page(matrix, subject, subject.at("cells")[1]);
+  for (const char* part :
+       {"one 2.0: MAP", "the texel", "texel &amp; place", "(4, 5)", "1/3", "2/7", "texel (0, 0)",
+        "nothing", "case 12", "one-MAP.png", "drawn | expected | difference", "(1, 0), (0, 0), 1",
+        "selvage verify --subject a.so --law MAP --case 02", "../index.html#matrix"})
+    EXPECT_TRUE(holds(html, part)) << part;
+}
+
+}  // namespace
+}  // namespace selvage::reports

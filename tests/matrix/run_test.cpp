@@ -1,0 +1,90 @@
+// reports/matrix, run on libraries of which it is known what is wrong with them.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+namespace {
+
+using json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+const fs::path kOut = fs::path(testing::TempDir()) / "selvage_matrix_test";
+
+[[nodiscard]] int run(const std::string& arguments) {
+  const std::string command = std::string(SELVAGE_TOP) + "/reports/matrix --program " +
+                              SELVAGE_PROGRAM + " --only --jobs 2 --cases 40 --seed 1 --output " +
+                              kOut.string() + " " + arguments + " 2>" + kOut.string() + ".errors";
+  return WEXITSTATUS(std::system(command.c_str()));
+}
+
+[[nodiscard]] std::string library(const std::string& name) {
+  return std::string(SELVAGE_SUBJECTS) + "/" + name + ".so ";
+}
+
+[[nodiscard]] std::string text_of(const fs::path& path) {
+  std::ifstream file(path);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+[[nodiscard]] const json* cell_of(const json& subject, const std::string& law) {
+  for (const json& cell : subject.at("cells")) {
+    if (cell.at("law") == law) return &cell;
+  }
+  return nullptr;
+}
+
+// One run for all: what each row and each cell says, and the files that it names.
+TEST(MatrixRun, HasARowForEachSubjectAndAPageForEachViolation) {
+  fs::remove_all(kOut);
+  ASSERT_EQ(run(library("right") + library("crashes") + library("claims_little") +
+                library("crashes_on_load")),
+            0)
+      << text_of(kOut.string() + ".errors");
+  const json matrix = json::parse(text_of(kOut / "matrix.json"));
+  EXPECT_EQ(matrix.at("cases"), 40);
+  EXPECT_EQ(matrix.at("seed"), 1);
+  ASSERT_EQ(matrix.at("subjects").size(), 4u);
+  std::map<std::string, json> rows;
+  for (const json& subject : matrix["subjects"]) rows[subject.at("id")] = subject;
+
+  for (const json& cell : rows["right"].at("cells")) EXPECT_EQ(cell.at("verdict"), "holds") << cell;
+  EXPECT_EQ(rows["right"]["cells"].size() + 1, matrix["laws"].size());  // but DDA, of others
+  EXPECT_TRUE(rows["right"].at("passed"));
+  const json* coverage = cell_of(rows["right"], "COV");
+  ASSERT_NE(coverage, nullptr);
+  EXPECT_EQ(coverage->at("cases"), 40);
+  EXPECT_GT(coverage->at("judged_px"), 0);
+
+  EXPECT_EQ(cell_of(rows["claims_little"], "TOTAL")->at("verdict"), "not promised");
+  EXPECT_NE(cell_of(rows["claims_little"], "TOTAL")->at("why"), "");
+  EXPECT_NE(rows["crashes_on_load"].at("error").get<std::string>().find("loading it"),
+            std::string::npos);
+
+  int violated = 0;
+  for (const json& cell : rows["crashes"].at("cells")) {
+    if (cell.at("verdict") != "violated") continue;
+    ++violated;
+    const std::string page = text_of(kOut / cell.at("page").get<std::string>());
+    for (const char* key : {"allowed", "drawn", "replay"})
+      EXPECT_NE(cell.at("violation").at(key), "") << key;
+    EXPECT_NE(page.find("selvage verify --subject"), std::string::npos);
+    EXPECT_NE(page.find("wrote to address 0"), std::string::npos);
+    EXPECT_TRUE(fs::exists(kOut / "matrix" / cell["violation"].at("picture").get<std::string>()));
+  }
+  EXPECT_GT(violated, 10);
+}
+
+TEST(MatrixRun, WrongUseIsNamed) {
+  EXPECT_EQ(run("--cases 0"), 2);
+  EXPECT_EQ(run("./there_is_none.so"), 2);
+  EXPECT_NE(text_of(kOut.string() + ".errors").find("there_is_none"), std::string::npos);
+}
+
+}  // namespace
