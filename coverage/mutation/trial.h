@@ -21,8 +21,9 @@ struct Outcome {
   size_t tried = 0;            // items
 };
 
-// Runs every item once with no mutant, noting what it reaches and costs. Names those that are
-// broken although nothing is mutated.
+// Runs every item once with no mutant, each in a process of its own, noting what it reaches and
+// costs; removes those that cost more than most_s. Names those that are broken although nothing is
+// mutated.
 [[nodiscard]] std::vector<std::string> record(std::vector<Item>* items, double most_s);
 
 // The items after record().
