@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "mapper/kernel_preference.h"
+#include "mapper/vector_kernel.h"
 #include "spec/generate.h"
 #include "spec/laws.h"
 #include "tests/kernel_support.h"
@@ -140,6 +142,32 @@ TEST(Kernel, AddressesATextureOfAnyPitch) {
     EXPECT_EQ(&kernels_for(nearest_by(kernel), near, {}) == scalar,
               kernel == SELVAGE_KERNEL_SCALAR);
     EXPECT_EQ(&kernels_for(nearest_by(kernel), near, at_the_end), scalar);
+  }
+}
+
+TEST(Kernel, IsTheOneAskedForOrThePreferredOne) {
+  const std::vector<uint8_t> texels = {10, 11, 12};
+  std::vector<uint8_t> row(7, 99);
+  const Surface surface{{row.data(), 7, 1, 7, SELVAGE_INDEX8},
+                        {texels.data(), 3, 1, 3, SELVAGE_INDEX8, 0, nullptr},
+                        SELVAGE_ADDRESS_CLAMP};
+  const auto by = [](selvage_kernel kernel, selvage_filter filter) {
+    const Kernels* const vector = vector_kernels(kernel, filter);
+    return vector != nullptr ? vector : &scalar_kernels(filter);
+  };
+  for (const selvage_filter filter : {SELVAGE_FILTER_NEAREST, SELVAGE_FILTER_FOUR}) {
+    selvage_options options = nearest_by(SELVAGE_KERNEL_FASTEST);
+    options.filter = filter;
+    for (const bool affine : {false, true}) {
+      Polygon polygon;
+      polygon.affine = affine;
+      const selvage_kernel preferred = preferred_kernel(filter, work_of(polygon, 0));
+      EXPECT_EQ(&kernels_for(options, surface, polygon), by(preferred, filter));
+    }
+    for (const selvage_kernel kernel : usable_kernels()) {
+      options.kernel = kernel;
+      EXPECT_EQ(&kernels_for(options, surface, {}), by(kernel, filter)) << kernel;
+    }
   }
 }
 

@@ -12,6 +12,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "coverage/mutation/trial.h"
@@ -22,7 +23,7 @@ namespace {
 struct Options {
   std::string sites, results, key;
   uint64_t seeds = 300, first_seed = 1;
-  double most_s = 1e6;
+  double most_s = 1e6, each_s = 1e6;
   bool again = false;
   std::vector<int> only;
 };
@@ -97,11 +98,12 @@ int run(const Options& options) {
   std::ofstream results(options.results);
   results << options.key << "\n";
   for (const auto& [number, line] : done) results << line << "\n";
+  Trials trials(std::move(items), options.each_s);
   size_t count = 0, alive = 0;
   for (const Mutant& mutant : mutants) {
     ++count;
     if (done.contains(mutant.number)) continue;
-    const Outcome outcome = try_mutant(mutant, items);
+    const Outcome outcome = trials.of(mutant);
     alive += outcome.what == "survived" || outcome.what == "not reached" ? 1 : 0;
     results << mutant.number << "\t" << outcome.what << "\t" << outcome.killer << "\t" << outcome.on
             << "\t" << outcome.tried << std::endl;
@@ -126,6 +128,7 @@ int main(int argc, char** argv) {
   app.add_option("--cases", options.seeds, "generated cases for each law");
   app.add_option("--first-seed", options.first_seed, "of these cases");
   app.add_option("--most-seconds", options.most_s, "what costs more, unmutated, is left out");
+  app.add_option("--seconds-each", options.each_s, "of processor time for a mutant");
   app.add_option("--mutant", options.only, "only these numbers");
   CLI11_PARSE(app, argc, argv);
   try {

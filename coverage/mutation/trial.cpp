@@ -13,7 +13,9 @@
 #include <cstring>
 #include <ctime>
 #include <new>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "mapper/mutants.h"
 
@@ -83,15 +85,17 @@ void limit_time(double limit_s) {
   setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
-void run_trial(const Mutant& mutant, const std::vector<Item>& items, Progress* progress) {
+void run_trial(const Mutant& mutant, const std::vector<Item>& items,
+               const std::vector<size_t>& order, double most_s, Progress* progress) {
   const rlimit no_core{0, 0}, memory{kMostMemory_bytes, kMostMemory_bytes};
   setrlimit(RLIMIT_CORE, &no_core);
   setrlimit(RLIMIT_AS, &memory);
   const int nowhere = open("/dev/null", O_WRONLY);  // what a failed assertion says is known
   dup2(nowhere, STDERR_FILENO);
   mutants::active = mutant.number;
-  for (size_t i = 0; i < items.size(); ++i) {
+  for (const size_t i : order) {
     if (!items[i].reaches[static_cast<size_t>(mutant.site)]) continue;
+    if (processor_s() > most_s) return;
     progress->last = i;
     progress->tried = progress->tried + 1;
     limit_time(std::max(kLeastLimit_s, kLimitPerCost * items[i].cost_s));
@@ -134,22 +138,29 @@ std::vector<std::string> record(std::vector<Item>* items, double most_s) {
   return broken;
 }
 
-Outcome try_mutant(const Mutant& mutant, const std::vector<Item>& items) {
+Trials::Trials(std::vector<Item> items, double most_s)
+    : items_(std::move(items)), order_(items_.size()), most_s_(most_s) {
+  std::iota(order_.begin(), order_.end(), size_t{0});
+}
+
+Outcome Trials::of(const Mutant& mutant) {
   const auto site = static_cast<size_t>(mutant.site);
-  if (std::ranges::none_of(items, [&](const Item& item) { return item.reaches[site]; })) {
+  if (std::ranges::none_of(items_, [&](const Item& item) { return item.reaches[site]; })) {
     return {"not reached"};
   }
   if (mutants::applies[mutant.number] == 0) return {"does not apply"};
   Progress* const progress = shared<Progress>();
   *progress = {};
-  const int status = in_a_process([&] { run_trial(mutant, items, progress); });
-
+  const double most_s = most_s_;
+  const int status = in_a_process([&] { run_trial(mutant, items_, order_, most_s, progress); });
   Outcome outcome{"survived"};
   outcome.tried = progress->tried;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return outcome;
-  const Item& last = items[progress->last];
-  outcome.killer = last.killer;
-  outcome.on = last.on;
+  const size_t last = progress->last;
+  const auto at = std::ranges::find(order_, last);
+  std::rotate(order_.begin(), at, at + 1);
+  outcome.killer = items_[last].killer;
+  outcome.on = items_[last].on;
   if (WIFEXITED(status)) {
     outcome.what = WEXITSTATUS(status) == kStatusKilled ? "killed" : "crashed";
   } else {

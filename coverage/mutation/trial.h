@@ -26,7 +26,19 @@ struct Outcome {
 // mutated.
 [[nodiscard]] std::vector<std::string> record(std::vector<Item>* items, double most_s);
 
-// The items after record().
-[[nodiscard]] Outcome try_mutant(const Mutant& mutant, const std::vector<Item>& items);
+// Mutants one after another. The item that killed the last one comes first for the next: mutants
+// beside each other die of the same.
+class Trials {
+ public:
+  // The items after record(). A mutant that lives for so much processor time survives.
+  Trials(std::vector<Item> items, double most_s);
+
+  [[nodiscard]] Outcome of(const Mutant& mutant);
+
+ private:
+  std::vector<Item> items_;
+  std::vector<size_t> order_;  // in which they are tried
+  double most_s_;
+};
 
 }  // namespace selvage::mutation
