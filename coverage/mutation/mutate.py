@@ -163,9 +163,10 @@ def main(build, sample, seed):
                             "kind": site.kind, "original": site.original, "mutated": alternative})
             number += 1
     count_occurrences(mutants)
+    chosen = mutants
     if sample:
-        mutants = sampled(mutants, sample, seed)
-        kept = {m["site"] for m in mutants}
+        chosen = sampled(mutants, sample, seed)
+        kept = {m["site"] for m in chosen}
         per_file = {path: [s for s in numbered if s[0] in kept]
                     for path, numbered in per_file.items()}
     mutated = {path: switched(source, per_file[path]) for path, source in sources.items()}
@@ -173,7 +174,7 @@ def main(build, sample, seed):
     write_if_changed(f"{build}/mutants.json",
                      json.dumps({"mutants": mutants, "fixed": fixed}, indent=1))
     write_if_changed(f"{build}/sites.txt",
-                     "".join(f"{m['id']} {m['site']}\n" for m in mutants))
+                     "".join(f"{m['id']} {m['site']}\n" for m in chosen))
     print(f"{len(mutants)} mutants at {sum(map(len, per_file.values()))} sites; "
           f"{len(fixed)} sites that the compiler evaluates")
 
