@@ -21,7 +21,8 @@ namespace selvage::mapper {
   return usable;
 }
 
-[[nodiscard]] inline spec::Canvas drawing_of(const spec::Case& c, selvage_kernel kernel) {
+[[nodiscard]] inline spec::Canvas drawing_of(const spec::Case& c, selvage_kernel kernel,
+                                             int32_t tolerance = 0) {
   const spec::TextureMemory texture(
       spec::built_in(), c,
       [](spec::Texel at) {
@@ -33,7 +34,7 @@ namespace selvage::mapper {
                       0x11);
   const selvage_image image = target.image();
   const selvage_texture view = texture.view();
-  const selvage_options options{c.profile, c.filter, c.address, 0, kernel};
+  const selvage_options options{c.profile, c.filter, c.address, tolerance, kernel};
   const selvage_status status = selvage_draw(&image, c.has_clip ? &c.clip : nullptr,
                                              c.vertices.data(), c.vertices.size(), &view, &options);
   EXPECT_NE(status, SELVAGE_ERROR_KERNEL);

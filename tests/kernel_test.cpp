@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "mapper/kernel_preference.h"
+#include "mapper/vector_kernel.h"
 #include "spec/generate.h"
 #include "spec/laws.h"
 #include "tests/kernel_support.h"
@@ -122,6 +124,28 @@ TEST(Kernel, DecidesNearTiesOfNarrowRows) {
   }
 }
 
+// As many rows as are packed at a time, about as wide as the widest that are.
+TEST(Kernel, PacksAsMuchAsItHasRoomFor) {
+  constexpr int32_t texel = SELVAGE_SUBTEXELS, px = SELVAGE_SUBPIXELS;
+  spec::Case c;
+  c.target_width_px = 40;
+  c.target_height_px = 140;
+  c.texture_width_texel = c.texture_height_texel = 256;
+  for (int32_t width_px = 30; width_px <= 36; ++width_px) {
+    for (const int32_t texels_per_px : {1, 3}) {  // in windows, and not
+      const int32_t right_u = width_px * texels_per_px * texel, low_v = 140 * texel;
+      c.vertices = {{0, 0, 0, 7, 1},
+                    {width_px * px, 0, right_u, 7, 1},
+                    {width_px * px, 140 * px, right_u, low_v, 1},
+                    {0, 140 * px, 0, low_v, 1}};
+      const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR);
+      for (const selvage_kernel kernel : usable_kernels()) {
+        ASSERT_TRUE(drawing_of(c, kernel) == scalar) << "kernel " << kernel << "\n" << print(c);
+      }
+    }
+  }
+}
+
 // What the 32-bit places of the vector kernels cannot reach is drawn all the same.
 TEST(Kernel, AddressesATextureOfAnyPitch) {
   const std::vector<uint8_t> texels = {10, 11, 12};
@@ -132,6 +156,11 @@ TEST(Kernel, AddressesATextureOfAnyPitch) {
   const Surface near{
       far.target, {texels.data(), 3, 1, 3, SELVAGE_INDEX8, 0, nullptr}, SELVAGE_ADDRESS_CLAMP};
   const Kernels* const scalar = &scalar_kernels(SELVAGE_FILTER_NEAREST);
+  for (const ptrdiff_t pitch : {ptrdiff_t{1} << 30, -(ptrdiff_t{1} << 30), -(ptrdiff_t{1} << 40)}) {
+    const Surface tall{
+        far.target, {texels.data(), 3, 3, pitch, SELVAGE_INDEX8, 0, nullptr}, far.address};
+    EXPECT_EQ(&kernels_for(nearest_by(SELVAGE_KERNEL_FASTEST), tall, {}), scalar) << pitch;
+  }
   Polygon at_the_end;
   at_the_end.least_texel_fx16 = INT32_MIN + 65535;
   EXPECT_EQ(&kernels_for(nearest_by(SELVAGE_KERNEL_FASTEST), far, {}), scalar);
@@ -140,6 +169,32 @@ TEST(Kernel, AddressesATextureOfAnyPitch) {
     EXPECT_EQ(&kernels_for(nearest_by(kernel), near, {}) == scalar,
               kernel == SELVAGE_KERNEL_SCALAR);
     EXPECT_EQ(&kernels_for(nearest_by(kernel), near, at_the_end), scalar);
+  }
+}
+
+TEST(Kernel, IsTheOneAskedForOrThePreferredOne) {
+  const std::vector<uint8_t> texels = {10, 11, 12};
+  std::vector<uint8_t> row(7, 99);
+  const Surface surface{{row.data(), 7, 1, 7, SELVAGE_INDEX8},
+                        {texels.data(), 3, 1, 3, SELVAGE_INDEX8, 0, nullptr},
+                        SELVAGE_ADDRESS_CLAMP};
+  const auto by = [](selvage_kernel kernel, selvage_filter filter) {
+    const Kernels* const vector = vector_kernels(kernel, filter);
+    return vector != nullptr ? vector : &scalar_kernels(filter);
+  };
+  for (const selvage_filter filter : {SELVAGE_FILTER_NEAREST, SELVAGE_FILTER_FOUR}) {
+    selvage_options options = nearest_by(SELVAGE_KERNEL_FASTEST);
+    options.filter = filter;
+    for (const bool affine : {false, true}) {
+      Polygon polygon;
+      polygon.affine = affine;
+      const selvage_kernel preferred = preferred_kernel(filter, work_of(polygon, 0));
+      EXPECT_EQ(&kernels_for(options, surface, polygon), by(preferred, filter));
+    }
+    for (const selvage_kernel kernel : usable_kernels()) {
+      options.kernel = kernel;
+      EXPECT_EQ(&kernels_for(options, surface, {}), by(kernel, filter)) << kernel;
+    }
   }
 }
 

@@ -21,7 +21,8 @@ struct NamedKernel {
 };
 inline constexpr std::array kKernels = {
     NamedKernel{SELVAGE_KERNEL_FASTEST, "fastest"}, NamedKernel{SELVAGE_KERNEL_SCALAR, "scalar"},
-    NamedKernel{SELVAGE_KERNEL_SSE4, "SSE4"}, NamedKernel{SELVAGE_KERNEL_AVX2, "AVX2"}};
+    NamedKernel{SELVAGE_KERNEL_SSE4, "SSE4"}, NamedKernel{SELVAGE_KERNEL_AVX2, "AVX2"},
+    NamedKernel{SELVAGE_KERNEL_AVX512, "AVX-512"}};
 inline constexpr std::array<uint64_t, 2> kSmallSeeds = {0, 1};  // of hard families
 inline constexpr int kRoundOfHardCases = 4, kRoundOfTests = 5;
 

@@ -12,19 +12,19 @@
 #include <map>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "coverage/mutation/trial.h"
-#include "spec/random.h"
 
 namespace selvage::mutation {
 namespace {
 
 struct Options {
   std::string sites, results, key;
-  uint64_t seeds = 300, first_seed = 1, sample_seed = 1;
-  size_t sample = 0;
-  double most_s = 1e9;
+  uint64_t seeds = 300, first_seed = 1;
+  double most_s = 1e6, each_s = 1e6;
+  bool again = false;
   std::vector<int> only;
 };
 
@@ -36,26 +36,25 @@ struct Options {
   return mutants;
 }
 
-// Some of them, each as likely as any other, in their order.
-[[nodiscard]] std::vector<Mutant> sampled(std::vector<Mutant> mutants, size_t count,
-                                          uint64_t seed) {
-  spec::Random random(seed);
-  std::vector<Mutant> chosen;
-  size_t left = mutants.size();
-  for (const Mutant& m : mutants) {
-    if (random.below(left--) < count - chosen.size()) chosen.push_back(m);
-  }
-  return chosen;
+[[nodiscard]] std::string first_word(const std::string& line) {
+  return line.substr(0, line.find(' '));
 }
 
-// The mutants that an earlier run with the same key has been through.
-[[nodiscard]] std::map<int, bool> done_before(const std::string& path, const std::string& key) {
-  std::map<int, bool> done;
-  std::ifstream file(path);
+// Lines of an earlier run that hold still, by their mutants: all of a run with the same key. Of one
+// whose key begins alike, if only the survivors are to be tried again, those of the others.
+[[nodiscard]] std::map<int, std::string> kept_lines(const Options& options) {
+  std::map<int, std::string> kept;
+  std::ifstream file(options.results);
   std::string line;
-  if (!std::getline(file, line) || line != key) return {};
-  while (std::getline(file, line)) done[std::stoi(line)] = true;
-  return done;
+  if (!std::getline(file, line) || first_word(line) != first_word(options.key)) return {};
+  const bool same = line == options.key;
+  if (!same && !options.again) return {};
+  while (std::getline(file, line)) {
+    const bool alive = line.find("\tsurvived\t") != std::string::npos ||
+                       line.find("\tnot reached\t") != std::string::npos;
+    if (!alive || (same && !options.again)) kept[std::stoi(line)] = line;
+  }
+  return kept;
 }
 
 // The unit tests talk; nobody listens.
@@ -77,7 +76,6 @@ int run(const Options& options) {
       return std::ranges::find(options.only, m.number) == options.only.end();
     });
   }
-  if (options.sample > 0) mutants = sampled(mutants, options.sample, options.sample_seed);
   const auto start = std::chrono::steady_clock::now();
   const auto since_s = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -85,6 +83,7 @@ int run(const Options& options) {
   const bool terminal = isatty(STDERR_FILENO) != 0;
   silence_stdout();
   std::vector<Item> items = all_items(options.first_seed, options.seeds);
+  const size_t all = items.size();
   const std::vector<std::string> broken = record(&items, options.most_s);
   for (const std::string& name : broken) {
     std::cerr << "broken although nothing is mutated: " << name << "\n";
@@ -92,16 +91,19 @@ int run(const Options& options) {
   if (!broken.empty()) return 2;
   double cost_s = 0;
   for (const Item& item : items) cost_s += item.cost_s;
-  std::cerr << items.size() << " items, " << cost_s << " s of processor time without a mutant\n";
+  std::cerr << items.size() << " items, " << cost_s << " s of processor time without a mutant; "
+            << all - items.size() << " more cost above " << options.most_s << " s each\n";
 
-  const std::map<int, bool> done = done_before(options.results, options.key);
-  std::ofstream results(options.results, done.empty() ? std::ios::trunc : std::ios::app);
-  if (done.empty()) results << options.key << "\n";
+  const std::map<int, std::string> done = kept_lines(options);
+  std::ofstream results(options.results);
+  results << options.key << "\n";
+  for (const auto& [number, line] : done) results << line << "\n";
+  Trials trials(std::move(items), options.each_s);
   size_t count = 0, alive = 0;
   for (const Mutant& mutant : mutants) {
     ++count;
     if (done.contains(mutant.number)) continue;
-    const Outcome outcome = try_mutant(mutant, items);
+    const Outcome outcome = trials.of(mutant);
     alive += outcome.what == "survived" || outcome.what == "not reached" ? 1 : 0;
     results << mutant.number << "\t" << outcome.what << "\t" << outcome.killer << "\t" << outcome.on
             << "\t" << outcome.tried << std::endl;
@@ -121,11 +123,12 @@ int main(int argc, char** argv) {
   app.add_option("--sites", options.sites, "the list of mutants")->required();
   app.add_option("--results", options.results, "where a line for each is added")->required();
   app.add_option("--key", options.key, "results under another key are begun anew");
+  app.add_flag("--again", options.again,
+               "the survivors of results whose key has the same first word");
   app.add_option("--cases", options.seeds, "generated cases for each law");
   app.add_option("--first-seed", options.first_seed, "of these cases");
-  app.add_option("--sample", options.sample, "so many mutants, chosen at random");
-  app.add_option("--seed", options.sample_seed, "of that choice");
   app.add_option("--most-seconds", options.most_s, "what costs more, unmutated, is left out");
+  app.add_option("--seconds-each", options.each_s, "of processor time for a mutant");
   app.add_option("--mutant", options.only, "only these numbers");
   CLI11_PARSE(app, argc, argv);
   try {

@@ -1,5 +1,6 @@
 """Writes the tree with all mutants in it, and the list of them."""
 
+import hashlib
 import json
 import os
 import re
@@ -20,6 +21,7 @@ NOT_BUILT = ["src/mapper/no_vector_kernel.cpp"]
 FIRST = 1  # the number of the first mutant
 # Debian names its file so.
 clang.Config.set_library_file("/usr/lib/llvm-19/lib/libclang-19.so.1")
+TEMPLATE_CALL = re.compile(r"\b[A-Za-z_]\w*<([^<>;(){}]*)>\(")
 MACROS = re.compile(r"\bHWY_(MIN|MAX|LIKELY|UNLIKELY)\b(?=\()")
 
 
@@ -59,6 +61,18 @@ def in_shifts(sites):
             inside = shift.start <= site.start and site.end <= shift.end
             if site is not shift and site.source is shift.source and inside:
                 site.fixed = "a template's argument"
+
+
+def in_template_arguments(sites):
+    """Of functions whose templates the syntax tree does not resolve: it shows no arguments there."""
+    ranges = {}
+    for site in sites:
+        path = site.source.path
+        if path not in ranges:
+            ranges[path] = [m.span(1) for m in TEMPLATE_CALL.finditer(site.source.text)]
+        inside = any(start <= site.start and site.end <= end for start, end in ranges[path])
+        if inside and not site.fixed:
+            site.fixed = "a template's argument"
 
 
 def write_if_changed(path, text):
@@ -115,7 +129,16 @@ def count_occurrences(mutants):
         mutant["occurrence"] = seen[same]
 
 
-def main(build):
+def sampled(mutants, count, seed):
+    """As if at random, and so that a change of the sources changes little of the sample."""
+    def place(mutant):
+        words = [seed] + [mutant[k] for k in ("file", "function", "text", "original", "mutated",
+                                              "occurrence")]
+        return hashlib.sha256(" | ".join(map(str, words)).encode()).hexdigest()
+    return sorted(sorted(mutants, key=place)[:count], key=lambda m: m["id"])
+
+
+def main(build, sample, seed):
     os.chdir(TOP)
     sources = {}
     for path in mutated_files():
@@ -124,6 +147,7 @@ def main(build):
         sources[path] = Source(path, text)
     sites = find(sources)
     in_shifts(sites)
+    in_template_arguments(sites)
     sites.sort(key=lambda s: (s.source.path, s.start, -s.end, s.kind))
     mutants, fixed, per_file, number = [], [], {path: [] for path in sources}, FIRST
     for site in sites:
@@ -139,15 +163,21 @@ def main(build):
                             "kind": site.kind, "original": site.original, "mutated": alternative})
             number += 1
     count_occurrences(mutants)
+    chosen = mutants
+    if sample:
+        chosen = sampled(mutants, sample, seed)
+        kept = {m["site"] for m in chosen}
+        per_file = {path: [s for s in numbered if s[0] in kept]
+                    for path, numbered in per_file.items()}
     mutated = {path: switched(source, per_file[path]) for path, source in sources.items()}
     mirror(f"{build}/tree", mutated)
     write_if_changed(f"{build}/mutants.json",
                      json.dumps({"mutants": mutants, "fixed": fixed}, indent=1))
     write_if_changed(f"{build}/sites.txt",
-                     "".join(f"{m['id']} {m['site']}\n" for m in mutants))
+                     "".join(f"{m['id']} {m['site']}\n" for m in chosen))
     print(f"{len(mutants)} mutants at {sum(map(len, per_file.values()))} sites; "
           f"{len(fixed)} sites that the compiler evaluates")
 
 
 if __name__ == "__main__":
-    main(os.path.abspath(sys.argv[1]))
+    main(os.path.abspath(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]))

@@ -5,6 +5,8 @@ import os
 import sys
 from collections import Counter
 
+from page import page
+
 DEAD = {"killed", "crashed", "hung"}
 ALIVE = {"survived", "not reached"}
 
@@ -90,7 +92,12 @@ def tell(tried, survivors, equivalent, without, fixed):
           ", ".join(f"{n} {why}" for why, n in Counter(f["why"] for f in fixed).most_common()))
 
 
-def main(build, results, out, whole, floor):
+def write_json(path, value):
+    with open(path, "w", encoding="utf-8") as file:
+        json.dump(value, file, indent=1)
+
+
+def main(build, results, out, whole, floor, revision):
     with open(f"{build}/mutants.json", encoding="utf-8") as file:
         listed = json.load(file)
     outcomes = read_outcomes(results)
@@ -110,11 +117,14 @@ def main(build, results, out, whole, floor):
     counted = len(tried) - len(equivalent)
     dead = counted - len(survivors)
     score = 100 * dead / counted if counted else 0
-    with open(f"{out}/mutants.json", "w", encoding="utf-8") as file:
-        json.dump({"score_percent": round(score, 2), "tried": len(tried), "killed": dead,
-                   "equivalent": len(equivalent), "survivors": len(survivors),
-                   "whole": whole, "mutants": [m for m in mutants if "outcome" in m],
-                   "not_switched": listed["fixed"]}, file, indent=1)
+    summary = {"score_percent": round(score, 2), "tried": len(tried), "killed": dead,
+               "equivalent": len(equivalent), "survivors": len(survivors), "whole": whole,
+               "revision": revision}
+    write_json(f"{out}/mutation_score.json", summary)
+    write_json(f"{out}/mutants.json", summary | {"mutants": [m for m in mutants if "outcome" in m],
+                                                 "not_switched": listed["fixed"]})
+    with open(f"{out}/mutants.html", "w", encoding="utf-8") as file:
+        file.write(page(summary, tried, survivors, equivalent))
     without = [m for m in mutants if m.get("outcome") == "does not apply"]
     tell(tried, survivors, equivalent, without, listed["fixed"])
     print(f"score: {score:.2f} %: {dead} of {counted} mutants that are not recorded as equivalent "
@@ -126,4 +136,5 @@ def main(build, results, out, whole, floor):
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:4], whole=sys.argv[4] == "whole", floor=float(sys.argv[5])))
+    sys.exit(main(*sys.argv[1:4], whole=sys.argv[4] == "whole", floor=float(sys.argv[5]),
+                  revision=sys.argv[6]))

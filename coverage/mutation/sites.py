@@ -83,6 +83,13 @@ def depends(cursor):
     return False
 
 
+def of_vectors(operator):
+    """Whether it is an operator of a class that is made anew for each SIMD target: a function that
+    is compiled for all of them cannot call it. Its definition is mutated."""
+    at = operator.type.get_canonical().get_declaration().location.file
+    return at is not None and at.name.endswith("-inl.h")
+
+
 def value_of(literal):
     """Of a floating-point literal; one that comes from a macro is not 0 here."""
     text = literal.rstrip("fFlL")
@@ -193,7 +200,7 @@ class Finder:
         if kind in (K.BINARY_OPERATOR, K.COMPOUND_ASSIGNMENT_OPERATOR):
             return self.binary(cursor, source, start, end)
         if kind == K.CALL_EXPR and cursor.spelling.startswith("operator"):
-            return self.binary(cursor, source, start, end)
+            return None if of_vectors(cursor) else self.binary(cursor, source, start, end)
         if kind == K.UNARY_OPERATOR:
             return self.unary(source, start, end, first)
         return None

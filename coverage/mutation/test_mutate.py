@@ -7,7 +7,7 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-from mutate import find, in_shifts
+from mutate import count_occurrences, find, in_shifts, in_template_arguments, sampled
 from rewrite import rewritten
 from tokens import Source
 
@@ -26,6 +26,10 @@ int labelled(int a) {
   int held[kMost + 1] = {};
   return held[0]; // + 1 in a comment
 }
+template <class T> struct Held {
+  template <int kBy> T by(T a) const { return a + kBy; }
+  T more(T a) const { return by<3>(a); }
+};
 """
 
 
@@ -37,6 +41,7 @@ def sites_of(text):
         source = Source(path, text)
         sites = find({path: source})
     in_shifts(sites)
+    in_template_arguments(sites)
     return source, sorted(sites, key=lambda s: (s.start, -s.end))
 
 
@@ -69,8 +74,21 @@ class Mutate(unittest.TestCase):
         told = {(s.original, s.fixed) for s in self.sites if s.fixed}
         for wanted in [("1 << 3", "in the definition of a constant, which is mutated at its uses"),
                        ("kMost == 8", "in a static_assert"), ("kMost + 1", "the bound of an array"),
-                       ("4", "a case label")]:
+                       ("4", "a case label"), ("3", "a template's argument")]:
             self.assertIn(wanted, told)
+
+    def test_a_sample_is_of_the_texts(self):
+        def mutants(first):
+            told = [{"id": first + i, "file": "a", "function": "f", "text": "t", "original": str(i),
+                     "mutated": "0"} for i in range(100)]
+            count_occurrences(told)
+            return told
+
+        def originals(first, seed):
+            return [m["original"] for m in sampled(mutants(first), 10, seed)]
+        self.assertEqual(len(originals(1, 1)), 10)
+        self.assertEqual(originals(1, 1), originals(7, 1))
+        self.assertNotEqual(originals(1, 1), originals(1, 2))
 
     def test_the_text_with_switches(self):
         number, numbered = 1, []

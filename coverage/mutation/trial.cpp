@@ -13,7 +13,9 @@
 #include <cstring>
 #include <ctime>
 #include <new>
+#include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "mapper/mutants.h"
 
@@ -30,14 +32,42 @@ struct Progress {
   volatile size_t tried, last;
 };
 
-[[nodiscard]] Progress* shared_progress() {
-  static Progress* const progress = [] {
+// What an item without a mutant came to.
+struct Report {
+  bool breaks;
+  double cost_s;
+  unsigned char reached[mutants::kMost], applies[mutants::kMost];
+};
+
+// One for all processes from here on.
+template <class Shared>
+[[nodiscard]] Shared* shared() {
+  static Shared* const it = [] {
     void* const memory =
-        mmap(nullptr, sizeof(Progress), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+        mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) throw std::runtime_error("no shared memory: mmap failed");
-    return new (memory) Progress{};
+    return new (memory) Shared{};
   }();
-  return progress;
+  return it;
+}
+
+// Runs it in a process of its own; its status as waitpid() tells it.
+template <class Run>
+[[nodiscard]] int in_a_process(const Run& run) {
+  std::fflush(nullptr);
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("no process for a trial: fork failed");
+  if (child == 0) {
+    run();
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return status;
+}
+
+[[nodiscard]] bool took_too_long(int status) {
+  return WIFSIGNALED(status) && WTERMSIG(status) == SIGPROF;
 }
 
 [[nodiscard]] double processor_s() {
@@ -55,65 +85,86 @@ void limit_time(double limit_s) {
   setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
-[[noreturn]] void run_trial(const Mutant& mutant, const std::vector<Item>& items,
-                            Progress* progress) {
+void run_trial(const Mutant& mutant, const std::vector<Item>& items,
+               const std::vector<size_t>& order, double most_s, Progress* progress) {
   const rlimit no_core{0, 0}, memory{kMostMemory_bytes, kMostMemory_bytes};
   setrlimit(RLIMIT_CORE, &no_core);
   setrlimit(RLIMIT_AS, &memory);
   const int nowhere = open("/dev/null", O_WRONLY);  // what a failed assertion says is known
   dup2(nowhere, STDERR_FILENO);
   mutants::active = mutant.number;
-  for (size_t i = 0; i < items.size(); ++i) {
+  for (const size_t i : order) {
     if (!items[i].reaches[static_cast<size_t>(mutant.site)]) continue;
+    if (processor_s() > most_s) return;
     progress->last = i;
     progress->tried = progress->tried + 1;
     limit_time(std::max(kLeastLimit_s, kLimitPerCost * items[i].cost_s));
     if (items[i].breaks()) _exit(kStatusKilled);
   }
-  _exit(0);
+}
+
+// Whether it costs no more than most_s; it is ended there.
+[[nodiscard]] bool run_alone(Item* item, double most_s, bool* is_broken) {
+  Report* const report = shared<Report>();
+  const int status = in_a_process([&] {
+    limit_time(most_s);
+    const double start_s = processor_s();
+    report->breaks = item->breaks();
+    report->cost_s = processor_s() - start_s;
+    std::memcpy(report->reached, mutants::reached, sizeof mutants::reached);
+    std::memcpy(report->applies, mutants::applies, sizeof mutants::applies);
+  });
+  if (took_too_long(status)) return false;
+  *is_broken = status != 0 || report->breaks;
+  item->cost_s = report->cost_s;
+  item->reaches.assign(std::begin(report->reached), std::end(report->reached));
+  for (size_t i = 0; i < std::size(mutants::applies); ++i) {
+    mutants::applies[i] |= report->applies[i];
+  }
+  return true;
 }
 
 }  // namespace
 
 std::vector<std::string> record(std::vector<Item>* items, double most_s) {
   std::vector<std::string> broken;
-  for (Item& item : *items) {
-    std::memset(mutants::reached, 0, sizeof mutants::reached);
-    const double start_s = processor_s();
-    if (item.breaks()) broken.push_back(item.killer + " " + item.on);
-    item.cost_s = processor_s() - start_s;
-    item.reaches.assign(std::begin(mutants::reached), std::end(mutants::reached));
-  }
-  std::erase_if(*items, [&](const Item& item) { return item.cost_s > most_s; });
+  std::erase_if(*items, [&](Item& item) {
+    bool is_broken = false;
+    if (!run_alone(&item, most_s, &is_broken)) return true;
+    if (is_broken) broken.push_back(item.killer + " " + item.on);
+    return false;
+  });
   std::ranges::stable_partition(*items, [](const Item& item) { return item.cost_s < kCostly_s; });
   return broken;
 }
 
-Outcome try_mutant(const Mutant& mutant, const std::vector<Item>& items) {
+Trials::Trials(std::vector<Item> items, double most_s)
+    : items_(std::move(items)), order_(items_.size()), most_s_(most_s) {
+  std::iota(order_.begin(), order_.end(), size_t{0});
+}
+
+Outcome Trials::of(const Mutant& mutant) {
   const auto site = static_cast<size_t>(mutant.site);
-  if (std::ranges::none_of(items, [&](const Item& item) { return item.reaches[site]; })) {
+  if (std::ranges::none_of(items_, [&](const Item& item) { return item.reaches[site]; })) {
     return {"not reached"};
   }
   if (mutants::applies[mutant.number] == 0) return {"does not apply"};
-  Progress* const progress = shared_progress();
+  Progress* const progress = shared<Progress>();
   *progress = {};
-  std::fflush(nullptr);
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("no process for a mutant: fork failed");
-  if (child == 0) run_trial(mutant, items, progress);
-  int status = 0;
-  waitpid(child, &status, 0);
-
+  const double most_s = most_s_;
+  const int status = in_a_process([&] { run_trial(mutant, items_, order_, most_s, progress); });
   Outcome outcome{"survived"};
   outcome.tried = progress->tried;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return outcome;
-  const Item& last = items[progress->last];
-  outcome.killer = last.killer;
-  outcome.on = last.on;
+  const size_t last = progress->last;
+  const auto at = std::ranges::find(order_, last);
+  std::rotate(order_.begin(), at, at + 1);
+  outcome.killer = items_[last].killer;
+  outcome.on = items_[last].on;
   if (WIFEXITED(status)) {
     outcome.what = WEXITSTATUS(status) == kStatusKilled ? "killed" : "crashed";
   } else {
-    outcome.what = WTERMSIG(status) == SIGPROF ? "hung" : "crashed";
+    outcome.what = took_too_long(status) ? "hung" : "crashed";
   }
   return outcome;
 }

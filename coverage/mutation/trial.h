@@ -21,11 +21,24 @@ struct Outcome {
   size_t tried = 0;            // items
 };
 
-// Runs every item once with no mutant, noting what it reaches and costs. Names those that are
-// broken although nothing is mutated.
+// Runs every item once with no mutant, each in a process of its own, noting what it reaches and
+// costs; removes those that cost more than most_s. Names those that are broken although nothing is
+// mutated.
 [[nodiscard]] std::vector<std::string> record(std::vector<Item>* items, double most_s);
 
-// The items after record().
-[[nodiscard]] Outcome try_mutant(const Mutant& mutant, const std::vector<Item>& items);
+// Mutants one after another. The item that killed the last one comes first for the next: mutants
+// beside each other die of the same.
+class Trials {
+ public:
+  // The items after record(). A mutant that lives for so much processor time survives.
+  Trials(std::vector<Item> items, double most_s);
+
+  [[nodiscard]] Outcome of(const Mutant& mutant);
+
+ private:
+  std::vector<Item> items_;
+  std::vector<size_t> order_;  // in which they are tried
+  double most_s_;
+};
 
 }  // namespace selvage::mutation

@@ -63,6 +63,8 @@ void write_page(const fs::path& folder, Results results) {
   results.stability = read_json(folder / "stability.json");
   if (fs::exists(folder / "bench.json")) results.bench = read_json(folder / "bench.json");
   if (fs::exists(folder / "matrix.json")) results.matrix = read_json(folder / "matrix.json");
+  const fs::path mutants = folder / "mutation_score.json";
+  if (fs::exists(mutants)) results.mutants = read_json(mutants);
   write_text(folder / "index.html", page(results));
   std::printf("%s\n", summary_line(results).c_str());
 }

@@ -49,6 +49,17 @@ std::string tally_item(const std::string& what, const Tally& tally) {
       element("strong", count, tally.good == tally.all ? "class=good" : "class=bad") + " " + what);
 }
 
+// Of all mutants of the mapper; of a sample, or of none, nothing is said.
+std::string mutants_item(const json& score) {
+  if (score.is_null() || !score.at("whole").get<bool>()) return "";
+  const size_t killed = score.at("killed"), alive = score.at("survivors");
+  return tally_item("mutants of the mapper are noticed by the laws and the tests, of " +
+                        escaped(score.at("revision").get<std::string>()) + "; " +
+                        std::to_string(score.at("equivalent").get<size_t>()) +
+                        " more are recorded as equivalent, each with its reason",
+                    {killed, killed + alive});
+}
+
 std::string machine_table(const json& machine) {
   std::string rows;
   for (const auto& [key, value] : machine.items()) {
@@ -122,6 +133,7 @@ std::string summary_section(const Results& results) {
                      "<a href=#stability>cells of the stability table</a> that promise to be "
                      "exact, or within a derived bound, are",
                      promises_of(results)) +
+                 mutants_item(results.mutants) +
                  element("li",
                          "<a href=#speed>Speed against error</a>, beside the usual arithmetics, "
                          "the mappers of other projects, a solid fill and a memcpy") +

@@ -13,6 +13,7 @@ struct Results {
   nlohmann::ordered_json stability;  // selvage stability --json
   nlohmann::ordered_json bench;      // selvage bench --json; null where nothing was measured
   nlohmann::ordered_json matrix;     // selvage_page matrix; null where none was made
+  nlohmann::ordered_json mutants;    // coverage/mutants: its score; null where it has not been run
   std::string revision;              // of the source
   std::string command;               // that made the page
   std::string unmeasured;            // why, where bench is null

@@ -1,0 +1,111 @@
+// No kernel reads beyond a texture: its first byte lies behind a page that may not be read, or its
+// last byte before one.
+#include <gtest/gtest.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <new>
+#include <vector>
+
+#include "spec/random.h"
+#include "tests/kernel_support.h"
+
+namespace selvage::mapper {
+namespace {
+
+enum class Side { kFirst, kLast };
+
+// Bytes that end, or begin, at memory whose touch ends the process.
+class FencedBytes {
+ public:
+  FencedBytes(size_t bytes, Side side) {
+    const auto page = static_cast<size_t>(sysconf(_SC_PAGESIZE));
+    const size_t inside = (bytes + page - 1) / page * page;
+    length_ = inside + 2 * page;
+    void* const all = mmap(nullptr, length_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (all == MAP_FAILED) throw std::bad_alloc();
+    pages_ = static_cast<char*>(all);
+    mprotect(pages_ + page, inside, PROT_READ | PROT_WRITE);
+    first_ = pages_ + page + (side == Side::kLast ? inside - bytes : 0);
+  }
+  FencedBytes(const FencedBytes&) = delete;
+  FencedBytes& operator=(const FencedBytes&) = delete;
+  ~FencedBytes() { munmap(pages_, length_); }
+
+  [[nodiscard]] char* first() const { return first_; }
+
+ private:
+  char *pages_, *first_;
+  size_t length_;
+};
+
+struct Drawing {
+  selvage_format format;
+  selvage_options options;
+  int32_t width_texel, height_texel;
+  std::vector<selvage_vertex> vertices;
+};
+
+// About one of the texture's four corners, at most a texel a pixel in most.
+[[nodiscard]] Drawing any_drawing(uint64_t seed) {
+  static constexpr int32_t kSizes[] = {1, 2, 3, 8, 15, 16, 17, 18, 31, 40};
+  static constexpr int32_t kSlopes_fx16[] = {65536, 32768, 65535, 21845, 4000, 0, 90000};
+  spec::Random random(seed);
+  Drawing d;
+  d.format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
+  d.options = {SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST,
+               random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP, 0, 0};
+  if (d.format == SELVAGE_RGBA8888 && random.percent(50)) {
+    d.options.filter = random.pick({SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR});
+  }
+  d.width_texel = random.pick(kSizes);
+  d.height_texel = random.pick(kSizes);
+  const int32_t across = random.pick(kSlopes_fx16) * random.pick({1, -1});
+  const int32_t down = random.pick(kSlopes_fx16) * random.pick({1, -1});
+  const int32_t u = (random.percent(50) ? d.width_texel : 0) * 65536 + random.in(-300000, 300000);
+  const int32_t v = (random.percent(50) ? d.height_texel : 0) * 65536 + random.in(-300000, 300000);
+  const int32_t q = random.percent(50) ? 1 : random.in(2, 9);
+  d.vertices = {{0, 0, u, v, 1},
+                {100 * 256, 0, u + 100 * across, v + 100 * down, q},
+                {0, 100 * 256, u - 100 * down, v + 100 * across, 1}};
+  return d;
+}
+
+[[nodiscard]] ptrdiff_t bytes_of(selvage_format format) {
+  return format == SELVAGE_RGBA8888 ? 4 : format == SELVAGE_RGB565 ? 2 : 1;
+}
+
+TEST(TextureBounds, AreKeptByEveryKernel) {
+  constexpr int32_t kWidth_px = 70, kHeight_px = 12;
+  std::vector<uint32_t> row(kWidth_px * kHeight_px);
+  for (uint64_t seed = 1; seed <= 1500; ++seed) {
+    SCOPED_TRACE(seed);
+    Drawing d = any_drawing(seed);
+    const ptrdiff_t pitch = d.width_texel * bytes_of(d.format);
+    const auto bytes = static_cast<size_t>(pitch * d.height_texel);
+    const FencedBytes texels(bytes, seed % 2 == 0 ? Side::kFirst : Side::kLast);
+    std::memset(texels.first(), 0x3C, bytes);
+    const bool flipped = seed % 3 == 0;
+    const selvage_texture texture{texels.first() + (flipped ? pitch * (d.height_texel - 1) : 0),
+                                  d.width_texel,
+                                  d.height_texel,
+                                  flipped ? -pitch : pitch,
+                                  d.format,
+                                  SELVAGE_LAYOUT_ROWS,
+                                  nullptr};
+    const selvage_image target{row.data(), kWidth_px, kHeight_px, kWidth_px * bytes_of(d.format),
+                               d.format};
+    for (const selvage_kernel kernel : usable_kernels()) {
+      d.options.kernel = kernel;
+      ASSERT_EQ(selvage_draw(&target, nullptr, d.vertices.data(), d.vertices.size(), &texture,
+                             &d.options),
+                SELVAGE_OK);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper
