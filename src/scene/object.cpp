@@ -27,12 +27,15 @@ Vector3 normal(const Object& object, const Face& face) {
 
 bool is_convex(const Object& object, const Face& face) {
   const Vector3 outside = normal(object, face);
+  const bool flat = outside.isZero(0);  // all on a line, or as much turned left as right
   double turned = 0;
   for (size_t i = 0; i < face.corners.size(); ++i) {
     const Vector3 before = vertex(object, face, i + 1) - vertex(object, face, i);
     const Vector3 after = vertex(object, face, i + 2) - vertex(object, face, i + 1);
+    const double straight = kStraight * before.norm() * after.norm();
+    if (flat && before.cross(after).norm() > straight) return false;
     const double sine = before.cross(after).dot(outside);
-    if (sine < -kStraight * before.norm() * after.norm()) return false;
+    if (sine < -straight) return false;
     turned += std::atan2(sine, before.dot(after));
   }
   return turned < 3 * std::numbers::pi;  // once around, not twice as a star does

@@ -14,7 +14,7 @@
 namespace selvage::scene {
 namespace {
 
-inline constexpr Size kSize{160, 40};
+inline constexpr Size kSize{400, 300};
 inline constexpr int kTexture = 512;
 inline constexpr double kTolerances[] = {0, 1.0 / 16, 0.25, 1, 4, 64};
 
@@ -65,7 +65,7 @@ struct Drawn {
 // The greatest distance of a drawn texel from the exact u and v.
 [[nodiscard]] double measured(const ScreenFace& face, const Drawn& drawn, int64_t& pixels) {
   double greatest = 0;
-  for (int y = 0; y < kSize.height_px; ++y) {
+  for (int y = 0; y < kSize.height_px; y += 5) {
     const auto line = spec::scan_line(face.vertices, y);
     if (!line) continue;
     for (int x = 0; x < kSize.width_px; ++x) {
@@ -95,7 +95,7 @@ TEST(Plan, MeasuredIsWithinItsBoundAndThatWithinTheTolerance) {
   int64_t pixels = 0;
   std::map<std::string, int> drawn_by;
   double nearest_to_bound = 0;
-  for (uint64_t seed = 1; seed <= 400; ++seed) {
+  for (uint64_t seed = 1; seed <= 250; ++seed) {
     spec::Random random(seed);
     const ScreenFace face = random_face(random);
     const double tolerance = random.pick(kTolerances);
@@ -114,6 +114,7 @@ TEST(Plan, MeasuredIsWithinItsBoundAndThatWithinTheTolerance) {
   for (const auto& [name, count] : drawn_by) std::cout << name << ": " << count << " faces\n";
   EXPECT_GT(pixels, 20000);
   EXPECT_GT(drawn_by["affine"], 20);
+  EXPECT_GT(drawn_by["method 2"] + drawn_by["method 3"], 20);  // the mapper's own choices
   EXPECT_GT(nearest_to_bound, 0.1);  // a bound that nothing comes near says little
 }
 
@@ -153,17 +154,19 @@ TEST(Plan, NothingIsAffineWithoutToleranceUnlessItIsExact) {
 TEST(Plan, FootprintsAreWithinTheirBound) {
   int64_t pixels = 0;
   double nearest_to_bound = 0;
-  for (uint64_t seed = 1; seed <= 200; ++seed) {
+  for (uint64_t seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     spec::Random random(seed);
     ScreenFace face = random_face(random);
     face.vertices.resize(3);
     if (doubled_area_seen(face.vertices) == 0) continue;
     const double bound = texels_per_px_bound(face.vertices);
-    for (int y = 0; y < kSize.height_px; ++y) {
-      for (int x = 0; x < kSize.width_px; x += 3) {
+    for (int y = 0; y < kSize.height_px; y += 11) {
+      const auto line = spec::scan_line(face.vertices, y);
+      for (int x = 0; x < kSize.width_px; x += 5) {
+        if (!line || !spec::sample(*line, x)) continue;
         const auto gradient = spec::gradient(face.vertices, x, y);
-        if (!gradient) continue;
+        ASSERT_TRUE(gradient);
         const spec::Rational u = abs(gradient->u_along_x) + abs(gradient->u_along_y);
         const spec::Rational v = abs(gradient->v_along_x) + abs(gradient->v_along_y);
         const double here = std::max(u.get_d(), v.get_d());
@@ -174,7 +177,7 @@ TEST(Plan, FootprintsAreWithinTheirBound) {
     }
   }
   std::cout << pixels << " pixels; nearest to a bound: " << nearest_to_bound << " of it\n";
-  EXPECT_GT(pixels, 5000);
+  EXPECT_GT(pixels, 3000);
   EXPECT_GT(nearest_to_bound, 0.9);
 }
 

@@ -34,8 +34,8 @@ class PlaneFace {
     const Vector3 across = normal_.cross(direction(random)).normalized();
     along_ = across * real(random, 0.3, 2);
     aside_ = normal_.cross(across) * real(random, 0.3, 2);
-    u_ = {real(random, 20, 200), real(random, -100, 100)};
-    v_ = {real(random, -100, 100), real(random, 20, 200)};
+    u_ = {real(random, 20, 200), real(random, -50, 50)};
+    v_ = {real(random, -50, 50), real(random, 20, 200)};
     std::vector<double> angles;
     for (int i = 0; i < corners; ++i) angles.push_back(real(random, 0, 2 * std::numbers::pi));
     std::sort(angles.begin(), angles.end());
@@ -68,7 +68,7 @@ class PlaneFace {
     return centre_ + on_plane.x() * along_ + on_plane.y() * aside_;
   }
   [[nodiscard]] Vector2 texture(const Vector2& on_plane) const {
-    return {200 + u_.dot(on_plane), 200 + v_.dot(on_plane)};
+    return {256 + u_.dot(on_plane), 256 + v_.dot(on_plane)};
   }
 
   Matrix3 to_place_;
