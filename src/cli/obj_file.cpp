@@ -73,6 +73,17 @@ struct Parsed {
   return parsed;
 }
 
+void expect_materials(const Parsed& parsed, const std::string& file, const ObjLines& lines) {
+  for (const auto& [line, name] : lines.materials) {
+    const bool known =
+        std::any_of(parsed.materials.begin(), parsed.materials.end(),
+                    [&, &wanted = name](const auto& material) { return material.name == wanted; });
+    if (known) continue;
+    throw UserError(file + ":" + std::to_string(line) + ": usemtl " + name +
+                    ": there is no such material");
+  }
+}
+
 [[nodiscard]] uint8_t level(double part) {
   return static_cast<uint8_t>(std::floor(255 * std::clamp(part, 0.0, 1.0) + 0.5));
 }
@@ -169,6 +180,7 @@ scene::Object read_obj(const std::filesystem::path& path, scene::Scene& scene) {
   const std::string text = read_text_file(path), file = path.string();
   const ObjLines lines = check_obj_lines(file, text);
   const Parsed parsed = parse(path, text, lines);
+  expect_materials(parsed, file, lines);
   scene::Object object;
   object.name = path.stem().string();
   const std::vector<double>& v = parsed.attributes.vertices;

@@ -41,6 +41,7 @@ ObjLines check_obj_lines(const std::string& file, std::string_view text) {
     if (keyword == "v") check_numbers(where, keyword, 3, words);
     if (keyword == "vt") check_numbers(where, keyword, 2, words);
     if (keyword == "mtllib") lines.libraries.push_back(number);
+    if (keyword == "usemtl") lines.materials.emplace_back(number, words.empty() ? "" : words[0]);
     if (keyword != "f") continue;
     if (words.size() < 3) {
       throw UserError(where + "a face needs at least 3 corners, not " +

@@ -82,7 +82,10 @@ FaceChoice choice_of(const scene::Scene& scene, const scene::Drawing& drawing, s
                                                &texture, &plan.options, &choice);
   if (status != SELVAGE_OK) throw UserError(selvage_status_text(status));
   const bool instead = plan.affine && plan.depth_ratio > 1 && seen.paint.texture.has_value();
-  return {instead ? "affine for perspective, whole face" : std::string(method_name(choice.method)),
+  const bool by_rows = choice.method == SELVAGE_METHOD_EXACT_PERSPECTIVE && choice.bound > 0;
+  return {instead   ? "affine for perspective, whole face"
+          : by_rows ? "exact perspective, cheaper in wide rows"
+                    : std::string(method_name(choice.method)),
           choice.segment_px, plan.affine ? plan.bound_texel : choice.bound / scene::kSubtexels};
 }
 

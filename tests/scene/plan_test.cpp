@@ -107,14 +107,16 @@ TEST(Plan, MeasuredIsWithinItsBoundAndThatWithinTheTolerance) {
     EXPECT_LE(found, bound);
     EXPECT_LE(bound, chosen.bound_texel);
     EXPECT_LE(chosen.bound_texel, tolerance);
-    ++drawn_by[chosen.affine ? "affine" : "method " + std::to_string(drawn.choice.method)];
+    ++drawn_by[chosen.affine            ? "affine"
+               : drawn.choice.bound > 0 ? "by the mapper's choice"
+                                        : "exactly"];
     if (bound > 0) nearest_to_bound = std::max(nearest_to_bound, found / bound);
   }
   std::cout << pixels << " pixels; nearest to a bound: " << nearest_to_bound << " of it\n";
   for (const auto& [name, count] : drawn_by) std::cout << name << ": " << count << " faces\n";
   EXPECT_GT(pixels, 20000);
   EXPECT_GT(drawn_by["affine"], 20);
-  EXPECT_GT(drawn_by["method 2"] + drawn_by["method 3"], 20);  // the mapper's own choices
+  EXPECT_GT(drawn_by["by the mapper's choice"], 20);
   EXPECT_GT(nearest_to_bound, 0.1);  // a bound that nothing comes near says little
 }
 
@@ -177,7 +179,7 @@ TEST(Plan, FootprintsAreWithinTheirBound) {
     }
   }
   std::cout << pixels << " pixels; nearest to a bound: " << nearest_to_bound << " of it\n";
-  EXPECT_GT(pixels, 3000);
+  EXPECT_GT(pixels, 2000);
   EXPECT_GT(nearest_to_bound, 0.9);
 }
 
