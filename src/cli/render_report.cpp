@@ -58,6 +58,7 @@ void RenderStats::add(const RenderStats& other) {
   counts.clipped_away += other.counts.clipped_away;
   counts.backs += other.counts.backs;
   counts.off_screen += other.counts.off_screen;
+  counts.refused += other.counts.refused;
   counts.seen += other.counts.seen;
   for (const auto& [method, faces] : other.drawn_by) drawn_by[method] += faces;
   pieces += other.pieces;
@@ -146,6 +147,7 @@ ordered_json stats_json(const RenderStats& stats, int32_t frames) {
           {"faces_clipped_away", counts.clipped_away},
           {"faces_from_behind", counts.backs},
           {"faces_off_screen", counts.off_screen},
+          {"faces_refused", counts.refused},
           {"faces_seen", counts.seen},
           {"faces_by_method", stats.drawn_by},
           {"pieces", stats.pieces},

@@ -111,7 +111,11 @@ View look(const Scene& scene, double time_s, Size size) {
   for (const Candidate& candidate : candidates) {
     ScreenFace face{candidate.object, candidate.face, {}, mean_w(candidate.outline), {}};
     const selvage_status status = snap(candidate.outline, w_near, face.vertices);
-    const int64_t area = status == SELVAGE_OK ? doubled_area_seen(face.vertices) : 0;
+    if (status != SELVAGE_OK) {
+      ++view.counts.refused;
+      continue;
+    }
+    const int64_t area = doubled_area_seen(face.vertices);
     if (area == 0 || (area < 0 && !scene.objects[candidate.object].two_sided)) {
       ++view.counts.backs;
     } else if (!is_in_picture(face.vertices, size)) {

@@ -5,7 +5,9 @@
 namespace selvage::scene {
 namespace {
 
-inline constexpr double kMostTexel = 32768;  // selvage_snap: u and v lie below, and not below -this
+// selvage_snap takes u and v in [-32768, 32768) texels.
+inline constexpr double kMostTexel = 32767;
+inline constexpr double kFarthest = 1e9;  // of vertices, times their object's scale
 
 [[nodiscard]] bool is_finite(const Vector3& vector) { return vector.allFinite(); }
 
@@ -41,8 +43,8 @@ inline constexpr double kMostTexel = 32768;  // selvage_snap: u and v lie below,
   if (face.corners.size() < 3) return "has fewer than 3 corners";
   for (const Corner& corner : face.corners) {
     if (corner.vertex >= object.vertices.size()) return "has a corner at no vertex";
-    if (!(corner.texture_texel.cwiseAbs().maxCoeff() < kMostTexel)) {
-      return "has texture coordinates beyond 32768 texels";
+    if (!(corner.texture_texel.cwiseAbs().maxCoeff() <= kMostTexel)) {
+      return "has texture coordinates beyond 32767 texels";
     }
   }
   if (face.material >= object.materials.size()) return "has no material";
@@ -60,7 +62,9 @@ std::string problem(const Scene& scene) {
     const std::string motion = problem_of(object.motion);
     if (!motion.empty()) return "object '" + object.name + "': " + motion;
     for (const Vector3& vertex : object.vertices) {
-      if (!is_finite(vertex)) return "object '" + object.name + "': a vertex is not finite";
+      if (!(vertex.norm() * object.motion.scale <= kFarthest)) {
+        return "object '" + object.name + "': a vertex is farther than 1000000000 from its origin";
+      }
     }
     for (size_t i = 0; i < object.faces.size(); ++i) {
       const std::string face = problem_of(scene, object, object.faces[i]);

@@ -118,7 +118,7 @@ TEST_F(SceneFile, NamesFileAndLineOfWhatIsWrongInIt) {
     EXPECT_EQ(error.rfind("scene.json:" + std::to_string(line) + ": ", 0), 0U) << error;
     expect_contains(error, words);
   };
-  expect("40}", "40", 3, "not JSON");
+  expect("[0, 1, 5]", "[0, 1, 5", 2, "not JSON");
   expect("\"view_deg\"", "\"angle\"", 2, "camera/angle: unknown key");
   expect("\"ambient\"", "\"camera\"", 3, "the key 'camera' stands twice");
   expect("[0, 1, 5]", "[0, 1]", 2, "camera/position: [x, y, z] is needed, not [0,1]");

@@ -170,7 +170,28 @@ TEST(Problem, NamesWhatIsWrong) {
   });
   expect("no material", [](Scene& s) { s.objects[0].faces[0].material = 1; });
   expect("no texture", [](Scene& s) { s.objects[0].materials[0].texture = 0; });
-  expect("32768", [](Scene& s) { s.objects[0].faces[0].corners[0].texture_texel = {0, 40000}; });
+  expect("32767", [](Scene& s) { s.objects[0].faces[0].corners[0].texture_texel = {0, 40000}; });
+}
+
+TEST(Look, RefusesNoFaceOfASoundScene) {
+  for (uint64_t seed = 1; seed <= 500; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    spec::Random random(seed);
+    Scene scene = scene_with(random.percent(50) ? cube() : ball(random.in(3, 9), random.in(2, 7)));
+    Object& object = scene.objects[0];
+    object.motion.scale = std::exp(real(random, -10, 10));
+    object.motion.axis = direction(random);
+    object.motion.angle_deg = real(random, 0, 360);
+    object.motion.position = direction(random) * std::exp(real(random, -5, 5));
+    object.two_sided = random.percent(50);
+    scene.camera.view_deg = real(random, 1, 179);
+    ASSERT_EQ(problem(scene), "");
+    const View view = look(scene, 0, kSize);
+    EXPECT_EQ(view.counts.refused, 0U);
+    EXPECT_EQ(view.counts.faces, view.counts.clipped_away + view.counts.backs +
+                                     view.counts.off_screen + view.counts.seen);
+    for (const ScreenFace& face : view.faces) EXPECT_TRUE(is_y_monotone(face.vertices));
+  }
 }
 
 TEST(ScreenFace, KnowsWhatIsMonotone) {
