@@ -86,7 +86,8 @@ void add_candidates(const Scene& scene, size_t index, double time_s, Size size, 
          top->y < size.height_px * SELVAGE_SUBPIXELS && bottom->y > 0;
 }
 
-// Triangles are y-monotone whatever their corners are rounded to, and those of a fan tile the face.
+// Triangles are y-monotone whatever their corners are rounded to; those of a fan tile the face, but
+// for slivers of a grid step.
 void add_face(ScreenFace face, std::vector<ScreenFace>& faces) {
   if (is_y_monotone(face.vertices)) {
     faces.push_back(std::move(face));

@@ -173,6 +173,34 @@ TEST(Problem, NamesWhatIsWrong) {
   expect("32767", [](Scene& s) { s.objects[0].faces[0].corners[0].texture_texel = {0, 40000}; });
 }
 
+// Five corners on a line that lies half way between two rows of the grid: what is left of them
+// after rounding is a zigzag, which no mapper takes; triangles of it are drawn.
+TEST(Look, CutsAFaceThatRoundingBends) {
+  Object object;
+  object.materials.emplace_back();
+  const double half_way = 1 - 100.5 / 256 / 100;  // y of the picture: 100.5 / 256 px
+  for (int i = 0; i < 5; ++i) {
+    object.vertices.emplace_back(1 - i * 0.5, half_way + (i % 2 ? 1e-11 : -1e-11), 0);
+  }
+  object.vertices.emplace_back(-1, -0.5, 0);
+  object.vertices.emplace_back(1, -0.5, 0);
+  object.faces.emplace_back();
+  for (size_t i = 0; i < 7; ++i) object.faces[0].corners.push_back({i, {0, 0}});
+  Scene scene = scene_with(object);
+  scene.camera.position = {0, 0, 1};
+  scene.camera.view_deg = 90;
+  ASSERT_EQ(problem(scene), "");
+  const View view = look(scene, 0, kSize);
+  EXPECT_EQ(view.counts.seen, 1U);
+  EXPECT_EQ(view.faces.size(), 5U);
+  int64_t area = 0;
+  for (const ScreenFace& face : view.faces) {
+    EXPECT_TRUE(is_y_monotone(face.vertices));
+    area += doubled_area_seen(face.vertices);
+  }
+  EXPECT_NEAR(static_cast<double>(area), 2 * 200 * 256 * (150 * 256 - 100.5), 200 * 256 * 2);
+}
+
 TEST(Look, RefusesNoFaceOfASoundScene) {
   for (uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
