@@ -106,7 +106,7 @@ TEST(Draw, ScanLinesChangeNoPixelOfWhatTheyShow) {
       }
     }
   }
-  EXPECT_GT(std::count(is_shown.begin(), is_shown.end(), true), 1000);
+  EXPECT_GT(std::count(is_shown.begin(), is_shown.end(), true), 800);
 }
 
 TEST(Draw, PainterAgreesOnOneConvexBody) {
