@@ -15,10 +15,10 @@ export LC_ALL=C.UTF-8
 
 # Packages by purpose. Names are Debian 12's.
 declare -A selvage_groups=(
-  [build]="g++ cmake ninja-build pkg-config libhwy-dev libtbb-dev"
+  [build]="g++ cmake ninja-build pkg-config libhwy-dev libtbb-dev libeigen3-dev"
   [tests]="librapidcheck-dev libgtest-dev libbenchmark-dev gappa valgrind libgmp-dev
            libopencv-core-dev libopencv-imgproc-dev
-           libpng-dev libturbojpeg0-dev libcli11-dev nlohmann-json3-dev"
+           libpng-dev libturbojpeg0-dev libcli11-dev nlohmann-json3-dev libtinyobjloader-dev"
   [cross]="g++-aarch64-linux-gnu qemu-user-static"
   [clang]="clang-19 libclang-rt-19-dev llvm-19"
   [fuzz]="clang-19 libclang-rt-19-dev llvm-19 zip

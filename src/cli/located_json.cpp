@@ -1,0 +1,195 @@
+#include "cli/located_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+
+#include "cli/error.h"
+
+namespace selvage::cli {
+namespace {
+
+using nlohmann::json;
+
+// Counts the lines that the parser has taken.
+class CountingIterator {
+ public:
+  using iterator_category = std::forward_iterator_tag;
+  using value_type = char;
+  using difference_type = std::ptrdiff_t;
+  using pointer = const char*;
+  using reference = const char&;
+
+  CountingIterator(const char* at, int& line) : at_(at), line_(&line) {}
+  reference operator*() const { return *at_; }
+  CountingIterator& operator++() {
+    *line_ += *at_ == '\n';
+    ++at_;
+    return *this;
+  }
+  CountingIterator operator++(int) {
+    const CountingIterator before = *this;
+    ++*this;
+    return before;
+  }
+  friend bool operator==(const CountingIterator& a, const CountingIterator& b) {
+    return a.at_ == b.at_;
+  }
+
+ private:
+  const char* at_;
+  int* line_;
+};
+
+[[noreturn]] void fail_at(const std::string& file, int line, const std::string& what) {
+  throw UserError(file + ":" + std::to_string(line) + ": " + what);
+}
+
+// "/key", as in a JSON pointer.
+[[nodiscard]] std::string escaped(std::string key) {
+  return (json::json_pointer() / std::move(key)).to_string();
+}
+
+// Follows the parser and notes the lines. Of plain values none is kept: the parser may have read
+// the character behind a number already.
+class Lines {
+ public:
+  Lines(LocatedJson& located, const int& line) : located_(located), line_(line) {}
+
+  bool operator()(int depth, json::parse_event_t event, const json& parsed) {
+    using Event = json::parse_event_t;
+    if (depth > kMaxJsonDepth) fail_at(located_.file, line_, "nested deeper than any scene is");
+    if (event == Event::key) note_key(parsed.get_ref<const std::string&>());
+    if (event == Event::object_start || event == Event::array_start) {
+      const std::string path = next_path();
+      located_.lines.emplace(path, line_);
+      frames_.push_back({path, "", event == Event::array_start, 0});
+    }
+    if (event == Event::object_end || event == Event::array_end) frames_.pop_back();
+    if (event == Event::value) (void)next_path();
+    return true;
+  }
+
+ private:
+  struct Frame {
+    std::string path, key;
+    bool is_array;
+    size_t next;
+  };
+
+  void note_key(const std::string& key) {
+    Frame& frame = frames_.back();
+    frame.key = frame.path + escaped(key);
+    if (!located_.lines.emplace(frame.key, line_).second) {
+      fail_at(located_.file, line_, "the key '" + key + "' stands twice");
+    }
+  }
+
+  [[nodiscard]] std::string next_path() {
+    if (frames_.empty()) return "";
+    Frame& frame = frames_.back();
+    return frame.is_array ? frame.path + "/" + std::to_string(frame.next++) : frame.key;
+  }
+
+  LocatedJson& located_;
+  const int& line_;
+  std::vector<Frame> frames_;
+};
+
+// "[json.exception.parse_error.101] parse error at line 3, column 5: explanation"
+[[noreturn]] void fail_as_parser(const std::string& file, int line, const std::string& what) {
+  const size_t at = what.find("line "), colon = what.find(": ");
+  const int told = at == std::string::npos ? line : std::atoi(what.c_str() + at + 5);
+  fail_at(file, std::max(told, 1),
+          "not JSON: " + (colon == std::string::npos ? what : what.substr(colon + 2)));
+}
+
+[[nodiscard]] std::string excerpt(const json& value) {
+  const std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
+  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+}
+
+}  // namespace
+
+LocatedJson parse_located(std::string file, std::string_view text) {
+  LocatedJson located{std::move(file), {}, {}};
+  int line = 1, end_line = 1;
+  try {
+    located.value =
+        json::parse(CountingIterator(text.data(), line),
+                    CountingIterator(text.data() + text.size(), end_line), Lines(located, line));
+  } catch (const json::exception& error) {
+    fail_as_parser(located.file, line, error.what());
+  }
+  return located;
+}
+
+int JsonNode::line() const {
+  for (std::string path = path_;; path = path.substr(0, path.rfind('/'))) {
+    const auto found = source_.lines.find(path);
+    if (found != source_.lines.end()) return found->second;
+    if (path.empty()) return 1;
+  }
+}
+
+void JsonNode::fail(const std::string& what) const {
+  const std::string where = path_.empty() ? "" : path_.substr(1) + ": ";
+  fail_at(source_.file, line(), where + what);
+}
+
+void JsonNode::expect_keys(const std::vector<std::string>& known) const {
+  if (!value_.is_object()) fail("an object is needed, not " + excerpt(value_));
+  std::string list;
+  for (const std::string& key : known) list += (list.empty() ? "" : ", ") + key;
+  for (const auto& item : value_.items()) {
+    if (std::find(known.begin(), known.end(), item.key()) == known.end()) {
+      at(item.key()).fail("unknown key; known here: " + list);
+    }
+  }
+}
+
+JsonNode JsonNode::at(const std::string& key) const {
+  if (!value_.is_object()) fail("an object is needed, not " + excerpt(value_));
+  if (!has(key)) fail("'" + key + "' is missing");
+  return {source_, value_[key], path_ + escaped(key)};
+}
+
+std::vector<JsonNode> JsonNode::elements() const {
+  if (!value_.is_array()) fail("an array is needed, not " + excerpt(value_));
+  std::vector<JsonNode> all;
+  for (size_t i = 0; i < value_.size(); ++i) {
+    all.push_back({source_, value_[i], path_ + "/" + std::to_string(i)});
+  }
+  return all;
+}
+
+std::vector<std::pair<std::string, JsonNode>> JsonNode::members() const {
+  if (!value_.is_object()) fail("an object is needed, not " + excerpt(value_));
+  std::vector<std::pair<std::string, JsonNode>> all;
+  for (const auto& item : value_.items()) all.emplace_back(item.key(), at(item.key()));
+  return all;
+}
+
+double JsonNode::number() const {
+  if (!value_.is_number()) fail("a number is needed, not " + excerpt(value_));
+  return value_.get<double>();
+}
+
+bool JsonNode::boolean() const {
+  if (!value_.is_boolean()) fail("true or false is needed, not " + excerpt(value_));
+  return value_.get<bool>();
+}
+
+const std::string& JsonNode::text() const {
+  if (!value_.is_string()) fail("a text is needed, not " + excerpt(value_));
+  return value_.get_ref<const std::string&>();
+}
+
+scene::Vector3 JsonNode::vector() const {
+  if (!value_.is_array() || value_.size() != 3) fail("[x, y, z] is needed, not " + excerpt(value_));
+  const std::vector<JsonNode> parts = elements();
+  return {parts[0].number(), parts[1].number(), parts[2].number()};
+}
+
+}  // namespace selvage::cli

@@ -1,0 +1,139 @@
+#include "cli/scene_file.h"
+
+#include <algorithm>
+#include <string>
+
+#include "cli/error.h"
+#include "cli/file.h"
+#include "cli/located_json.h"
+#include "cli/obj_file.h"
+#include "cli/raster.h"
+#include "scene/look.h"
+
+namespace selvage::cli {
+namespace {
+
+void set(const JsonNode& node, const char* key, double& value) {
+  if (node.has(key)) value = node.at(key).number();
+}
+void set(const JsonNode& node, const char* key, scene::Vector3& value) {
+  if (node.has(key)) value = node.at(key).vector();
+}
+
+// What would keep the scene from being drawn is the fault of this node.
+void expect_no_problem(const JsonNode& node, const scene::Scene& scene) {
+  const std::string problem = scene::problem(scene);
+  if (!problem.empty()) node.fail(problem);
+}
+
+[[nodiscard]] scene::Camera camera_of(const JsonNode& node) {
+  node.expect_keys({"position", "target", "up", "view_deg", "nearest", "farthest"});
+  scene::Camera camera;
+  set(node, "position", camera.position);
+  set(node, "target", camera.target);
+  set(node, "up", camera.up);
+  set(node, "view_deg", camera.view_deg);
+  set(node, "nearest", camera.nearest_w);
+  set(node, "farthest", camera.farthest_w);
+  scene::Scene alone;
+  alone.camera = camera;
+  expect_no_problem(node, alone);
+  return camera;
+}
+
+[[nodiscard]] scene::Lamp lamp_of(const JsonNode& node) {
+  node.expect_keys({"towards", "level"});
+  scene::Lamp lamp;
+  lamp.towards = node.at("towards").vector();
+  set(node, "level", lamp.level);
+  scene::Scene alone;
+  alone.lighting.lamps = {lamp};
+  expect_no_problem(node, alone);
+  return lamp;
+}
+
+[[nodiscard]] scene::Motion motion_of(const JsonNode& node) {
+  scene::Motion motion;
+  set(node, "position", motion.position);
+  set(node, "velocity", motion.velocity);
+  set(node, "axis", motion.axis);
+  set(node, "angle_deg", motion.angle_deg);
+  set(node, "spin_deg", motion.spin_deg);
+  set(node, "scale", motion.scale);
+  return motion;
+}
+
+[[nodiscard]] scene::Shading shading_of(const JsonNode& node) {
+  if (node.text() == "flat") return scene::Shading::kFlat;
+  if (node.text() == "ambient") return scene::Shading::kAmbient;
+  if (node.text() == "diffuse") return scene::Shading::kDiffuse;
+  node.fail("'" + node.text() + "' is no shading; these are: flat, ambient, diffuse");
+}
+
+// {"material": "flat", ...}: other shadings than the materials' own.
+void set_shadings(const JsonNode& node, scene::Object& object) {
+  for (const auto& [name, value] : node.members()) {
+    const auto material =
+        std::find_if(object.materials.begin(), object.materials.end(),
+                     [&, &wanted = name](const auto& known) { return known.name == wanted; });
+    if (material == object.materials.end()) value.fail("there is no such material");
+    material->shading = shading_of(value);
+  }
+}
+
+void add_object(const JsonNode& node, const std::filesystem::path& folder, scene::Scene& scene) {
+  node.expect_keys({"file", "position", "velocity", "axis", "angle_deg", "spin_deg", "scale",
+                    "two_sided", "shading"});
+  const JsonNode file = node.at("file");
+  scene::Object alone;
+  alone.name = file.text();
+  alone.motion = motion_of(node);
+  scene::Scene with_motion;
+  with_motion.objects = {alone};
+  expect_no_problem(node, with_motion);
+  scene::Object object = read_obj(folder / file.text(), scene);
+  object.motion = alone.motion;
+  if (node.has("two_sided")) object.two_sided = node.at("two_sided").boolean();
+  if (node.has("shading")) set_shadings(node.at("shading"), object);
+  scene.objects.push_back(std::move(object));
+}
+
+[[nodiscard]] scene::Colour background_of(const JsonNode& node) {
+  try {
+    const Colour colour = parse_colour(node.text());
+    return {colour.red, colour.green, colour.blue, colour.alpha};
+  } catch (const UserError& error) {
+    node.fail(error.what());
+  }
+}
+
+[[nodiscard]] double tolerance_of(const JsonNode& node) {
+  const double tolerance_texel = node.number();
+  if (!(tolerance_texel >= 0)) node.fail("texels, 0 or more, are needed");
+  return tolerance_texel;
+}
+
+}  // namespace
+
+scene::Scene read_scene(const std::filesystem::path& path) {
+  const LocatedJson located = parse_located(path.string(), read_text_file(path));
+  const JsonNode root(located);
+  root.expect_keys({"camera", "ambient", "lamps", "background", "tolerance", "objects"});
+  scene::Scene scene;
+  if (root.has("camera")) scene.camera = camera_of(root.at("camera"));
+  set(root, "ambient", scene.lighting.ambient);
+  if (root.has("lamps")) {
+    for (const JsonNode& lamp : root.at("lamps").elements()) {
+      scene.lighting.lamps.push_back(lamp_of(lamp));
+    }
+  }
+  if (root.has("background")) scene.background = background_of(root.at("background"));
+  if (root.has("tolerance")) scene.tolerance_texel = tolerance_of(root.at("tolerance"));
+  const std::vector<JsonNode> objects = root.at("objects").elements();
+  if (objects.empty()) root.at("objects").fail("at least one object is needed");
+  for (const JsonNode& object : objects) add_object(object, path.parent_path(), scene);
+  expect_no_problem(root, scene);
+  return scene;
+}
+
+}  // namespace selvage::cli

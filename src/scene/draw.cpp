@@ -1,0 +1,45 @@
+#include "scene/draw.h"
+
+#include <cstring>
+
+#include "scene/paints.h"
+
+namespace selvage::scene {
+namespace {
+
+void fill(const selvage_image& target, const Colour& colour) {
+  const uint8_t pixel[] = {colour.red, colour.green, colour.blue, colour.alpha};
+  for (int32_t y = 0; y < target.height; ++y) {
+    auto* row = static_cast<uint8_t*>(target.pixels) + y * target.pitch;
+    for (int32_t x = 0; x < target.width; ++x) std::memcpy(row + x * 4, pixel, sizeof pixel);
+  }
+}
+
+}  // namespace
+
+Drawing compose(const Scene& scene, double time_s, Size size, const Wish& wish, Hidden way) {
+  Drawing drawing;
+  drawing.view = look(scene, time_s, size);
+  for (const ScreenFace& face : drawing.view.faces) {
+    drawing.plans.push_back(plan(scene, face, wish));
+  }
+  drawing.pieces = visible_pieces(way, drawing.view.faces, size);
+  return drawing;
+}
+
+selvage_status draw(const Scene& scene, const Drawing& drawing, const selvage_image& target) {
+  fill(target, scene.background);
+  Paints paints(scene);
+  for (const Piece& piece : drawing.pieces) {
+    const ScreenFace& face = drawing.view.faces[piece.face];
+    const Plan& plan = drawing.plans[piece.face];
+    const std::vector<selvage_vertex> vertices = vertices_to_draw(face, plan);
+    const selvage_texture texture = paints.texture(face.paint);
+    const selvage_status status = selvage_draw(&target, &piece.clip, vertices.data(),
+                                               vertices.size(), &texture, &plan.options);
+    if (status != SELVAGE_OK) return status;
+  }
+  return SELVAGE_OK;
+}
+
+}  // namespace selvage::scene

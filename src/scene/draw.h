@@ -1,0 +1,30 @@
+// A scene's picture: looked at, planned, freed of what is hidden, drawn.
+#pragma once
+
+#include <vector>
+
+#include "scene/hidden.h"
+#include "scene/look.h"
+#include "scene/plan.h"
+#include "scene/scene.h"
+#include "selvage.h"
+
+namespace selvage::scene {
+
+// All that is decided before a pixel is drawn.
+struct Drawing {
+  View view;
+  std::vector<Plan> plans;  // a face each
+  std::vector<Piece> pieces;
+};
+
+// The scene has no problem (look.h).
+[[nodiscard]] Drawing compose(const Scene& scene, double time_s, Size size, const Wish& wish,
+                              Hidden way);
+
+// The background, then the pieces in order. The target is RGBA8888; the first error of
+// selvage_draw, if any.
+[[nodiscard]] selvage_status draw(const Scene& scene, const Drawing& drawing,
+                                  const selvage_image& target);
+
+}  // namespace selvage::scene

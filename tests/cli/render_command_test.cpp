@@ -1,0 +1,122 @@
+#include "cli/render_command.h"
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/png.h"
+#include "support.h"
+
+namespace selvage::cli::test {
+namespace {
+
+// A square of 2 by 2 in front of the camera, of one colour as it is.
+constexpr const char* kSquare =
+    "mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nusemtl red\nf 1 2 3 4\n";
+constexpr const char* kScene =
+    R"({"camera": {"position": [0, 0, 4], "view_deg": 53.13010235415598},
+        "background": "#000040", "objects": [{"file": "square.obj", "velocity": [1, 0, 0]}]})";
+
+class Render : public InDirectory {
+ protected:
+  Render() {
+    put("square.obj", std::string(kSquare));
+    put("square.mtl", std::string("newmtl red\nKd 1 0 0\nillum 0\n"));
+    put("scene.json", std::string(kScene));
+    options_.scene = "scene.json";
+    options_.output = "out.png";
+    options_.size = "80x60";
+  }
+
+  int run() {
+    std::ostringstream err;
+    return run_render(options_, {out_, err});
+  }
+  [[nodiscard]] static Raster picture(const std::string& name) {
+    const std::string bytes = get(name);
+    return decode_png(std::span(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()));
+  }
+  [[nodiscard]] static int red_pixels(const Raster& raster) {
+    int count = 0;
+    for (int32_t y = 0; y < raster.height_px; ++y) {
+      for (int32_t x = 0; x < raster.width_px; ++x)
+        count += raster.at(x, y) == Colour{255, 0, 0, 255};
+    }
+    return count;
+  }
+
+  RenderOptions options_;
+  std::ostringstream out_;
+};
+
+// At distance 4 a picture 60 px high shows 4 units: the square is 30 px wide, in the middle.
+TEST_F(Render, DrawsTheSceneToItsScale) {
+  EXPECT_EQ(run(), kExitFine);
+  const Raster raster = picture("out.png");
+  EXPECT_EQ(raster.width_px, 80);
+  EXPECT_EQ(raster.height_px, 60);
+  EXPECT_EQ(red_pixels(raster), 30 * 30);
+  EXPECT_EQ(raster.at(25, 15), (Colour{255, 0, 0, 255}));
+  EXPECT_EQ(raster.at(54, 44), (Colour{255, 0, 0, 255}));
+  EXPECT_EQ(raster.at(24, 15), (Colour{0, 0, 0x40, 255}));
+}
+
+TEST_F(Render, DrawsFramesOfMovingObjects) {
+  options_.frames = 3;
+  options_.frames_per_s = 15;  // a fifteenth of a unit, one pixel, a frame
+  EXPECT_EQ(run(), kExitFine);
+  for (const int32_t frame : {0, 1, 2}) {
+    const Raster raster = picture("out-0000" + std::to_string(frame + 1) + ".png");
+    EXPECT_EQ(raster.at(24 + frame, 30), (Colour{0, 0, 0x40, 255}));
+    EXPECT_EQ(raster.at(25 + frame, 30), (Colour{255, 0, 0, 255}));
+  }
+}
+
+TEST_F(Render, ExplainsAndCounts) {
+  options_.explain = options_.stats = options_.json = true;
+  EXPECT_EQ(run(), kExitFine);
+  const auto told = nlohmann::json::parse(out_.str());
+  ASSERT_EQ(told["faces"].size(), 1U);
+  EXPECT_EQ(told["faces"][0]["object"], "square");
+  EXPECT_EQ(told["faces"][0]["bound_texel"], 0);
+  EXPECT_EQ(told["stats"]["faces_seen"], 1);
+  EXPECT_EQ(told["stats"]["written_px"], 900);
+  EXPECT_EQ(told["stats"]["shown_px"], 900);
+  EXPECT_EQ(told["stats"]["pieces"], 1);
+}
+
+TEST_F(Render, TellsPeopleTheSame) {
+  options_.explain = options_.stats = true;
+  EXPECT_EQ(run(), kExitFine);
+  expect_contains(out_.str(), "square face 1: ");
+  expect_contains(out_.str(), "one colour");
+  expect_contains(out_.str(), "written_px: 900");
+}
+
+TEST_F(Render, HidesEitherWay) {
+  for (const char* way : {"painter", "scan-line"}) {
+    options_.hidden = way;
+    EXPECT_EQ(run(), kExitFine);
+    EXPECT_EQ(red_pixels(picture("out.png")), 900);
+  }
+}
+
+TEST_F(Render, RefusesWhatCannotBe) {
+  const auto expect = [&](const std::string& words, auto&& spoil) {
+    const RenderOptions before = options_;
+    spoil(options_);
+    expect_contains(error_of([&] { run(); }), words);
+    options_ = before;
+    for (const std::string& file : files()) EXPECT_EQ(file.find(".png"), std::string::npos) << file;
+  };
+  expect("--frames", [](RenderOptions& o) { o.frames = 0; });
+  expect("--rate", [](RenderOptions& o) { o.frames_per_s = 0; });
+  expect("--size", [](RenderOptions& o) { o.size = "20000x10"; });
+  expect("--filter", [](RenderOptions& o) { o.filter = "best"; });
+  expect("--hidden", [](RenderOptions& o) { o.hidden = "magic"; });
+  expect("--tolerance", [](RenderOptions& o) { o.tolerance = "-1"; });
+  expect("name it .png", [](RenderOptions& o) { o.output = "out.jpg"; });
+  expect("none.json", [](RenderOptions& o) { o.scene = "none.json"; });
+}
+
+}  // namespace
+}  // namespace selvage::cli::test

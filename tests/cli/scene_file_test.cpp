@@ -1,0 +1,164 @@
+#include "cli/scene_file.h"
+
+#include "cli/png.h"
+#include "sample_pictures.h"
+#include "support.h"
+
+namespace selvage::cli::test {
+namespace {
+
+constexpr const char* kObj =
+    "# a pyramid\n"                                      // 1
+    "mtllib pyramid.mtl\n"                               // 2
+    "v 0 1 0\nv -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\n"  // 3 to 7
+    "vt 0 0\nvt 1 0\nvt 0.5 1\n"                         // 8 to 10
+    "usemtl stone\n"                                     // 11
+    "f 1 2 3\nf 1 3 4\n"                                 // 12, 13
+    "usemtl front\n"                                     // 14
+    "f 1/3 4/1 5/2\n"                                    // 15
+    "usemtl stone\n"                                     // 16
+    "f 1 5 2\n"                                          // 17
+    "f 2 5 4 3\n";                                       // 18
+constexpr const char* kMtl =
+    "newmtl stone\nKd 0.5 0.25 1\nillum 1\nnewmtl front\nKd 1 1 1\nmap_Kd -clamp on paint.png\n";
+constexpr const char* kScene =
+    "{\n"                                                                    // 1
+    " \"camera\": {\"position\": [0, 1, 5], \"view_deg\": 40},\n"            // 2
+    " \"ambient\": [0.5, 0.5, 0.5],\n"                                       // 3
+    " \"lamps\": [{\"towards\": [0, 1, 1]}],\n"                              // 4
+    " \"background\": \"#102030\",\n"                                        // 5
+    " \"tolerance\": 0.25,\n"                                                // 6
+    " \"objects\": [\n"                                                      // 7
+    "  {\"file\": \"pyramid.obj\", \"axis\": [0, 1, 0], \"spin_deg\": 9,\n"  // 8
+    "   \"shading\": {\"stone\": \"ambient\"}}\n"                            // 9
+    " ]\n}\n";
+
+[[nodiscard]] std::string replaced(std::string text, const std::string& from,
+                                   const std::string& to) {
+  const size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+class SceneFile : public InDirectory {
+ protected:
+  SceneFile() {
+    put("paint.png", encode_png(sample_raster(24, 18)));
+    put("pyramid.mtl", std::string(kMtl));
+    put("pyramid.obj", std::string(kObj));
+    put("scene.json", std::string(kScene));
+  }
+
+  // The message for a scene, or an OBJ file, in which a text is replaced.
+  std::string error_with(const std::string& from, const std::string& to) {
+    put("scene.json", replaced(kScene, from, to));
+    return error_of([] { (void)read_scene("scene.json"); });
+  }
+  std::string obj_error_with(const std::string& from, const std::string& to) {
+    put("pyramid.obj", replaced(kObj, from, to));
+    return error_of([] { (void)read_scene("scene.json"); });
+  }
+};
+
+TEST_F(SceneFile, ReadsAllThatItHolds) {
+  const scene::Scene scene = read_scene("scene.json");
+  EXPECT_EQ(scene.camera.position, scene::Vector3(0, 1, 5));
+  EXPECT_EQ(scene.camera.view_deg, 40);
+  EXPECT_EQ(scene.lighting.ambient, scene::Vector3(0.5, 0.5, 0.5));
+  ASSERT_EQ(scene.lighting.lamps.size(), 1U);
+  EXPECT_EQ(scene.background, (scene::Colour{0x10, 0x20, 0x30}));
+  EXPECT_EQ(scene.tolerance_texel, 0.25);
+  ASSERT_EQ(scene.objects.size(), 1U);
+  EXPECT_EQ(scene.objects[0].motion.spin_deg, 9);
+}
+
+TEST_F(SceneFile, ReadsAnObject) {
+  const scene::Scene scene = read_scene("scene.json");
+  const scene::Object& object = scene.objects.at(0);
+  ASSERT_EQ(object.vertices.size(), 5U);
+  EXPECT_EQ(object.vertices[4], scene::Vector3(-1, 0, -1));
+  ASSERT_EQ(object.faces.size(), 5U);
+  EXPECT_EQ(object.faces[4].corners.size(), 4U);  // n-gons are kept
+  const scene::Material& stone = object.materials.at(object.faces[0].material);
+  EXPECT_EQ(stone.colour, (scene::Colour{128, 64, 255}));
+  EXPECT_EQ(stone.shading, scene::Shading::kAmbient);  // the scene's word
+}
+
+TEST_F(SceneFile, TurnsTexturesOver) {
+  const scene::Scene scene = read_scene("scene.json");
+  const scene::Object& object = scene.objects.at(0);
+  const scene::Face& face = object.faces.at(2);
+  const scene::Material& front = object.materials.at(face.material);
+  EXPECT_EQ(front.shading, scene::Shading::kFlat);  // no illum
+  ASSERT_TRUE(front.texture);
+  const scene::TextureImage& image = scene.textures.at(*front.texture);
+  EXPECT_EQ(image.width_texel, 24);
+  EXPECT_EQ(image.height_texel, 18);
+  EXPECT_EQ(image.address, SELVAGE_ADDRESS_CLAMP);
+  EXPECT_EQ(image.rgba, sample_raster(24, 18).rgba);
+  EXPECT_EQ(face.corners[0].texture_texel, scene::Vector2(12, 0));
+  EXPECT_EQ(face.corners[1].texture_texel, scene::Vector2(0, 18));
+}
+
+TEST_F(SceneFile, TakesWholePeriodsOff) {
+  put("pyramid.mtl", replaced(kMtl, "-clamp on ", ""));
+  put("pyramid.obj",
+      replaced(kObj, "vt 0 0\nvt 1 0\nvt 0.5 1", "vt 5000 7000\nvt 5001 7000\nvt 5000.5 7001"));
+  const scene::Scene scene = read_scene("scene.json");
+  const scene::Face& face = scene.objects.at(0).faces.at(2);
+  EXPECT_EQ(scene.textures.at(0).address, SELVAGE_ADDRESS_WRAP);
+  EXPECT_EQ(face.corners[0].texture_texel, scene::Vector2(12, 0));
+  EXPECT_EQ(face.corners[1].texture_texel, scene::Vector2(0, 18));
+}
+
+TEST_F(SceneFile, NamesFileAndLineOfWhatIsWrongInIt) {
+  const auto expect = [&](const std::string& from, const std::string& to, int line,
+                          const std::string& words) {
+    const std::string error = error_with(from, to);
+    EXPECT_EQ(error.rfind("scene.json:" + std::to_string(line) + ": ", 0), 0U) << error;
+    expect_contains(error, words);
+  };
+  expect("[0, 1, 5]", "[0, 1, 5", 2, "not JSON");
+  expect("\"view_deg\"", "\"angle\"", 2, "camera/angle: unknown key");
+  expect("\"ambient\"", "\"camera\"", 3, "the key 'camera' stands twice");
+  expect("[0, 1, 5]", "[0, 1]", 2, "camera/position: [x, y, z] is needed, not [0,1]");
+  expect("40", "\"wide\"", 2, "camera/view_deg: a number is needed");
+  expect("40", "180", 2, "view_deg must be between");
+  expect("\"towards\": [0, 1, 1]", "", 4, "'towards' is missing");
+  expect("[0, 1, 1]", "[0, 0, 0]", 4, "a lamp needs a direction");
+  expect("#102030", "blue", 5, "background: ");
+  expect("0.25", "-1", 6, "tolerance: texels, 0 or more");
+  expect("\"file\"", "\"flie\"", 8, "unknown key");
+  expect("[0, 1, 0], \"spin", "[0, 0, 0], \"spin", 8, "axis");
+  expect("\"stone\"", "\"wood\"", 9, "there is no such material");
+  expect("\"ambient\"}", "\"shiny\"}", 9, "is no shading; these are: flat, ambient, diffuse");
+}
+
+TEST_F(SceneFile, NamesFileAndLineOfWhatIsWrongInAnObject) {
+  const auto expect = [&](const std::string& from, const std::string& to, int line,
+                          const std::string& words) {
+    const std::string error = obj_error_with(from, to);
+    EXPECT_EQ(error.rfind("pyramid.obj:" + std::to_string(line) + ": ", 0), 0U) << error;
+    expect_contains(error, words);
+  };
+  expect("v 0 1 0", "v 0 one 0", 3, "'one' is no finite number");
+  expect("v 0 1 0", "v 0 1", 3, "v needs 3 numbers");
+  expect("vt 1 0", "vt nan 0", 9, "'nan' is no finite number");
+  expect("pyramid.mtl", "gone.mtl", 2, "gone.mtl");
+  expect("f 1 3 4", "f 1 3", 13, "at least 3 corners, not 2");
+  expect("f 1 3 4", "f 1 3 9", 13, "no such vertex");
+  expect("f 1/3 4/1 5/2", "f 1/3 4 5/2", 15, "no texture coordinates");
+  expect("usemtl front", "usemtl back", 14, "there is no such material");
+  expect("f 2 5 4 3", "f 2 4 5 3", 18, "not convex");
+}
+
+TEST_F(SceneFile, NamesAFileThatIsNotThere) {
+  expect_contains(error_of([] { (void)read_scene("none.json"); }), "none.json");
+  expect_contains(error_with("pyramid.obj", "none.obj"), "none.obj");
+  put("scene.json", std::string(kScene));
+  put("pyramid.mtl", replaced(kMtl, "paint.png", "none.png"));
+  expect_contains(error_of([] { (void)read_scene("scene.json"); }), "none.png");
+}
+
+}  // namespace
+}  // namespace selvage::cli::test

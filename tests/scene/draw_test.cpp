@@ -1,0 +1,141 @@
+// From a scene to its pixels.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "bodies.h"
+#include "plane_face.h"
+#include "scene/draw.h"
+#include "scene/paints.h"
+
+namespace selvage::scene {
+namespace {
+
+inline constexpr Size kSize{96, 72};
+using Pixel = std::array<uint8_t, 4>;
+
+[[nodiscard]] std::vector<Pixel> picture(const Scene& scene, const Wish& wish, Hidden way) {
+  std::vector<Pixel> pixels(static_cast<size_t>(kSize.width_px) *
+                            static_cast<size_t>(kSize.height_px));
+  const selvage_image image{pixels.data(), kSize.width_px, kSize.height_px, kSize.width_px * 4,
+                            SELVAGE_RGBA8888};
+  EXPECT_EQ(draw(scene, compose(scene, 0, kSize, wish, way), image), SELVAGE_OK);
+  return pixels;
+}
+
+[[nodiscard]] TextureImage checks(int32_t side_texel) {
+  TextureImage image{side_texel, side_texel, {}, SELVAGE_ADDRESS_CLAMP};
+  for (int32_t t = 0; t < side_texel; ++t) {
+    for (int32_t s = 0; s < side_texel; ++s) {
+      const uint8_t level = (s + t) % 2 ? 200 : 100;
+      image.rgba.insert(image.rgba.end(), {level, static_cast<uint8_t>(s), 7, 255});
+    }
+  }
+  return image;
+}
+
+// A ball of textured faces and a cube that cuts through it.
+[[nodiscard]] Scene crossing_bodies() {
+  Scene scene;
+  scene.background = {1, 2, 3};
+  scene.lighting = {Vector3(0.25, 0.25, 0.25), {{Vector3(1, 1, 1), Vector3(0.5, 0.5, 0.5)}}};
+  scene.textures.push_back(checks(64));
+  scene.objects = {ball(9, 6), cube()};
+  scene.objects[0].materials[0].texture = 0;
+  scene.objects[0].motion.angle_deg = 20;
+  scene.objects[1].motion.scale = 0.7;
+  scene.objects[1].motion.axis = {1, 2, 3};
+  scene.objects[1].motion.angle_deg = 50;
+  scene.objects[1].materials[0].colour = {250, 120, 10};
+  return scene;
+}
+
+TEST(Paints, PutsTheLightIntoTheTexels) {
+  Scene scene;
+  scene.textures.push_back(checks(4));
+  Paints paints(scene);
+  const selvage_texture unlit = paints.texture({0, {}, {}});
+  EXPECT_EQ(unlit.texels, scene.textures[0].rgba.data());
+  const selvage_texture half = paints.texture({0, {128, 64, 0}, {}});
+  const auto* texel = static_cast<const uint8_t*>(half.texels) + 4;  // (1, 0): 200, 1, 7, 255
+  EXPECT_EQ(texel[0], 100);
+  EXPECT_EQ(texel[1], 0);
+  EXPECT_EQ(texel[2], 0);
+  EXPECT_EQ(texel[3], 255);
+  EXPECT_EQ(paints.texture({0, {128, 64, 0}, {}}).texels, half.texels);  // one copy for all
+  const selvage_texture colour = paints.texture({{}, {}, {9, 8, 7, 6}});
+  EXPECT_EQ(colour.width, 1);
+  EXPECT_EQ(static_cast<const uint8_t*>(colour.texels)[3], 6);
+}
+
+TEST(Draw, ShowsAFaceTowardsTheLampInItsColour) {
+  Scene scene;
+  scene.background = {1, 2, 3};
+  scene.lighting = {Vector3(0.2, 0.2, 0.2), {{Vector3(0, 0, 1), Vector3(0.4, 0.4, 0.4)}}};
+  scene.objects = {cube()};
+  scene.objects[0].materials[0].colour = {250, 100, 0};
+  const std::vector<Pixel> pixels = picture(scene, {}, Hidden::kScanLine);
+  EXPECT_EQ(pixels[0], (Pixel{1, 2, 3, 255}));
+  EXPECT_EQ(pixels[36 * 96 + 48], (Pixel{150, 60, 0, 255}));
+}
+
+// What scan lines show is drawn by the same plans: each pixel is that of some face drawn whole.
+TEST(Draw, ScanLinesChangeNoPixelOfWhatTheyShow) {
+  const Scene scene = crossing_bodies();
+  const Drawing scanned = compose(scene, 0, kSize, {}, Hidden::kScanLine);
+  const std::vector<Pixel> pixels = picture(scene, {}, Hidden::kScanLine);
+  std::vector<std::vector<Pixel>> alone;
+  for (size_t face = 0; face < scanned.view.faces.size(); ++face) {
+    Drawing one = scanned;
+    one.pieces = {{face, {0, 0, kSize.width_px, kSize.height_px}}};
+    alone.emplace_back(pixels.size());
+    const selvage_image image{alone.back().data(), kSize.width_px, kSize.height_px,
+                              kSize.width_px * 4, SELVAGE_RGBA8888};
+    ASSERT_EQ(draw(scene, one, image), SELVAGE_OK);
+  }
+  std::vector<bool> is_shown(pixels.size());
+  for (const Piece& piece : scanned.pieces) {
+    for (int32_t y = piece.clip.top; y < piece.clip.bottom; ++y) {
+      for (int32_t x = piece.clip.left; x < piece.clip.right; ++x) {
+        const size_t i = static_cast<size_t>(y * kSize.width_px + x);
+        if (alone[piece.face][i] == Pixel{1, 2, 3, 255}) continue;
+        EXPECT_EQ(pixels[i], alone[piece.face][i]) << x << ", " << y;
+        is_shown[i] = true;
+      }
+    }
+  }
+  EXPECT_GT(std::count(is_shown.begin(), is_shown.end(), true), 800);
+}
+
+TEST(Draw, PainterAgreesOnOneConvexBody) {
+  Scene scene = crossing_bodies();
+  scene.objects.pop_back();
+  EXPECT_EQ(picture(scene, {}, Hidden::kPainter), picture(scene, {}, Hidden::kScanLine));
+  scene = crossing_bodies();  // and need not where bodies cut through each other
+  EXPECT_NE(picture(scene, {}, Hidden::kPainter), picture(scene, {}, Hidden::kScanLine));
+}
+
+TEST(Draw, ToleranceChangesTexelsButNoOutline) {
+  const Scene scene = crossing_bodies();
+  const auto exact = picture(scene, {0, SELVAGE_FILTER_NEAREST}, Hidden::kScanLine);
+  const auto rough = picture(scene, {64, SELVAGE_FILTER_NEAREST}, Hidden::kScanLine);
+  int differ = 0;
+  for (size_t i = 0; i < exact.size(); ++i) {
+    EXPECT_EQ(exact[i] == (Pixel{1, 2, 3, 255}), rough[i] == (Pixel{1, 2, 3, 255}));
+    differ += exact[i] != rough[i];
+  }
+  EXPECT_GT(differ, 0);
+}
+
+TEST(Draw, AnEmptyViewIsTheBackground) {
+  Scene scene = crossing_bodies();
+  scene.camera.target = {0, 0, 10};
+  for (const Pixel& pixel : picture(scene, {}, Hidden::kScanLine)) {
+    EXPECT_EQ(pixel, (Pixel{1, 2, 3, 255}));
+  }
+}
+
+}  // namespace
+}  // namespace selvage::scene

@@ -1,0 +1,203 @@
+// What a face is drawn by keeps its bound, and the bound the tolerance, held against the exact
+// model.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "plane_face.h"
+#include "scene/plan.h"
+#include "spec/exact.h"
+#include "spec/gradient.h"
+
+namespace selvage::scene {
+namespace {
+
+inline constexpr Size kSize{400, 300};
+inline constexpr int kTexture = 512;
+inline constexpr double kTolerances[] = {0, 1.0 / 16, 0.25, 1, 4, 64};
+
+[[nodiscard]] Scene scene_with_texture() {
+  Scene scene;
+  TextureImage image{kTexture, kTexture, {}, SELVAGE_ADDRESS_CLAMP};
+  for (int t = 0; t < kTexture; ++t) {
+    for (int s = 0; s < kTexture; ++s) {
+      for (const int byte : {s & 255, s >> 8, t & 255, t >> 8}) {
+        image.rgba.push_back(static_cast<uint8_t>(byte));
+      }
+    }
+  }
+  scene.textures.push_back(image);
+  return scene;
+}
+
+struct Drawn {
+  std::vector<std::array<uint8_t, 4>> pixels;
+  selvage_choice choice{};
+};
+
+[[nodiscard]] Drawn draw(const Scene& scene, const ScreenFace& face, const Plan& plan) {
+  Drawn drawn;
+  drawn.pixels.resize(static_cast<size_t>(kSize.width_px) * static_cast<size_t>(kSize.height_px));
+  const selvage_image image{drawn.pixels.data(), kSize.width_px, kSize.height_px,
+                            kSize.width_px * 4, SELVAGE_RGBA8888};
+  const selvage_texture texture{
+      scene.textures[0].rgba.data(), kTexture, kTexture, kTexture * 4, SELVAGE_RGBA8888,
+      SELVAGE_LAYOUT_ROWS,           nullptr};
+  const std::vector<selvage_vertex> vertices = vertices_to_draw(face, plan);
+  EXPECT_EQ(
+      selvage_draw(&image, nullptr, vertices.data(), vertices.size(), &texture, &plan.options),
+      SELVAGE_OK);
+  EXPECT_EQ(selvage_choose(&image, nullptr, vertices.data(), vertices.size(), &texture,
+                           &plan.options, &drawn.choice),
+            SELVAGE_OK);
+  return drawn;
+}
+
+// How far an exact coordinate is from [texel, texel + 1).
+[[nodiscard]] double distance(const spec::Rational& exact, int texel) {
+  const double low = spec::Rational(texel - exact).get_d();
+  const double high = spec::Rational(exact - (texel + 1)).get_d();
+  return std::max({0.0, low, high});
+}
+
+// The greatest distance of a drawn texel from the exact u and v.
+[[nodiscard]] double measured(const ScreenFace& face, const Drawn& drawn, int64_t& pixels) {
+  double greatest = 0;
+  for (int y = 0; y < kSize.height_px; y += 5) {
+    const auto line = spec::scan_line(face.vertices, y);
+    if (!line) continue;
+    for (int x = 0; x < kSize.width_px; ++x) {
+      const auto sample = spec::sample(*line, x);
+      if (!sample) continue;
+      const auto& pixel = drawn.pixels[static_cast<size_t>(y * kSize.width_px + x)];
+      greatest = std::max({greatest, distance(sample->u, pixel[0] | pixel[1] << 8),
+                           distance(sample->v, pixel[2] | pixel[3] << 8)});
+      ++pixels;
+    }
+  }
+  return greatest;
+}
+
+[[nodiscard]] ScreenFace random_face(spec::Random& random) {
+  for (;;) {
+    const PlaneFace face(random, kSize, random.in(3, 7));
+    if (!face.is_beyond(0.3)) continue;
+    ScreenFace screen{0, 0, {}, 0, {0, {}, {}}};
+    EXPECT_EQ(snap(face.outline(), least_w(face.outline()), screen.vertices), SELVAGE_OK);
+    if (doubled_area_seen(screen.vertices) != 0) return screen;
+  }
+}
+
+TEST(Plan, MeasuredIsWithinItsBoundAndThatWithinTheTolerance) {
+  const Scene scene = scene_with_texture();
+  int64_t pixels = 0;
+  std::map<std::string, int> drawn_by;
+  double nearest_to_bound = 0;
+  for (uint64_t seed = 1; seed <= 250; ++seed) {
+    spec::Random random(seed);
+    const ScreenFace face = random_face(random);
+    const double tolerance = random.pick(kTolerances);
+    SCOPED_TRACE("seed " + std::to_string(seed) + ", tolerance " + std::to_string(tolerance));
+    const Plan chosen = plan(scene, face, {tolerance, SELVAGE_FILTER_NEAREST});
+    const Drawn drawn = draw(scene, face, chosen);
+    const double bound = chosen.affine ? chosen.bound_texel : drawn.choice.bound / kSubtexels;
+    const double found = measured(face, drawn, pixels);
+    EXPECT_LE(found, bound);
+    EXPECT_LE(bound, chosen.bound_texel);
+    EXPECT_LE(chosen.bound_texel, tolerance);
+    ++drawn_by[chosen.affine            ? "affine"
+               : drawn.choice.bound > 0 ? "by the mapper's choice"
+                                        : "exactly"];
+    if (bound > 0) nearest_to_bound = std::max(nearest_to_bound, found / bound);
+  }
+  std::cout << pixels << " pixels; nearest to a bound: " << nearest_to_bound << " of it\n";
+  for (const auto& [name, count] : drawn_by) std::cout << name << ": " << count << " faces\n";
+  EXPECT_GT(pixels, 20000);
+  EXPECT_GT(drawn_by["affine"], 20);
+  EXPECT_GT(drawn_by["by the mapper's choice"], 20);
+  EXPECT_GT(nearest_to_bound, 0.1);  // a bound that nothing comes near says little
+}
+
+// The bound of affine is one that two corners reach.
+TEST(Plan, AffineBoundIsReached) {
+  const double ratio = 4;  // (2 - 1) / (2 + 1) of the range, at two thirds of the way
+  const std::vector<selvage_vertex> vertices = {
+      {0, 0, 0, 0, 1 << 20}, {256 * 300, 0, 300 << 16, 0, 1 << 22}, {0, 256 * 10, 0, 0, 1 << 20}};
+  const double bound = affine_bound_texel(vertices);
+  EXPECT_NEAR(bound, 300 * (std::sqrt(ratio) - 1) / (std::sqrt(ratio) + 1), 1e-6);
+  double greatest = 0;
+  for (int x = 0; x < 280; ++x) {
+    std::vector<selvage_vertex> affine = vertices;
+    for (selvage_vertex& vertex : affine) vertex.q = 1;
+    const auto exact = spec::sample(vertices, x, 0), drawn = spec::sample(affine, x, 0);
+    if (exact && drawn)
+      greatest = std::max(greatest, std::abs(spec::Rational(exact->u - drawn->u).get_d()));
+  }
+  EXPECT_LE(greatest, bound);
+  EXPECT_GT(greatest, 0.98 * bound);
+}
+
+TEST(Plan, NothingIsAffineWithoutToleranceUnlessItIsExact) {
+  const Scene scene = scene_with_texture();
+  ScreenFace face{
+      0, 0, {{0, 0, 0, 0, 5}, {9999, 0, 1 << 20, 0, 6}, {0, 9999, 0, 1 << 20, 5}}, 0, {0, {}, {}}};
+  EXPECT_FALSE(plan(scene, face, {}).affine);
+  EXPECT_EQ(plan(scene, face, {}).options.tolerance, 0);
+  face.vertices[1].q = 5;
+  EXPECT_TRUE(plan(scene, face, {}).affine);
+  face.vertices[1].q = 500000;
+  face.paint.texture.reset();
+  EXPECT_TRUE(plan(scene, face, {}).affine);  // one colour
+}
+
+// Nearest only where every pixel is at most a texel wide, by the model's own derivatives.
+TEST(Plan, FootprintsAreWithinTheirBound) {
+  int64_t pixels = 0;
+  double nearest_to_bound = 0;
+  for (uint64_t seed = 1; seed <= 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    spec::Random random(seed);
+    ScreenFace face = random_face(random);
+    face.vertices.resize(3);
+    if (doubled_area_seen(face.vertices) == 0) continue;
+    const double bound = texels_per_px_bound(face.vertices);
+    for (int y = 0; y < kSize.height_px; y += 11) {
+      const auto line = spec::scan_line(face.vertices, y);
+      for (int x = 0; x < kSize.width_px; x += 5) {
+        if (!line || !spec::sample(*line, x)) continue;
+        const auto gradient = spec::gradient(face.vertices, x, y);
+        ASSERT_TRUE(gradient);
+        const spec::Rational u = abs(gradient->u_along_x) + abs(gradient->u_along_y);
+        const spec::Rational v = abs(gradient->v_along_x) + abs(gradient->v_along_y);
+        const double here = std::max(u.get_d(), v.get_d());
+        ASSERT_LE(here, bound) << x << ", " << y;
+        nearest_to_bound = std::max(nearest_to_bound, here / bound);
+        ++pixels;
+      }
+    }
+  }
+  std::cout << pixels << " pixels; nearest to a bound: " << nearest_to_bound << " of it\n";
+  EXPECT_GT(pixels, 2000);
+  EXPECT_GT(nearest_to_bound, 0.9);
+}
+
+TEST(Plan, TakesTheFilterThatTheScaleNeeds) {
+  const Scene scene = scene_with_texture();
+  const auto filter_at = [&](int32_t texels, std::optional<selvage_filter> wished) {
+    const ScreenFace face{
+        0,
+        0,
+        {{0, 0, 0, 0, 1}, {100 * 256, 0, texels << 16, 0, 1}, {0, 100 * 256, 0, texels << 16, 1}},
+        0,
+        {0, {}, {}}};
+    return plan(scene, face, {0, wished}).options.filter;
+  };
+  EXPECT_EQ(filter_at(99, {}), SELVAGE_FILTER_NEAREST);
+  EXPECT_EQ(filter_at(101, {}), SELVAGE_FILTER_AREA);
+  EXPECT_EQ(filter_at(101, SELVAGE_FILTER_BILINEAR), SELVAGE_FILTER_BILINEAR);
+}
+
+}  // namespace
+}  // namespace selvage::scene
