@@ -51,7 +51,7 @@ TEST_F(Corpus, NamesTheFileThatIsNoCase) {
 
 // Whoever reads while others write sees whole cases and no half ones.
 TEST_F(Corpus, MayBeWrittenByManyAtOnce) {
-  constexpr uint32_t kCases = 20;
+  static constexpr uint32_t kCases = 20;
   (void)read_corpus("known");
   const auto write = [] {
     for (uint32_t choice = 0; choice < kCases; ++choice) {
