@@ -15,7 +15,9 @@ std::string text_of(const json& values, const char* key) {
 
 // As it calls itself, or where it could not be asked by its file.
 std::string name_of(const json& subject) {
-  return text_of(subject, subject.contains("subject") ? "subject" : "id");
+  const std::string name = text_of(subject, subject.contains("subject") ? "subject" : "id");
+  const std::string profile = text_of(subject, "profile");
+  return profile.empty() || profile == "exact" ? name : name + ", " + profile;
 }
 
 // "defect", "convention", ...; what nobody has looked at is no defect yet.

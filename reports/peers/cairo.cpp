@@ -2,6 +2,7 @@
 #include <cairo.h>
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <stdexcept>
 
@@ -32,9 +33,40 @@ Owned<cairo_surface_t> surface_over(const void* pixels, int32_t width_px, int32_
   return surface;
 }
 
+// Copies `height` rows.
+void copy_rows(unsigned char* to, ptrdiff_t to_pitch, const void* from, ptrdiff_t from_pitch,
+               size_t row_bytes, int32_t height) {
+  for (int32_t y = 0; y < height; ++y)
+    std::memcpy(to + y * to_pitch, static_cast<const char*>(from) + y * from_pitch, row_bytes);
+}
+
+size_t row_bytes_of(int32_t width_px) { return static_cast<size_t>(width_px) * 2; }
+
+// RGB565 in memory of Cairo's own, whose rows begin at multiples of four bytes.
+Owned<cairo_surface_t> copy_of(const void* pixels, int32_t width_px, int32_t height_px,
+                               ptrdiff_t pitch_bytes) {
+  const Owned<cairo_surface_t> surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB16_565, width_px, height_px),
+      cairo_surface_destroy);
+  demand(cairo_surface_status(surface.get()));
+  cairo_surface_flush(surface.get());
+  copy_rows(cairo_image_surface_get_data(surface.get()),
+            cairo_image_surface_get_stride(surface.get()), pixels, pitch_bytes,
+            row_bytes_of(width_px), height_px);
+  cairo_surface_mark_dirty(surface.get());
+  return surface;
+}
+
+Owned<cairo_surface_t> surface_for(selvage_format format, const void* pixels, int32_t width_px,
+                                   int32_t height_px, ptrdiff_t pitch_bytes) {
+  return format == SELVAGE_RGB565 ? copy_of(pixels, width_px, height_px, pitch_bytes)
+                                  : surface_over(pixels, width_px, height_px, pitch_bytes);
+}
+
 Owned<cairo_pattern_t> pattern_of(const Canvas& canvas) {
   const selvage_texture& texture = canvas.texture;
-  const auto source = surface_over(texture.texels, texture.width, texture.height, texture.pitch);
+  const auto source =
+      surface_for(texture.format, texture.texels, texture.width, texture.height, texture.pitch);
   const Owned<cairo_pattern_t> pattern(cairo_pattern_create_for_surface(source.get()),
                                        cairo_pattern_destroy);
   const bool bilinear = canvas.filter == SELVAGE_FILTER_BILINEAR;
@@ -47,8 +79,9 @@ Owned<cairo_pattern_t> pattern_of(const Canvas& canvas) {
 class CairoPainter : public Painter {
  public:
   explicit CairoPainter(const Canvas& canvas)
-      : surface_(surface_over(canvas.target.pixels, canvas.target.width, canvas.target.height,
-                              canvas.target.pitch)),
+      : target_(canvas.target),
+        surface_(surface_for(target_.format, target_.pixels, target_.width, target_.height,
+                             target_.pitch)),
         pattern_(pattern_of(canvas)),
         cairo_(cairo_create(surface_.get()), cairo_destroy) {
     cairo_set_antialias(cairo_.get(), CAIRO_ANTIALIAS_NONE);
@@ -63,6 +96,11 @@ class CairoPainter : public Painter {
     for (const Polygon& polygon : polygons) draw(polygon);
     cairo_surface_flush(surface_.get());
     demand(cairo_status(cairo_.get()));
+    if (target_.format == SELVAGE_RGB565)
+      copy_rows(static_cast<unsigned char*>(target_.pixels), target_.pitch,
+                cairo_image_surface_get_data(surface_.get()),
+                cairo_image_surface_get_stride(surface_.get()), row_bytes_of(target_.width),
+                target_.height);
   }
 
  private:
@@ -81,6 +119,7 @@ class CairoPainter : public Painter {
     cairo_fill(cairo_.get());
   }
 
+  const selvage_image target_;
   Owned<cairo_surface_t> surface_;
   Owned<cairo_pattern_t> pattern_;
   Owned<cairo_t> cairo_;

@@ -154,6 +154,12 @@ class LlvmpipePainter : public Painter {
   [[nodiscard]] std::unique_ptr<Uploaded> uploaded() const {
     context_.draw_into(canvas_.target);
     if (canvas_.opaque) Context::clear();
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    const int32_t longest = std::max({canvas_.texture.width, canvas_.texture.height,
+                                      canvas_.target.width, canvas_.target.height});
+    if (longest > most)
+      throw Inexpressible("a side is beyond GL_MAX_TEXTURE_SIZE, the target's limit here too");
     return std::make_unique<Uploaded>(canvas_);
   }
 

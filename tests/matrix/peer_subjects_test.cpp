@@ -1,6 +1,7 @@
 // That each peer's library loads, says what it promises and draws what it is asked to.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -41,6 +42,12 @@ constexpr std::chrono::seconds kPatience{20};
   return spec::within(subject.claims, c);
 }
 
+// Whether the texels are neighbours: SDL leaves the last row and column of what is mapped out.
+[[nodiscard]] bool are_near(const spec::Case& c, uint32_t a, uint32_t b) {
+  const spec::Texel one = spec::texel_bits(c.format, a), two = spec::texel_bits(c.format, b);
+  return std::abs(one.s - two.s) <= 1 && std::abs(one.t - two.t) <= 1;
+}
+
 TEST(PeerSubjects, LoadAndDrawATriangleWhereItIs) {
   const auto found = libraries();
   if (found.empty()) GTEST_SKIP() << "no peer was found when this was configured";
@@ -52,17 +59,20 @@ TEST(PeerSubjects, LoadAndDrawATriangleWhereItIs) {
     const spec::Picture drawn = spec::draw(subject, c), model = spec::expected(c);
     EXPECT_EQ(drawn.status, SELVAGE_OK);
     EXPECT_EQ(drawn.memory_fault, "");
-    int covered = 0, same = 0, extra = 0;
+    int covered = 0, same = 0, near = 0, extra = 0;
     for (size_t i = 0; i < model.pixels.size(); ++i) {
       covered += model.pixels[i] ? 1 : 0;
       same += model.pixels[i] && drawn.pixels[i] == model.pixels[i] ? 1 : 0;
+      near += model.pixels[i] && drawn.pixels[i] && are_near(c, *model.pixels[i], *drawn.pixels[i])
+                  ? 1
+                  : 0;
       extra += drawn.pixels[i] && !model.pixels[i] ? 1 : 0;
     }
-    std::cout << subject.name << ": " << same << " of " << covered << " px exact, " << extra
-              << " extra\n";
+    std::cout << subject.name << ": " << same << " of " << covered << " px exact, " << near
+              << " within a texel, " << extra << " extra\n";
     // Edges of 30 and 25 pixels, each of which a peer may have by a rule of its own.
     EXPECT_GT(covered, 250);
-    EXPECT_GT(same * 4, covered * 3);
+    EXPECT_GT(near * 10, covered * 9);
     EXPECT_LE(extra, 60);
   }
 }
