@@ -11,7 +11,7 @@ from pathlib import Path
 
 SIZE = 192      # texels a side
 SAMPLES = 4     # a side, per texel
-MERIDIANS, PARALLELS = 18, 9
+MERIDIANS, PARALLELS = 12, 7
 
 
 def png(path, rows):
@@ -134,14 +134,14 @@ def ball_faces():
     last = 1 + (PARALLELS - 1) * MERIDIANS
     at = lambda p, m: 0 if p == 0 else last if p == PARALLELS else 1 + (p - 1) * MERIDIANS + m % MERIDIANS
     middle = PARALLELS // 2
-    textured = {(middle, 0): "window", (middle, 3): "solar", (middle, MERIDIANS - 3): "hatch",
-                (middle, 6): "solar", (middle, 9): "window", (middle, 12): "hatch"}
+    textured = {(middle, 0): "window", (middle, 2): "solar", (middle, 4): "hatch",
+                (middle, 6): "window", (middle, 8): "solar", (middle, 10): "hatch"}
     for p in range(PARALLELS):
         for m in range(MERIDIANS):
             corners = [at(p, m), at(p + 1, m), at(p + 1, m + 1), at(p, m + 1)]
             corners = list(dict.fromkeys(corners))
             plain = "cap" if p in (0, PARALLELS - 1) else "blue" if (p + m) % 2 else "grey"
-            if p in (middle - 2, middle + 2) and m % 6 == 3:
+            if p in (middle - 2, middle + 2) and m % 4 == 3:
                 plain = "lamp"
             yield corners, textured.get((p, m), plain)
 
@@ -179,7 +179,7 @@ def write_ball(path):
     path.write_text("\n".join(lines) + "\n")
 
 
-def write_ring(path, inner=0.8, outer=1.55, parts=36):
+def write_ring(path, inner=0.9, outer=1.42, parts=36):
     """A flat ring that the ball cuts through."""
     lines = ["# Drawn by draw.py.", "mtllib station.mtl"]
     for k in range(parts):

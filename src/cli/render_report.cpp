@@ -5,6 +5,7 @@
 
 #include "cli/error.h"
 #include "cli/job.h"
+#include "cli/number.h"
 #include "scene/paints.h"
 
 namespace selvage::cli {
@@ -129,10 +130,11 @@ std::string explanation_text(const ordered_json& faces) {
     text << face["object"].get<std::string>() << " face " << face["face"] << ": "
          << face["method"].get<std::string>();
     if (face["segment_px"] > 0) text << " every " << face["segment_px"] << " px";
-    text << ", " << face["filter"].get<std::string>() << "; off by at most " << face["bound_texel"]
-         << " texel; depths 1:" << face["depth_ratio"] << ", affine " << face["affine_bound_texel"]
-         << " texel, " << face["texels_per_px"] << " texels a pixel; "
-         << face["reason"].get<std::string>() << '\n';
+    text << ", " << face["filter"].get<std::string>() << "; off by at most "
+         << show(face["bound_texel"]) << " texel; depths 1:" << show(face["depth_ratio"])
+         << ", affine " << show(face["affine_bound_texel"]) << " texel, "
+         << show(face["texels_per_px"]) << " texels a pixel; " << face["reason"].get<std::string>()
+         << '\n';
   }
   return text.str();
 }
