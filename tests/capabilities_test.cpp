@@ -25,6 +25,7 @@ namespace {
   some[10].any_texture_side = false;
   some[11].outside_texels = false;
   some[11].any_texture_side = false;
+  some[11].addresses = only(SELVAGE_ADDRESS_CLAMP);
   some[9].winding = Winding::kClockwise;
   some[9].most_vertices = 4;
   some[9].perspective = false;
@@ -96,7 +97,9 @@ TEST(Capabilities, LeaveARightMapperRight) {
       EXPECT_FALSE(verdict.violation) << explain(*verdict.violation);
       EXPECT_GT(verdict.judged_px, 0u) << law.name;
       for (const auto& [what, cases] : verdict.not_claimed) {
-        EXPECT_LE(cases, 20u) << law.name << " is left out for " << what;
+        // Laws that move or make texture coordinates leave the texture often.
+        EXPECT_LE(cases, claims.outside_texels ? 20u : 60u)
+            << law.name << " is left out for " << what;
       }
     }
   }
