@@ -79,8 +79,8 @@ struct Drawing {
 }
 
 TEST(TextureBounds, AreKeptByEveryKernel) {
-  constexpr int32_t kWidth_px = 70, kHeight_px = 12;
-  std::vector<uint32_t> row(kWidth_px * kHeight_px);
+  constexpr int32_t kWidths_px[] = {70, 9, 30, 70}, kHeight_px = 12;
+  std::vector<uint32_t> row(kWidths_px[0] * kHeight_px);
   for (uint64_t seed = 1; seed <= 1500; ++seed) {
     SCOPED_TRACE(seed);
     Drawing d = any_drawing(seed);
@@ -96,7 +96,8 @@ TEST(TextureBounds, AreKeptByEveryKernel) {
                                   d.format,
                                   SELVAGE_LAYOUT_ROWS,
                                   nullptr};
-    const selvage_image target{row.data(), kWidth_px, kHeight_px, kWidth_px * bytes_of(d.format),
+    const int32_t width_px = kWidths_px[seed % 4];
+    const selvage_image target{row.data(), width_px, kHeight_px, width_px * bytes_of(d.format),
                                d.format};
     for (const selvage_kernel kernel : usable_kernels()) {
       d.options.kernel = kernel;

@@ -58,8 +58,12 @@ struct Slope {
   return c;
 }
 
-TEST(Window, EveryKernelDrawsWhatTheScalarOneDraws) {
-  for (uint64_t seed = 1; seed <= 20000; ++seed) {
+// A block of seeds.
+class Window : public testing::TestWithParam<uint64_t> {};
+
+TEST_P(Window, EveryKernelDrawsWhatTheScalarOneDraws) {
+  constexpr uint64_t kSeeds = 500;
+  for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
     const spec::Case c = any_case(seed);
     const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR);
     for (const selvage_kernel kernel : usable_kernels()) {
@@ -69,6 +73,8 @@ TEST(Window, EveryKernelDrawsWhatTheScalarOneDraws) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Block, Window, testing::Range(uint64_t{0}, uint64_t{40}));
 
 }  // namespace
 }  // namespace selvage::mapper
