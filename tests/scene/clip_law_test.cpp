@@ -63,7 +63,7 @@ class Pictures {
   Pictures() : texels_(kTexture * kTexture) {
     for (int t = 0; t < kTexture; ++t) {
       for (int s = 0; s < kTexture; ++s)
-        texels_[t * kTexture + s] = static_cast<uint32_t>(s | t << 16);
+        texels_[static_cast<size_t>(t * kTexture + s)] = static_cast<uint32_t>(s | t << 16);
     }
   }
 
