@@ -68,7 +68,7 @@ TEST(MutateCase, StaysInRangeFromTheEndsOfEveryRange) {
   }
 }
 
-// A triangle over 8 x 8 px whose right edge has a slope of dx / 8 px a row.
+// A triangle over 8 x 8 px whose right edge leans by dx over a height that no row divides.
 [[nodiscard]] Case triangle(int32_t dx_fx8, int32_t du_fx16, int32_t u_fx16 = 32768) {
   Case c;
   c.target_width_px = c.target_height_px = 8;
@@ -76,7 +76,7 @@ TEST(MutateCase, StaysInRangeFromTheEndsOfEveryRange) {
     return selvage_vertex{x, y, u, 20000, 1};
   };
   c.vertices = {vertex(0, 0, u_fx16), vertex(1024, 0, u_fx16 + du_fx16),
-                vertex(1024 + dx_fx8, 2048, u_fx16 + du_fx16)};
+                vertex(1024 + dx_fx8, 2047, u_fx16 + du_fx16)};
   return c;
 }
 

@@ -73,6 +73,8 @@ TEST(Host, ReadsClaims) {
                                   .negative_pitch = false,
                                   .concave = false,
                                   .named_errors = false,
+                                  .any_texture_side = false,
+                                  .outside_texels = false,
                                   .longest_side_px = 40,
                                   .longest_side_texel = 64,
                                   .most_vertices = 3};
