@@ -96,15 +96,18 @@ void expect_materials(const Parsed& parsed, const std::string& file, const ObjLi
 
 [[nodiscard]] scene::Material material_of(const tinyobj::material_t& source,
                                           const std::filesystem::path& folder,
-                                          scene::Scene& scene) {
+                                          const TextureFiles& textures, scene::Scene& scene) {
   scene::Material material;
   material.name = source.name;
   material.colour = {level(source.diffuse[0]), level(source.diffuse[1]), level(source.diffuse[2])};
   material.shading = source.illum >= 1 ? scene::Shading::kDiffuse : scene::Shading::kFlat;
   if (!source.diffuse_texname.empty()) {
+    const auto other = textures.find(source.name);
+    const std::filesystem::path path =
+        other == textures.end() ? folder / source.diffuse_texname : other->second;
     material.texture = scene.textures.size();
     scene.textures.push_back(about("material '" + source.name + "'", [&] {
-      return read_texture(folder / source.diffuse_texname, source.diffuse_texopt.clamp);
+      return read_texture(path, source.diffuse_texopt.clamp);
     }));
   }
   return material;
@@ -176,7 +179,8 @@ void add_faces(const Parsed& parsed, const std::string& file, const ObjLines& li
 
 }  // namespace
 
-scene::Object read_obj(const std::filesystem::path& path, scene::Scene& scene) {
+scene::Object read_obj(const std::filesystem::path& path, const TextureFiles& textures,
+                       scene::Scene& scene) {
   const std::string text = read_text_file(path), file = path.string();
   const ObjLines lines = check_obj_lines(file, text);
   const Parsed parsed = parse(path, text, lines);
@@ -188,7 +192,7 @@ scene::Object read_obj(const std::filesystem::path& path, scene::Scene& scene) {
     object.vertices.emplace_back(v[i], v[i + 1], v[i + 2]);
   for (const tinyobj::material_t& material : parsed.materials) {
     object.materials.push_back(
-        about(file, [&] { return material_of(material, path.parent_path(), scene); }));
+        about(file, [&] { return material_of(material, path.parent_path(), textures, scene); }));
   }
   object.materials.emplace_back();  // of faces before any usemtl
   object.materials.back().colour = {204, 204, 204};

@@ -6,13 +6,19 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
 
 #include "scene/object.h"
 #include "scene/scene.h"
 
 namespace selvage::cli {
 
+// Pictures in the place of those that materials name, by material.
+using TextureFiles = std::map<std::string, std::filesystem::path>;
+
 // Textures are added to the scene's. Errors name the file and, where it is one line's, the line.
-[[nodiscard]] scene::Object read_obj(const std::filesystem::path& path, scene::Scene& scene);
+[[nodiscard]] scene::Object read_obj(const std::filesystem::path& path,
+                                     const TextureFiles& textures, scene::Scene& scene);
 
 }  // namespace selvage::cli

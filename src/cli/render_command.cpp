@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "cli/apng.h"
 #include "cli/error.h"
 #include "cli/file.h"
 #include "cli/job.h"
@@ -41,6 +42,25 @@ inline constexpr int32_t kMostSide_px = 16384;  // the scene's guard band
   return size;
 }
 
+[[nodiscard]] bool is_animation(const RenderOptions& options) {
+  return std::filesystem::path(options.output).extension() == ".apng";
+}
+
+// "NAME=FILE" each.
+[[nodiscard]] TextureFiles parse_textures(const std::vector<std::string>& texts) {
+  TextureFiles files;
+  for (const std::string& text : texts) {
+    const size_t split = text.find('=');
+    if (split == 0 || split == std::string::npos || split + 1 == text.size()) {
+      throw UserError("'" + text + "': MATERIAL=FILE is needed");
+    }
+    if (!files.emplace(text.substr(0, split), text.substr(split + 1)).second) {
+      throw UserError("'" + text.substr(0, split) + "' stands twice");
+    }
+  }
+  return files;
+}
+
 void check(const RenderOptions& options) {
   if (options.frames < 1 || options.frames > kMostFrames) {
     throw UserError("--frames: 1 to " + std::to_string(kMostFrames) + " are possible");
@@ -49,20 +69,42 @@ void check(const RenderOptions& options) {
   if (!(options.frames_per_s > 0) || !std::isfinite(options.frames_per_s)) {
     throw UserError("--rate: a number of frames a second, above 0, is needed");
   }
-  if (std::filesystem::path(options.output).extension() != ".png") {
-    throw UserError("cannot write '" + options.output + "': the output is a PNG; name it .png");
+  if (std::filesystem::path(options.output).extension() != ".png" && !is_animation(options)) {
+    throw UserError("cannot write '" + options.output +
+                    "': the output is a PNG or an animated PNG; name it .png or .apng");
   }
 }
 
-// Of one frame the name as it is; of several "name-00001.png" and so on.
+// Of one frame, and of an animation, the name as it is; of several "name-00001.png" and so on.
 [[nodiscard]] std::string frame_name(const RenderOptions& options, int32_t frame) {
-  if (options.frames == 1) return options.output;
+  if (options.frames == 1 || is_animation(options)) return options.output;
   char number[16];
   std::snprintf(number, sizeof number, "-%05d", frame + 1);
   std::filesystem::path name = options.output;
   name.replace_filename(name.stem().string() + number + name.extension().string());
   return name.string();
 }
+
+// Where the frames go: files of their own, or one animation.
+class Output {
+ public:
+  explicit Output(const RenderOptions& options) : options_(options) {
+    for (int32_t i = 0; i < options.frames; ++i) check_output(frame_name(options, i));
+    if (!is_animation(options)) return;
+    animation_.emplace(static_cast<uint32_t>(options.frames),
+                       about("--rate", [&] { return frame_delay(options.frames_per_s); }));
+  }
+
+  void add(int32_t frame, const Raster& raster) {
+    if (!animation_) return write_file(frame_name(options_, frame), encode_png(raster));
+    animation_->add(raster);
+    if (frame + 1 == options_.frames) write_file(options_.output, animation_->finish());
+  }
+
+ private:
+  const RenderOptions& options_;
+  std::optional<Apng> animation_;
+};
 
 [[nodiscard]] int64_t since_ns(std::chrono::steady_clock::time_point start) {
   return std::chrono::nanoseconds(std::chrono::steady_clock::now() - start).count();
@@ -96,8 +138,10 @@ int run_render(const RenderOptions& options, const Console& console) {
   const scene::Hidden hidden = about("--hidden", [&] { return parse_hidden(options.hidden); });
   scene::Wish wish;
   wish.filter = about("--filter", [&] { return parse_wished_filter(options.filter); });
-  for (int32_t i = 0; i < options.frames; ++i) check_output(frame_name(options, i));
-  const scene::Scene scene = read_scene(options.scene);
+  const TextureFiles textures =
+      about("--texture", [&] { return parse_textures(options.textures); });
+  Output output(options);
+  const scene::Scene scene = read_scene(options.scene, textures);
   wish.tolerance_texel = scene.tolerance_texel;
   if (!options.tolerance.empty()) {
     wish.tolerance_texel = about(
@@ -118,7 +162,7 @@ int run_render(const RenderOptions& options, const Console& console) {
       one.draw_ns = frame.draw_ns;
       stats.add(one);
     }
-    write_file(frame_name(options, i), encode_png(to_raster(std::move(frame.picture))));
+    output.add(i, to_raster(std::move(frame.picture)));
   }
   if (options.stats) told["stats"] = stats_json(stats, options.frames);
   if (options.json) {

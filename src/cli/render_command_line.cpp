@@ -10,6 +10,7 @@ constexpr const char* kRenderText = R"(Examples:
   selvage render scenes/station/station.json -o station.png --size 640x480
   selvage render scenes/station/station.json -o out.png --tolerance 0.25 --explain --stats
   selvage render scenes/station/station.json -o frame.png --frames 50 --rate 25
+  selvage render scenes/globe/globe.json -o globe.apng --frames 100 --texture earth=earth.jpg
 
 A scene:
   {"camera": {"position": [0, 1, 4], "target": [0, 0, 0], "up": [0, 1, 0], "view_deg": 45,
@@ -21,8 +22,8 @@ A scene:
                 "two_sided": false, "shading": {"steel": "ambient"}}]}
 Only "objects" with a "file" each is needed: Wavefront OBJ, of plane convex faces that run
 anticlockwise as seen from outside. Materials: Kd, map_Kd (PNG or JPEG) and illum, 0 for colours as
-they are, 1 and more for light. velocity and spin_deg are per second. Several frames get names of
-their own: frame-00001.png and so on.
+they are, 1 and more for light. velocity and spin_deg are per second. Several frames go into one
+animation, x.apng, or into files of their own, x-00001.png and so on.
 
 Exit codes: 0 fine; 2 wrong use, or a file that cannot be read or written.
 )";
@@ -30,11 +31,14 @@ Exit codes: 0 fine; 2 wrong use, or a file that cannot be read or written.
 }  // namespace
 
 CLI::App* add_render(CLI::App& program, RenderOptions& options) {
-  CLI::App* render = program.add_subcommand("render", "Draw a scene of moving objects, to PNG");
+  CLI::App* render =
+      program.add_subcommand("render", "Draw a scene of moving objects, to PNG or animated PNG");
   render->add_option("scene", options.scene, "Scene: JSON, see below")
       ->required()
       ->type_name("FILE");
-  render->add_option("-o,--output", options.output, "PNG to write")->required()->type_name("FILE");
+  render->add_option("-o,--output", options.output, "PNG to write, or animated PNG (.apng)")
+      ->required()
+      ->type_name("FILE");
   render->add_option("--size", options.size, "Size of the picture")
       ->type_name("WxH")
       ->capture_default_str();
@@ -62,6 +66,10 @@ CLI::App* add_render(CLI::App& program, RenderOptions& options) {
                    "What hides what: scan-line (exact, at every pixel) or painter (by faces)")
       ->type_name("WAY")
       ->capture_default_str();
+  render
+      ->add_option("--texture", options.textures,
+                   "Another picture in the place of a material's texture; may be given again")
+      ->type_name("MATERIAL=FILE");
   render->add_flag("--explain", options.explain,
                    "Print what each face of the first frame is drawn by, and why");
   render->add_flag("--stats", options.stats, "Print how much was drawn, and how fast");

@@ -1,6 +1,7 @@
 #include "cli/scene_file.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 
 #include "cli/error.h"
@@ -81,7 +82,26 @@ void set_shadings(const JsonNode& node, scene::Object& object) {
   }
 }
 
-void add_object(const JsonNode& node, const std::filesystem::path& folder, scene::Scene& scene) {
+// Each of these is some material's that has a texture.
+void expect_used(const TextureFiles& textures, const scene::Scene& scene) {
+  std::set<std::string> known;
+  for (const scene::Object& object : scene.objects) {
+    for (const scene::Material& material : object.materials) {
+      if (material.texture) known.insert(material.name);
+    }
+  }
+  for (const auto& [name, path] : textures) {
+    if (known.contains(name)) continue;
+    std::string these;
+    for (const std::string& material : known) these += (these.empty() ? "" : ", ") + material;
+    throw UserError(
+        "'" + path.string() + "': '" + name +
+        "' is no material with a texture; these are: " + (these.empty() ? "none" : these));
+  }
+}
+
+void add_object(const JsonNode& node, const std::filesystem::path& folder,
+                const TextureFiles& textures, scene::Scene& scene) {
   node.expect_keys({"file", "position", "velocity", "axis", "angle_deg", "spin_deg", "scale",
                     "two_sided", "shading"});
   const JsonNode file = node.at("file");
@@ -91,7 +111,7 @@ void add_object(const JsonNode& node, const std::filesystem::path& folder, scene
   scene::Scene with_motion;
   with_motion.objects = {alone};
   expect_no_problem(node, with_motion);
-  scene::Object object = read_obj(folder / file.text(), scene);
+  scene::Object object = read_obj(folder / file.text(), textures, scene);
   object.motion = alone.motion;
   if (node.has("two_sided")) object.two_sided = node.at("two_sided").boolean();
   if (node.has("shading")) set_shadings(node.at("shading"), object);
@@ -115,7 +135,7 @@ void add_object(const JsonNode& node, const std::filesystem::path& folder, scene
 
 }  // namespace
 
-scene::Scene read_scene(const std::filesystem::path& path) {
+scene::Scene read_scene(const std::filesystem::path& path, const TextureFiles& textures) {
   const LocatedJson located = parse_located(path.string(), read_text_file(path));
   const JsonNode root(located);
   root.expect_keys({"camera", "ambient", "lamps", "background", "tolerance", "objects"});
@@ -131,7 +151,8 @@ scene::Scene read_scene(const std::filesystem::path& path) {
   if (root.has("tolerance")) scene.tolerance_texel = tolerance_of(root.at("tolerance"));
   const std::vector<JsonNode> objects = root.at("objects").elements();
   if (objects.empty()) root.at("objects").fail("at least one object is needed");
-  for (const JsonNode& object : objects) add_object(object, path.parent_path(), scene);
+  for (const JsonNode& object : objects) add_object(object, path.parent_path(), textures, scene);
+  expect_used(textures, scene);
   expect_no_problem(root, scene);
   return scene;
 }

@@ -3,11 +3,14 @@
 
 #include <filesystem>
 
+#include "cli/obj_file.h"
 #include "scene/scene.h"
 
 namespace selvage::cli {
 
 // Files in it are named from its own folder. Errors are UserErrors "FILE:LINE: what is wrong".
-[[nodiscard]] scene::Scene read_scene(const std::filesystem::path& path);
+// Each of the textures takes the place of one that a material names.
+[[nodiscard]] scene::Scene read_scene(const std::filesystem::path& path,
+                                      const TextureFiles& textures = {});
 
 }  // namespace selvage::cli
