@@ -1,8 +1,10 @@
 #include "cli/render_command.h"
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "cli/apng.h"
 #include "cli/png.h"
 #include "support.h"
 
@@ -71,6 +73,43 @@ TEST_F(Render, DrawsFramesOfMovingObjects) {
   }
 }
 
+// The same pictures as those in files of their own (apng_test.cpp takes animations apart).
+TEST_F(Render, AnimatesFrames) {
+  options_.frames = 3;
+  EXPECT_EQ(run(), kExitFine);
+  Apng expected(3, {1, 25});
+  for (const char* frame : {"out-00001.png", "out-00002.png", "out-00003.png"}) {
+    expected.add(picture(frame));
+    std::filesystem::remove(frame);
+  }
+  options_.output = "out.apng";
+  EXPECT_EQ(run(), kExitFine);
+  const std::string bytes = get("out.apng");
+  EXPECT_EQ(std::vector<uint8_t>(bytes.begin(), bytes.end()), expected.finish());
+  EXPECT_EQ(files(),
+            (std::vector<std::string>{"out.apng", "scene.json", "square.mtl", "square.obj"}));
+}
+
+TEST_F(Render, TakesAnotherTexture) {
+  put("square.obj", std::string("mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nvt 0 0\nvt 1 0\n"
+                                "vt 1 1\nusemtl red\nf 1/1 2/2 3/3\n"));
+  put("square.mtl", std::string("newmtl red\nmap_Kd own.png\n"));
+  put("own.png", encode_png(filled(2, 2, {0, 255, 0, 255})));
+  put("other.png", encode_png(filled(5, 3, {255, 0, 0, 255})));
+  EXPECT_EQ(run(), kExitFine);
+  EXPECT_EQ(red_pixels(picture("out.png")), 0);
+  options_.textures = {"red=other.png"};
+  EXPECT_EQ(run(), kExitFine);
+  EXPECT_GT(red_pixels(picture("out.png")), 400);
+  std::filesystem::remove("own.png");  // is not even read
+  EXPECT_EQ(run(), kExitFine);
+  put("own.png", encode_png(filled(2, 2, {0, 255, 0, 255})));
+  options_.textures = {"blue=other.png"};
+  expect_contains(error_of([&] { run(); }), "'blue' is no material with a texture; these are: red");
+  options_.textures = {"red=none.png"};
+  expect_contains(error_of([&] { run(); }), "none.png");
+}
+
 TEST_F(Render, ExplainsAndCounts) {
   options_.explain = options_.stats = options_.json = true;
   EXPECT_EQ(run(), kExitFine);
@@ -114,7 +153,13 @@ TEST_F(Render, RefusesWhatCannotBe) {
   expect("--filter", [](RenderOptions& o) { o.filter = "best"; });
   expect("--hidden", [](RenderOptions& o) { o.hidden = "magic"; });
   expect("--tolerance", [](RenderOptions& o) { o.tolerance = "-1"; });
-  expect("name it .png", [](RenderOptions& o) { o.output = "out.jpg"; });
+  expect("name it .png or .apng", [](RenderOptions& o) { o.output = "out.jpg"; });
+  expect("--rate: an animated PNG shows", [](RenderOptions& o) {
+    o.output = "out.apng";
+    o.frames_per_s = 1e6;
+  });
+  expect("--texture: 'earth': MATERIAL=FILE", [](RenderOptions& o) { o.textures = {"earth"}; });
+  expect("--texture: 'a' stands twice", [](RenderOptions& o) { o.textures = {"a=b", "a=c"}; });
   expect("none.json", [](RenderOptions& o) { o.scene = "none.json"; });
 }
 
