@@ -1,6 +1,6 @@
 // Animated PNG: frames of one size, shown one after another, for ever.
 //
-// Source: Portable Network Graphics (third edition), W3C, section 11.3.5. Programs that know
+// Source: Portable Network Graphics (third edition), W3C: acTL, fcTL and fdAT. Programs that know
 // nothing of animations show the first frame.
 #pragma once
 
