@@ -61,7 +61,7 @@ void draw_lines(Raster& picture, const std::vector<std::string>& lines, int32_t 
   if (state.mapper != SELVAGE_PROFILE_EXACT) {
     lines.insert(lines.begin() + 1, "drawn on whole pixels, no depth, nearest");
   }
-  if (!state.help) lines.back() += " - H: help";
+  if (!state.help && !state.difference) lines.back() += " - H: help";
   return lines;
 }
 

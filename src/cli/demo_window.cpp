@@ -3,6 +3,7 @@
 #include <SDL.h>
 
 #include <optional>
+#include <string_view>
 
 #include "cli/error.h"
 
@@ -78,11 +79,23 @@ namespace {
   return single_key(pressed.sym, (pressed.mod & KMOD_SHIFT) != 0);
 }
 
+// SDL falls back to drivers without a screen. Who asks for one by name gets it.
+[[nodiscard]] bool shows_nothing() {
+  const std::string_view driver = SDL_GetCurrentVideoDriver();
+  return SDL_getenv("SDL_VIDEODRIVER") == nullptr &&
+         (driver == "offscreen" || driver == "dummy" || driver == "evdev");
+}
+
 struct Video {
   Video() {
     SDL_SetMainReady();
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // Ctrl-C ends the program, as everywhere
     if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no window can be opened");
+    if (shows_nothing()) {
+      SDL_Quit();
+      SDL_SetError("no window system answers");
+      fail("no window can be opened");
+    }
   }
   ~Video() { SDL_Quit(); }
   Video(const Video&) = delete;
