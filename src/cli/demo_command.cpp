@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <thread>
 
 #include "cli/demo_picture.h"
 #include "cli/demo_window.h"
@@ -20,8 +19,7 @@ using Seconds = std::chrono::duration<double>;
 
 inline constexpr int32_t kMostSide_px = 16384;  // the scene's guard band
 inline constexpr double kMostStep_s = 0.25;     // a long pause is no jump
-inline constexpr std::chrono::milliseconds kFrame{
-    16};  // at least, so that a core is left to others
+inline constexpr int64_t kFrame_ms = 16;        // at least, so that a core is left to others
 
 [[nodiscard]] scene::Size parse_window_size(const std::string& text) {
   const Size size = parse_size_text(text);
@@ -37,6 +35,10 @@ inline constexpr std::chrono::milliseconds kFrame{
   scene::Scene scene = read_scene(path);
   if (scene.objects.empty()) throw UserError(path + ": nothing stands in it that could turn");
   return scene;
+}
+
+[[nodiscard]] int64_t since_ms(Clock::time_point start) {
+  return std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - start).count();
 }
 
 // Since the last report, or the start.
@@ -74,7 +76,7 @@ void run(const scene::Scene& scene, DemoWindow& window, int32_t frames, const Co
     window.show(picture.raster);
     if (state.report) report(state, picture, rate, console);
     state.report = false;
-    std::this_thread::sleep_until(start + kFrame);
+    window.rest_ms(kFrame_ms - since_ms(start));
   }
 }
 

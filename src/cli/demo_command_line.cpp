@@ -17,8 +17,7 @@ Keys:
   arrows, +, - move the scene; nearer, farther
   F            the next filter: auto, nearest, four, bilinear, area
   M            the next mapper: exact, abrash56, abrash57. The historic ones draw the same faces on
-               whole pixels, without depth and through the filter nearest; what they refuse is drawn
-               exactly, and counted
+               whole pixels, without depth and through the filter nearest
   D            the difference from the exact picture, four times as bright, and its pixels
   P            print the frame rate and the settings
   H            help on and off

@@ -83,7 +83,7 @@ DemoPicture demo_picture(const scene::Scene& scene, const DemoState& state, scen
   const bool exact_mapper = state.mapper == SELVAGE_PROFILE_EXACT;
   scene::Wish wish{scene.tolerance_texel, state.filter};
   ProfileDrawing drawn = draw_by_profile(now, state.time_s, size, wish, state.mapper);
-  DemoPicture picture{to_raster(std::move(drawn.picture)), drawn.faces, drawn.refused, 0};
+  DemoPicture picture{to_raster(std::move(drawn.picture)), drawn.faces, 0};
   if (state.difference) {
     wish.tolerance_texel = 0;
     if (!exact_mapper) wish.filter = SELVAGE_FILTER_NEAREST;
@@ -97,9 +97,6 @@ DemoPicture demo_picture(const scene::Scene& scene, const DemoState& state, scen
 
 std::string demo_counts(const DemoState& state, const DemoPicture& picture) {
   std::string text = std::to_string(picture.faces) + " faces";
-  if (state.mapper != SELVAGE_PROFILE_EXACT) {
-    text += ", " + std::to_string(picture.refused) + " drawn exactly instead";
-  }
   if (state.difference) text += ", " + std::to_string(picture.differing_px) + " px differ";
   return text;
 }

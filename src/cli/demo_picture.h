@@ -13,7 +13,6 @@ namespace selvage::cli {
 struct DemoPicture {
   Raster raster;  // text and all; opaque
   size_t faces = 0;
-  size_t refused = 0;        // by a historic mapper, and drawn exactly instead
   int64_t differing_px = 0;  // from the exact picture; counted where the difference is shown
 };
 
@@ -22,7 +21,7 @@ struct DemoPicture {
 [[nodiscard]] DemoPicture demo_picture(const scene::Scene& scene, const DemoState& state,
                                        scene::Size size);
 
-// "214 faces, 2 drawn exactly instead, 1034 px differ", as far as it applies.
+// "214 faces", and where the difference is shown "214 faces, 1034 px differ".
 [[nodiscard]] std::string demo_counts(const DemoState& state, const DemoPicture& picture);
 
 }  // namespace selvage::cli

@@ -148,4 +148,8 @@ void DemoWindow::show(Raster& picture) {
   }
 }
 
+void DemoWindow::rest_ms(int64_t time_ms) {
+  if (time_ms > 0) SDL_Delay(static_cast<Uint32>(time_ms));
+}
+
 }  // namespace selvage::cli

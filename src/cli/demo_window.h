@@ -1,6 +1,7 @@
 // A window that shows pictures and tells keys. The one file of the program that knows SDL.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,6 +26,8 @@ class DemoWindow {
 
   // When it returns, the window system has the picture.
   void show(Raster& picture);
+
+  void rest_ms(int64_t time_ms);
 
  private:
   struct Handles;

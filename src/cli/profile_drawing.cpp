@@ -21,12 +21,6 @@ void expect_ok(selvage_status status) {
   return {SELVAGE_RGBA8888, size.width_px, size.height_px, std::vector<uint8_t>(4 * area)};
 }
 
-// A face for the profile, or for the exact one where that refuses it.
-struct Outlined {
-  Vertices vertices;
-  selvage_options options;
-};
-
 [[nodiscard]] Vertices in_profile(const scene::ScreenFace& face, selvage_profile profile) {
   spec::Case exact;
   exact.vertices = face.vertices;
@@ -41,41 +35,26 @@ void move_to_coverage(const spec::Profile& profile, Vertices& vertices) {
   }
 }
 
-// Every check of the call is made before it finds that nothing is to be drawn.
-[[nodiscard]] bool accepts(const selvage_image& target, const Outlined& outlined,
-                           const selvage_texture& texture) {
-  const selvage_rect nothing{};
-  return selvage_draw(&target, &nothing, outlined.vertices.data(), outlined.vertices.size(),
-                      &texture, &outlined.options) == SELVAGE_OK;
-}
-
 [[nodiscard]] ProfileDrawing draw_historic(const scene::Scene& scene, scene::Drawing drawing,
                                            scene::Size size, selvage_profile profile) {
-  ProfileDrawing drawn{blank(size), drawing.view.faces.size(), 0};
+  std::vector<scene::ScreenFace>& faces = drawing.view.faces;
+  ProfileDrawing drawn{blank(size), faces.size()};
   const selvage_image image = drawn.picture.image();
-  scene::Drawing background;
-  expect_ok(draw(scene, background, image));
-  scene::Paints paints(scene);
-  std::vector<Outlined> outlines;
-  for (size_t i = 0; i < drawing.view.faces.size(); ++i) {
-    scene::ScreenFace& face = drawing.view.faces[i];
-    Outlined outlined{in_profile(face, profile), {}};
-    outlined.options.profile = profile;
-    outlined.options.address = drawing.plans[i].options.address;
-    if (accepts(image, outlined, paints.texture(face.paint))) {
-      move_to_coverage(spec::profile_of(profile), face.vertices);
-    } else {
-      ++drawn.refused;
-      outlined = {vertices_to_draw(face, drawing.plans[i]), drawing.plans[i].options};
-    }
-    outlines.push_back(std::move(outlined));
+  expect_ok(draw(scene, scene::Drawing{}, image));  // the background
+  std::vector<Vertices> outlines;
+  for (scene::ScreenFace& face : faces) {
+    outlines.push_back(in_profile(face, profile));
+    move_to_coverage(spec::profile_of(profile), face.vertices);
   }
-  for (const scene::Piece& piece :
-       visible_pieces(scene::Hidden::kScanLine, drawing.view.faces, size)) {
-    const Outlined& outlined = outlines[piece.face];
-    const selvage_texture texture = paints.texture(drawing.view.faces[piece.face].paint);
-    expect_ok(selvage_draw(&image, &piece.clip, outlined.vertices.data(), outlined.vertices.size(),
-                           &texture, &outlined.options));
+  scene::Paints paints(scene);
+  for (const scene::Piece& piece : visible_pieces(scene::Hidden::kScanLine, faces, size)) {
+    const Vertices& vertices = outlines[piece.face];
+    const selvage_texture texture = paints.texture(faces[piece.face].paint);
+    selvage_options options{};
+    options.profile = profile;
+    options.address = drawing.plans[piece.face].options.address;
+    expect_ok(
+        selvage_draw(&image, &piece.clip, vertices.data(), vertices.size(), &texture, &options));
   }
   return drawn;
 }
@@ -88,7 +67,7 @@ ProfileDrawing draw_by_profile(const scene::Scene& scene, double time_s, scene::
   if (profile != SELVAGE_PROFILE_EXACT) {
     return draw_historic(scene, std::move(drawing), size, profile);
   }
-  ProfileDrawing drawn{blank(size), drawing.view.faces.size(), 0};
+  ProfileDrawing drawn{blank(size), drawing.view.faces.size()};
   expect_ok(draw(scene, drawing, drawn.picture.image()));
   return drawn;
 }

@@ -11,13 +11,13 @@ namespace selvage::cli {
 struct ProfileDrawing {
   Bitmap picture;  // RGBA8888
   size_t faces = 0;
-  size_t refused = 0;  // by the profile, and drawn exactly instead
 };
 
 // The exact profile draws the scene as it is. The others get each face on whole pixels, without
 // depth and clockwise (spec/profiles.h), and the filter nearest. What hides what is decided on the
-// same whole pixels, by the depths that the mapper does not get. Throws UserError where the exact
-// mapper refuses a face.
+// same whole pixels, by the depths that the mapper does not get. No face is refused: rounding down
+// keeps the order of the rows, so that a y-monotone outline stays one. Throws UserError where one
+// is.
 [[nodiscard]] ProfileDrawing draw_by_profile(const scene::Scene& scene, double time_s,
                                              scene::Size size, const scene::Wish& wish,
                                              selvage_profile profile);

@@ -79,7 +79,7 @@ TEST(DemoPicture, ToleranceAndHistoricMappersDiffer) {
     const DemoPicture picture = demo_picture(scene, state, kSize);
     EXPECT_GT(picture.differing_px, by_tolerance_px);
     EXPECT_FALSE(is_black(above_text(picture.raster)));
-    EXPECT_NE(demo_counts(state, picture).find("drawn exactly instead, "), std::string::npos);
+    EXPECT_NE(demo_counts(state, picture).find(" px differ"), std::string::npos);
   }
 }
 
@@ -109,16 +109,16 @@ TEST(ProfileDrawing, LeavesNoGapsBetweenFaces) {
   }
 }
 
-TEST(ProfileDrawing, CountsWhatIsRefused) {
-  scene::Scene scene = station();
-  size_t refused = 0;
-  for (int frame = 0; frame < 400; ++frame) {
-    const ProfileDrawing drawn =
-        draw_by_profile(scene, frame / 8., {40, 30}, {}, SELVAGE_PROFILE_ABRASH56);
-    EXPECT_LE(drawn.refused, drawn.faces);
-    refused += drawn.refused;
+// Faces of a pixel or two, seen from every side: whatever they are rounded to is an outline that
+// the profiles take, for draw_by_profile throws where they do not.
+TEST(ProfileDrawing, NoFaceIsRefused) {
+  const scene::Scene scene = station();
+  for (int frame = 0; frame < 200; ++frame) {
+    for (const selvage_profile profile :
+         {SELVAGE_PROFILE_ABRASH56, SELVAGE_PROFILE_ABRASH57, SELVAGE_PROFILE_DKIT}) {
+      EXPECT_NO_THROW((void)draw_by_profile(scene, frame / 8., {40, 30}, {}, profile)) << frame;
+    }
   }
-  EXPECT_GT(refused, 0u);
 }
 
 TEST(BitmapFont, DrawsWhatItIsToldAndNothingOutside) {
@@ -137,7 +137,7 @@ TEST(BitmapFont, DrawsWhatItIsToldAndNothingOutside) {
   draw_text(capital, 0, 0, 1, "L", {255, 255, 255});
   EXPECT_EQ(capital, picture);
   Raster beyond = filled(6, 9, {0, 0, 0});
-  draw_text(beyond, -100, -3, 2, "LLLLLLLLLLLLLLLLLLLLLLL", {255, 255, 255});
+  draw_text(beyond, -96, -3, 2, "LLLLLLLLLLLLLLLLLLLLLLL", {255, 255, 255});
   shade(beyond, -5, -5, 100, 100);
   EXPECT_NE(beyond, filled(6, 9, {0, 0, 0}));
 }
