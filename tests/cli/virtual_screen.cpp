@@ -23,8 +23,11 @@ namespace {
 }
 
 [[noreturn]] void run(std::vector<std::string>& arguments, const std::string& display, int output) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
   dup2(output, STDOUT_FILENO);
+  if (display.empty()) {  // the server, which warns of much
+    dup2(open("screen.log", O_CREAT | O_WRONLY | O_CLOEXEC, 0644), STDERR_FILENO);
+  }
   if (!display.empty()) {
     setenv("DISPLAY", display.c_str(), 1);
     setenv("SDL_VIDEODRIVER", "x11", 1);
@@ -73,10 +76,22 @@ Child::Child(std::vector<std::string> arguments, const std::string& display) {
 }
 
 Child::~Child() {
+  if (pid_ > 0) {
+    kill(pid_, SIGTERM);
+    if (!await_end()) kill(pid_, SIGKILL);
+    waitpid(pid_, nullptr, 0);
+  }
   close(output_);
-  if (pid_ <= 0) return;
-  kill(pid_, SIGKILL);
-  waitpid(pid_, nullptr, 0);
+}
+
+// It and all that it started have closed their ends of the pipe.
+bool Child::await_end() const {
+  pollfd wait{output_, POLLIN, 0};
+  char buffer[4096];
+  do {
+    if (poll(&wait, 1, kPatience_s * 1000) <= 0) return false;
+  } while (read(output_, buffer, sizeof buffer) > 0);
+  return true;
 }
 
 std::string Child::read_line() {
@@ -96,11 +111,7 @@ std::string Child::read_line() {
 }
 
 int Child::exit_code() {
-  pollfd wait{output_, POLLIN, 0};  // its end of the pipe closes with it
-  char buffer[4096];
-  do {
-    if (poll(&wait, 1, kPatience_s * 1000) <= 0) throw std::runtime_error("no end in time");
-  } while (read(output_, buffer, sizeof buffer) > 0);
+  if (!await_end()) throw std::runtime_error("no end in time");
   int status = 0;
   waitpid(pid_, &status, 0);
   pid_ = -1;

@@ -28,6 +28,8 @@ class Child {
   [[nodiscard]] int exit_code();  // waits for the end
 
  private:
+  [[nodiscard]] bool await_end() const;
+
   pid_t pid_ = -1;
   int output_ = -1;
   std::string read_;
