@@ -8,6 +8,7 @@
 #include <new>
 
 #include "cli/bench_command.h"
+#include "cli/demo_command_line.h"
 #include "cli/draw_command.h"
 #include "cli/error.h"
 #include "cli/laws_command.h"
@@ -28,6 +29,7 @@ constexpr const char* kProgramExamples = R"(Examples:
   selvage draw --texture earth.jpg --polygon '10,10,0,0 200,20,640,0 190,180,640,480' \
                --size 256x192 -o out.png
   selvage render station.json -o station.png
+  selvage demo
   selvage verify --cases 1000
   selvage verify --subject ./theirs.so
   selvage stability --list
@@ -182,9 +184,11 @@ int parse_and_run(std::vector<std::string> arguments, const spec::Subject& subje
   BenchOptions bench_options;
   MergeOptions merge_options;
   RenderOptions render_options;
+  DemoOptions demo_options;
   bool laws_json = false;
   const CLI::App* draw = add_draw(program, draw_options);
   const CLI::App* render = add_render(program, render_options);
+  const CLI::App* demo = add_demo(program, demo_options);
   const CLI::App* verify = add_verify(program, verify_options);
   const CLI::App* merge = add_merge(program, merge_options);
   const CLI::App* stability = add_stability(program, stability_options);
@@ -203,6 +207,7 @@ int parse_and_run(std::vector<std::string> arguments, const spec::Subject& subje
   refuse_empty_values(*program.get_subcommands().front());
   if (draw->parsed()) return run_draw(draw_options, console);
   if (render->parsed()) return run_render(render_options, console);
+  if (demo->parsed()) return run_demo(demo_options, console);
   if (verify->parsed()) return run_verify(verify_options, subject, console);
   if (merge->parsed()) return run_merge(merge_options, console);
   if (stability->parsed()) return run_stability(stability_options, subject, console);
