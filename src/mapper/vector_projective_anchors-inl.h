@@ -63,6 +63,7 @@ class PieceWalk {
   HWY_INLINE bool next_rows(Pieces* pieces) {
     const SpanBatch& batch = spans_->batch;
     static_assert(kRowsPerBatch % kMostPieces == 0);
+    if (next_ >= batch.rows) return false;
     pieces->count = HWY_MIN(batch.rows - next_, kMostPieces);
     const D32 d;
     for (int32_t k = 0; k < kMostPieces; k += kLanes) {
@@ -72,7 +73,7 @@ class PieceWalk {
       hn::StoreU(hn::Zero(d), d, pieces->window_rows + k);
     }
     next_ += kMostPieces;
-    return pieces->count > 0;
+    return true;
   }
 
   HWY_INLINE bool next_parts(Pieces* pieces) {
