@@ -4,6 +4,10 @@
 
 namespace selvage::mapper {
 
+InteriorOfLine::InteriorOfLine(int64_t step_fx32, int32_t size_texel, uint32_t margin_fx32)
+    : end_fx32_((int64_t{size_texel - 1} << kLaneFraction) - margin_fx32),
+      columns_per_fx32_(step_fx32 == 0 ? kSteep : 1.0 / static_cast<double>(step_fx32)) {}
+
 // Two quotients round to less than a column of what they are, where they are columns of a row at
 // all: kSlack makes up for it.
 void InteriorOfLine::narrow(int64_t lane_fx32, Columns* columns) const {
@@ -12,6 +16,12 @@ void InteriorOfLine::narrow(int64_t lane_fx32, Columns* columns) const {
   columns->first = std::max(columns->first, std::min(at_zero, at_end) + kSlack);
   columns->end = std::min(columns->end, std::max(at_zero, at_end) - kSlack);
 }
+
+Interior::Interior(const AffineField& field, const selvage_texture& texture)
+    : field_(field),
+      rows_(texture.layout == SELVAGE_LAYOUT_ROWS),
+      u_(field.step_x.u_fx32, texture.width, field.margin_fx32),
+      v_(field.step_x.v_fx32, texture.height, field.margin_fx32) {}
 
 Span Interior::of(const Span& span) const {
   if (!rows_) return {span.row, span.left_px, span.left_px};

@@ -17,9 +17,7 @@ struct Columns {
 // Where a lane and what it may lack lie in [1/2, size - 1/2) texels: all lanes are of u - 1/2 here.
 class InteriorOfLine {
  public:
-  InteriorOfLine(int64_t step_fx32, int32_t size_texel, uint32_t margin_fx32)
-      : end_fx32_((int64_t{size_texel - 1} << kLaneFraction) - margin_fx32),
-        columns_per_fx32_(step_fx32 == 0 ? kSteep : 1.0 / static_cast<double>(step_fx32)) {}
+  InteriorOfLine(int64_t step_fx32, int32_t size_texel, uint32_t margin_fx32);
 
   // Leaves the columns where the line is inside.
   void narrow(int64_t lane_fx32, Columns* columns) const;
@@ -33,11 +31,7 @@ class InteriorOfLine {
 
 class Interior {
  public:
-  Interior(const AffineField& field, const selvage_texture& texture)
-      : field_(field),
-        rows_(texture.layout == SELVAGE_LAYOUT_ROWS),
-        u_(field.step_x.u_fx32, texture.width, field.margin_fx32),
-        v_(field.step_x.v_fx32, texture.height, field.margin_fx32) {}
+  Interior(const AffineField& field, const selvage_texture& texture);
 
   // May be empty, and may lack some pixels at its ends.
   [[nodiscard]] Span of(const Span& span) const;
