@@ -159,14 +159,6 @@ struct Addressed : Mode {
   static HWY_INLINE V place(V s, V t, const Extent& extent) {
     return hn::Add(row(t, extent), column(s, extent));
   }
-  static int32_t place_of_one(int32_t s, int32_t t, const Extent& extent) {
-    using One = typename Mode::Scalar;
-    const int32_t row = One::index(t, extent.height_texel);
-    const int32_t column = One::index(s, extent.width_texel);
-    return static_cast<int32_t>(extent.tiled
-                                    ? Tiles::row(row, extent.pitch_texel) + Tiles::column(column)
-                                    : Rows::row(row, extent.pitch_texel) + Rows::column(column));
-  }
 };
 
 // Calls draw with the address mode that fits.
