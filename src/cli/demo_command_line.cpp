@@ -8,7 +8,7 @@ namespace {
 
 constexpr const char* kDemoText = R"(Examples:
   selvage demo
-  selvage demo scenes/station/station.json --size 1024x768
+  selvage demo src/scene/shipped/station/station.json --size 1024x768
 
 Keys:
   S, shift-S   faster, slower; below nothing, backward

@@ -7,10 +7,10 @@ namespace selvage::cli {
 namespace {
 
 constexpr const char* kRenderText = R"(Examples:
-  selvage render scenes/station/station.json -o station.png --size 640x480
-  selvage render scenes/station/station.json -o out.png --tolerance 0.25 --explain --stats
-  selvage render scenes/station/station.json -o frame.png --frames 50 --rate 25
-  selvage render scenes/globe/globe.json -o globe.apng --frames 100 --texture earth=earth.jpg
+  selvage render src/scene/shipped/station/station.json -o station.png --size 640x480
+  selvage render src/scene/shipped/station/station.json -o out.png --tolerance 0.25 --explain --stats
+  selvage render src/scene/shipped/station/station.json -o frame.png --frames 50 --rate 25
+  selvage render src/scene/shipped/globe/globe.json -o globe.apng --frames 100 --texture earth=earth.jpg
 
 A scene:
   {"camera": {"position": [0, 1, 4], "target": [0, 0, 0], "up": [0, 1, 0], "view_deg": 45,

@@ -7,14 +7,15 @@ namespace selvage::cli {
 namespace fs = std::filesystem;
 
 std::vector<fs::path> shipped_scene_places(const std::string& name) {
-  const fs::path file = fs::path("scenes") / name / (name + ".json");
+  const fs::path file = fs::path(name) / (name + ".json");
   std::vector<fs::path> places;
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   if (!error) {
-    places.push_back((program.parent_path() / SELVAGE_DATA_FROM_PROGRAM / file).lexically_normal());
+    const fs::path installed = program.parent_path() / SELVAGE_DATA_FROM_PROGRAM / "scenes";
+    places.push_back((installed / file).lexically_normal());
   }
-  places.push_back(fs::path(SELVAGE_SOURCE_TREE) / file);
+  places.push_back(fs::path(SELVAGE_SHIPPED_SCENES) / file);
   return places;
 }
 

@@ -9,13 +9,14 @@
 namespace selvage::cli::test {
 
 [[nodiscard]] inline scene::Scene station() {
-  return read_scene(SELVAGE_SOURCE_TREE "/scenes/station/station.json");
+  return read_scene(SELVAGE_SOURCE_TREE "/src/scene/shipped/station/station.json");
 }
 
 // The ball that keys turn is behind the camera; the one that is seen stands still. So what is seen
 // does not depend on the time.
 [[nodiscard]] inline std::string still_scene_text() {
-  const std::string ball = R"({"file": ")" SELVAGE_SOURCE_TREE R"(/scenes/station/ball.obj")";
+  const std::string ball =
+      R"({"file": ")" SELVAGE_SOURCE_TREE R"(/src/scene/shipped/station/ball.obj")";
   return R"({"camera": {"position": [0, 0.5, 4.2], "nearest": 0.5, "farthest": 100},
              "ambient": [0.5, 0.5, 0.5], "background": "#060914", "tolerance": 0.25, "objects": [)" +
          ball + R"(, "position": [0, 0, 50], "spin_deg": 40},)" + ball +

@@ -126,12 +126,12 @@ TEST_F(DemoErrors, NameWhatIsWrong) {
   EXPECT_EQ(run("--size 20000x10"), 2);
   expect_contains(get("err"), "--size: ");
   EXPECT_EQ(run("--help"), 0);
-  expect_contains(get("out"), "selvage demo scenes/station/station.json");
+  expect_contains(get("out"), "selvage demo src/scene/shipped/station/station.json");
 }
 
 TEST(ShippedScene, IsFoundOrNamedWithAllPlaces) {
   EXPECT_EQ(first_scene(shipped_scene_places("station")),
-            SELVAGE_SOURCE_TREE "/scenes/station/station.json");
+            SELVAGE_SOURCE_TREE "/src/scene/shipped/station/station.json");
   const std::string error = error_of([] { (void)first_scene({"/none/a.json", "/none/b.json"}); });
   expect_contains(error, "/none/a.json");
   expect_contains(error, "/none/b.json");
