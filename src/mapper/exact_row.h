@@ -47,12 +47,12 @@ struct ExactRow {
   // greater than d.
   [[nodiscard]] bool is_short() const { return d.step == 0 && d.start >> 62 == 0; }
 
-  // In units of 2^-bits texel, up to 16.
-  [[nodiscard]] ExactRow finer(int bits) const {
+  // What d is where u and v are in units of 2^-bits texel, up to 16.
+  [[nodiscard]] ExactLine finer_d(int bits) const {
     const auto less = [&](uint128 a) {
       return static_cast<uint128>(static_cast<int128>(a) >> bits);  // a multiple of 2^16
     };
-    return {u, v, {less(d.start), less(d.step)}};
+    return {less(d.start), less(d.step)};
   }
 };
 

@@ -47,7 +47,7 @@ void draw_narrow(const AffineSpans& spans, const Surface& surface) {
   hn::StoreU(hn::Zero(d), d, u_fx16 + packed);
   hn::StoreU(hn::Zero(d), d, v_fx16 + packed);
 
-  PackedTies ties(spans.batch, spans.exact, 0);
+  PackedTies ties(spans.batch, spans.exact, 0, batch.spare_bits());
   HWY_ALIGN int32_t place[kLanes];
   HWY_ALIGN char texels[(kMost + kMostLanes) * sizeof(uint32_t)];
   const ptrdiff_t bytes = bytes_per_pixel(surface.target.format);

@@ -50,20 +50,23 @@ HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume
   *at = {i, from_px};
 }
 
+[[nodiscard]] HWY_INLINE int32_t floor_texel(int64_t lane_fx32) {
+  return static_cast<int32_t>(lane_fx32 >> kLaneFraction);
+}
+
 template <class Pixel, class Address>
-HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Surface& surface) {
+HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Surface& surface,
+                            int32_t window_rows) {
   const AffineBatch<Address> batch(spans, surface);
-  RowOfTies ties(spans.exact, left.rest[0], 0);
+  RowOfTies ties(spans.exact, left.rest[0], 0, batch.spare_bits());
   for (int32_t i = 0; i < left.count; ++i) {
     const Span& rest = left.rest[i];
     if (rest.row != ties.span().row) ties.go_to(rest);
     const Lane anchor = batch.anchor(spans.field.at(rest.left_px, rest.row));
-    batch.template draw<Pixel>(rest, surface, ties, batch.lanes_from(anchor));
+    batch.template draw<Pixel>(
+        rest, surface, ties, batch.lanes_from(anchor),
+        {floor_texel(anchor.u_fx32), floor_texel(anchor.v_fx32), window_rows});
   }
-}
-
-[[nodiscard]] HWY_INLINE int32_t floor_texel(int64_t lane_fx32) {
-  return static_cast<int32_t>(lane_fx32 >> kLaneFraction);
 }
 
 // Texels from windows of so many rows, but for what does not lie in one.
@@ -195,7 +198,7 @@ void draw_wide(const AffineSpans& spans, const Surface& surface, int32_t rows) {
     } else {
       draw_loads<Pixel, Address>(spans, surface, &at, &left);
     }
-    if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface);
+    if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface, rows);
   } while (left.count == Left::kMost);
 }
 

@@ -165,7 +165,7 @@ void blend_affine(const AffineSpans& spans, const Surface& surface) {
   const AffineSteps steps(spans);
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
-    RowOfTies ties(spans.exact, span, kGridBits);
+    RowOfTies ties(spans.exact, span, kGridBits, 0);
     if (span.width_px() >= kLanes) {
       draw_span(steps, span, interior.of(span), surface, &ties, anywhere, inside);
     } else if (!span.empty()) {
@@ -193,7 +193,7 @@ HWY_NOINLINE void blend_projective(const ProjectiveSpans& spans, const Surface& 
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
     const ProjectiveSteps steps(spans, span);
-    RowOfTies ties(spans.exact, span, kGridBits);
+    RowOfTies ties(spans.exact, span, kGridBits, 0);
     if (span.width_px() >= kLanes) {
       draw_columns(steps, span, span.left_px, span.right_px, surface, &ties, anywhere);
     } else if (!span.empty()) {

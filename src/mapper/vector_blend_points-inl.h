@@ -107,10 +107,9 @@ class AffinePoints {
                                            GridLanes u, GridLanes v) {
     const D32 d;
     const V32 half = hn::Set(d, kTexel_fx8 / 2);
-    const auto has_near = [&](const GridLanes& lanes)
-                              HWY_ATTR { return !hn::AllFalse(d, lanes.near(margin_fx32)); };
     V32 u_fx8 = hn::Add(u.floor_fx8, half), v_fx8 = hn::Add(v.floor_fx8, half);
-    ties->decide(px - ties->span().left_px, has_near(u), has_near(v), &u_fx8, &v_fx8);
+    ties->decide(px - ties->span().left_px, {u.near(margin_fx32), v.near(margin_fx32)}, &u_fx8,
+                 &v_fx8);
     return {hn::Sub(u_fx8, half), hn::Sub(v_fx8, half)};
   }
 
@@ -145,12 +144,16 @@ class ProjectivePoints {
     const int32_t offset_px = px_ - steps_.left_px;
     LowTexels low = steps_.row.low(offset_px);
     if (HWY_UNLIKELY(low.near_u || low.near_v)) {
-      ties_->decide(offset_px, low.near_u, low.near_v, &low.s, &low.t);
+      ties_->decide(offset_px, {all_if(low.near_u), all_if(low.near_v)}, &low.s, &low.t);
     }
     return {hn::Sub(low.s, half), hn::Sub(low.t, half)};
   }
 
  private:
+  static HWY_INLINE hn::Mask<D32> all_if(bool near) {
+    return hn::FirstN(D32(), near ? size_t{kLanes} : 0);
+  }
+
   const ProjectiveSteps& steps_;
   int32_t px_;
   RowOfTies* ties_;

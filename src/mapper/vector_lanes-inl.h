@@ -6,6 +6,8 @@
 #define SELVAGE_VECTOR_LANES_INL_H
 #endif
 
+#include <bit>
+
 #include "mapper/vector_near_ties-inl.h"
 #include "mapper/vector_window-inl.h"
 
@@ -16,6 +18,12 @@ namespace {
 // kLanes lanes of both coordinates, 16.16 modulo 2^32.
 struct LaneVectors {
   V32 u, v;
+};
+
+// A window for a vector by its lanes: the least texels, and its rows, 0 where there is none. What
+// near-ties are raised to may lie beyond it.
+struct LowWindow {
+  int32_t s, t, rows;
 };
 
 // From lanes to places in the texture.
@@ -29,7 +37,7 @@ class FixedLanes {
   // Places in the texture, in texels from its first; those of lanes that mean nothing are valid
   // too.
   HWY_INLINE V32 places(const LaneVectors& lanes) const {
-    return places_of(texel_of(lanes.u), texel_of(lanes.v));
+    return Address::place(texel_of(lanes.u), texel_of(lanes.v), extent_);
   }
 
   // Texels by their distance from the origin of a window, which is given as such an index.
@@ -44,23 +52,33 @@ class FixedLanes {
     return any_bits(hn::Or(change(lanes.u), change(lanes.v)), ~0xFFFF);
   }
 
+  // As RowOfTies asks for them.
+  [[nodiscard]] HWY_INLINE int spare_bits() const {
+    return kTexelFraction - std::bit_width(static_cast<uint32_t>(lack_fx16_));
+  }
+
   // Places again, near-ties and all. The lanes are those of pixels from `first` on, as `ties`, of
   // a row or of packed ones, counts them.
   template <class Ties>
-  HWY_NOINLINE V32 decided_places(Ties& ties, int32_t first, const LaneVectors& lanes) const {
-    V32 s = texel_of(lanes.u), t = texel_of(lanes.v);
-    ties.decide(first, has_near(lanes.u), has_near(lanes.v), &s, &t);
-    return places_of(s, t);
+  HWY_INLINE V32 decided_places(Ties& ties, int32_t first, const LaneVectors& lanes) const {
+    const TexelVectors texels = decided(ties, first, lanes);
+    return Address::place(texels.s, texels.t, extent_);
   }
 
-  // A load for each pixel, near-ties and all.
+  // The same, drawn: from a window, or, where there is none, by a load for each pixel.
   template <class Pixel>
   HWY_INLINE void draw(const Span& rest, const Surface& surface, RowOfTies& ties,
-                       const LaneVectors& lanes) const {
+                       const LaneVectors& lanes, const LowWindow& low) const {
+    const auto* const from = static_cast<const Pixel*>(surface.texture.texels);
+    char* const to = first_pixel(surface, rest);
+    const TexelVectors texels = decided(ties, rest.left_px - ties.span().left_px, lanes);
+    if (kHasWindows && low.rows != 0 && rest.width_px() >= kLanes &&
+        draw_window(texels, low, from, reinterpret_cast<Pixel*>(to))) {
+      return;
+    }
     HWY_ALIGN int32_t place[kLanes];
-    hn::Store(decided_places(ties, rest.left_px - ties.span().left_px, lanes), D32(), place);
-    fetch_as<Pixel>(surface.texture.texels, place, HWY_MIN(rest.width_px(), kLanes),
-                    first_pixel(surface, rest));
+    hn::Store(Address::place(texels.s, texels.t, extent_), D32(), place);
+    fetch_vector<Pixel>(from, place, rest.width_px(), to);
   }
 
  private:
@@ -70,8 +88,42 @@ class FixedLanes {
   HWY_INLINE V32 change(V32 lane_fx16) const {
     return hn::Xor(hn::Add(lane_fx16, hn::Set(D32(), lack_fx16_)), lane_fx16);
   }
-  HWY_INLINE bool has_near(V32 lane_fx16) const { return any_bits(change(lane_fx16), ~0xFFFF); }
-  HWY_INLINE V32 places_of(V32 s, V32 t) const { return Address::place(s, t, extent_); }
+  HWY_INLINE hn::Mask<D32> near(V32 lane_fx16) const {
+    return hn::Ne(texel_of(change(lane_fx16)), hn::Zero(D32()));
+  }
+
+  struct TexelVectors {
+    V32 s, t;
+  };
+  template <class Ties>
+  HWY_NOINLINE TexelVectors decided(Ties& ties, int32_t first, const LaneVectors& lanes) const {
+    TexelVectors texels{texel_of(lanes.u), texel_of(lanes.v)};
+    ties.decide(first, {near(lanes.u), near(lanes.v)}, &texels.s, &texels.t);
+    return texels;
+  }
+
+  // A vector of right texels; false where the window does not hold them.
+  template <class Pixel>
+  HWY_INLINE bool draw_window(const TexelVectors& texels, const LowWindow& low, const Pixel* from,
+                              Pixel* to) const {
+    const D32 d;
+    const int32_t last_column = extent_.width_texel - kLanes;
+    const int32_t last_row = extent_.height_texel - low.rows;
+    const Origin s = Address::origin(low.s, last_column, extent_.width_texel);
+    const Origin t = Address::origin(low.t, last_row, extent_.height_texel);
+    const V32 column =
+        hn::Sub(Address::window_texel(texels.s, extent_.width_texel), hn::Set(d, s.texel));
+    const V32 row =
+        hn::Sub(Address::window_texel(texels.t, extent_.height_texel), hn::Set(d, t.texel));
+    const auto beyond =
+        hn::Or(hn::Gt(column, hn::Set(d, kLanes - 1)), hn::Gt(row, hn::Set(d, low.rows - 1)));
+    if (s.index > last_column || t.index > last_row || !hn::AllFalse(d, beyond)) return false;
+    const Pixel* const window = from + t.index * ptrdiff_t{extent_.pitch_texel} + s.index;
+    store_pixels(pick(window, extent_.pitch_texel, low.rows,
+                      hn::Add(hn::ShiftLeft<kWindowColumnBits>(row), column)),
+                 kLanes, to);
+    return true;
+  }
 
   Extent extent_;
   int32_t lack_fx16_;

@@ -36,10 +36,11 @@ struct Digits {
 
 [[nodiscard]] HWY_INLINE Digits digits_of(uint128 value) {
   constexpr uint128 kHalf = uint128{0x8000000080000000} << 64 | 0x8000000080000000;
-  static_assert(std::endian::native == std::endian::little);
   const uint128 balanced = (value + kHalf) ^ kHalf;
   Digits digits;
-  std::memcpy(&digits, &balanced, sizeof digits);
+  for (int at = 0; at < kMostDigits; ++at) {
+    digits.digit[at] = static_cast<int32_t>(balanced >> (at * kDigitBits));
+  }
   return digits;
 }
 
@@ -51,11 +52,17 @@ static_assert(1 << kMostLanesLog2 == kMostLanes);
 static_assert(kTexelBits - kTexelFraction + kGridBits + 1 + kMostLanesLog2 + kDigitBits < kSumBits,
               "(k j) d' in steps of the grid");
 
+// Which of a vector's pixels are near-ties.
+struct NearTies {
+  hn::Mask<D32> u, v;
+};
+
 // The exact row of a span, once some vector of it holds a near-tie; in units of 2^-bits texel.
 class RowOfTies {
  public:
-  HWY_INLINE RowOfTies(const ExactMap& map, const Span& span, int bits)
-      : map_(&map), span_(span), bits_(bits) {}
+  // A near-tie is no further from the whole number than 2^-spare_bits.
+  HWY_INLINE RowOfTies(const ExactMap& map, const Span& span, int bits, int spare_bits)
+      : map_(&map), span_(span), bits_(bits), spare_bits_(spare_bits) {}
 
   HWY_INLINE void go_to(const Span& span) {
     span_ = span;
@@ -63,22 +70,15 @@ class RowOfTies {
   }
   [[nodiscard]] HWY_INLINE const Span& span() const { return span_; }
 
-  // Adds 1 to those of the whole numbers that are too low: none is by more. They belong to the
-  // pixels from an offset in the span on; what those beyond its end become means nothing.
-  HWY_INLINE void decide(int32_t offset_px, bool any_u, bool any_v, V32* HWY_RESTRICT s,
+  // Adds 1 to those of the near-ties' whole numbers that are too low: none is by more. They belong
+  // to the pixels from an offset in the span on; what those beyond its end become means nothing.
+  HWY_INLINE void decide(int32_t offset_px, const NearTies& near, V32* HWY_RESTRICT s,
                          V32* HWY_RESTRICT t) {
-    const D32 d;
     if (HWY_UNLIKELY(!is_known_)) find();
-    switch (form_) {
-      case Form::kShort:
-        return raise<2, false>(d, offset_px, constant_divisor_, any_u, any_v, s, t);
-      case Form::kMiddle:
-        return raise<3, false>(d, offset_px, constant_divisor_, any_u, any_v, s, t);
-      case Form::kLong:
-        return raise<kMostDigits, false>(d, offset_px, constant_divisor_, any_u, any_v, s, t);
-      case Form::kVarying:
-        return raise<kMostDigits, true>(d, offset_px, digits_of(divisor_at(offset_px)), any_u,
-                                        any_v, s, t);
+    if (varies_) {
+      raise_by<true>(offset_px, digits_of(divisor_at(offset_px)), near, s, t);
+    } else {
+      raise_by<false>(offset_px, constant_divisor_, near, s, t);
     }
   }
 
@@ -93,46 +93,66 @@ class RowOfTies {
     int64_t start[kMostDigits];
     Digits step;
   };
-  [[nodiscard]] static DigitLine line_of(const ExactLine& line) {
+  static HWY_INLINE void set(const ExactLine& line, DigitLine* digits) {
     const Digits start = digits_of(line.start);
-    DigitLine digits{{}, digits_of(line.step)};
     for (int at = 0; at < kMostDigits; ++at) {
-      digits.start[at] = start.digit[at] + kBias - (at == 0 ? 0 : kBias >> kDigitBits);
+      digits->start[at] = start.digit[at] + kBias - (at == 0 ? 0 : kBias >> kDigitBits);
     }
+    digits->step = digits_of(line.step);
+  }
+  // |n - k d| <= d / 2^spare_bits, so that 64 or 96 bits tell its sign where all denominators of
+  // the span leave them so much room.
+  [[nodiscard]] int digits_for(const ExactLine& d) const {
+    const uint128 most = HWY_MAX(d.start, d.at(span_.width_px() - 1)) >> spare_bits_;
+    int digits = 2;
+    while (digits < kMostDigits && most >> (digits * kDigitBits - 2) != 0) ++digits;
     return digits;
   }
-  // Of denominators d. |n - k d| <= d, so that 64 or 96 bits tell its sign where d has fewer.
-  enum class Form { kShort, kMiddle, kLong, kVarying };
-  [[nodiscard]] static Form form_of(const ExactLine& d) {
-    if (d.step != 0) return Form::kVarying;
-    if (d.start >> (2 * kDigitBits - 2) == 0) return Form::kShort;
-    return d.start >> (3 * kDigitBits - 2) == 0 ? Form::kMiddle : Form::kLong;
+
+  template <bool kVaries>
+  HWY_INLINE void raise_by(int32_t offset_px, const Digits& divisor, const NearTies& near,
+                           V32* HWY_RESTRICT s, V32* HWY_RESTRICT t) const {
+    switch (digits_) {
+      case 2:
+        return raise<2, kVaries>(offset_px, divisor, near, s, t);
+      case 3:
+        return raise<3, kVaries>(offset_px, divisor, near, s, t);
+      default:
+        return raise<kMostDigits, kVaries>(offset_px, divisor, near, s, t);
+    }
   }
 
-  template <int kDigits, bool kVaries, class D>
-  HWY_INLINE void raise(D d, int32_t offset_px, const Digits& divisor, bool any_u, bool any_v,
-                        hn::Vec<D>* HWY_RESTRICT s, hn::Vec<D>* HWY_RESTRICT t) const {
-    const hn::Vec<D> at = hn::Iota(d, offset_px);
-    if (any_u) *s = raised<kDigits, kVaries>(d, u_, divisor, at, *s);
-    if (any_v) *t = raised<kDigits, kVaries>(d, v_, divisor, at, *t);
+  template <int kDigits, bool kVaries>
+  HWY_INLINE void raise(int32_t offset_px, const Digits& divisor, const NearTies& near,
+                        V32* HWY_RESTRICT s, V32* HWY_RESTRICT t) const {
+    const D32 d;
+    const V32 at = hn::Iota(d, offset_px);
+    if (!hn::AllFalse(d, near.u)) *s = raised<kDigits, kVaries>(u_, divisor, at, near.u, *s);
+    if (!hn::AllFalse(d, near.v)) *t = raised<kDigits, kVaries>(v_, divisor, at, near.v, *t);
   }
 
-  template <int kDigits, bool kVaries, class D>
-  HWY_INLINE hn::Vec<D> raised(D d, const DigitLine& n, const Digits& divisor, hn::Vec<D> at,
-                               hn::Vec<D> low) const {
-    const hn::Vec<D> next = hn::Add(low, hn::Set(d, 1));
-    const hn::Vec<D> sign = highest_digit<kDigits, kVaries>(d, n, divisor, at, next);
-    return hn::IfThenElse(hn::Lt(sign, hn::Zero(d)), low, next);
+  template <int kDigits, bool kVaries>
+  HWY_INLINE V32 raised(const DigitLine& n, const Digits& divisor, V32 at, hn::Mask<D32> near,
+                        V32 low) const {
+    const D32 d;
+    const V32 next = hn::Add(low, hn::Set(d, 1));
+    const V32 sign = highest_digit<kDigits, kVaries>(d, n, divisor, at, next);
+    return hn::IfThenElse(hn::AndNot(hn::Lt(sign, hn::Zero(d)), near), next, low);
   }
 
   HWY_NOINLINE void find() {
-    const ExactRow row = map_->row_from(span_.left_px, span_.row).finer(bits_);
-    u_ = line_of(row.u);
-    v_ = line_of(row.v);
-    d_ = row.d;
-    constant_divisor_ = digits_of(row.d.start);
-    divisor_step_ = digits_of(row.d.step);
-    form_ = form_of(row.d);
+    const ExactRow row = map_->row_from(span_.left_px, span_.row);
+    set(row.u, &u_);
+    set(row.v, &v_);
+    const ExactLine d = row.finer_d(bits_);
+    digits_ = digits_for(d);
+    varies_ = d.step != 0;
+    if (varies_) {
+      d_ = d;
+      divisor_step_ = digits_of(d.step);
+    } else {
+      constant_divisor_ = digits_of(d.start);
+    }
     is_known_ = true;
   }
 
@@ -184,12 +204,15 @@ class RowOfTies {
 
   const ExactMap* map_;
   Span span_;
-  int bits_;
+  int bits_, spare_bits_;
   bool is_known_ = false;
-  Form form_;  // and all that follows, if known
+  // If known:
+  bool varies_;
+  int digits_;
   DigitLine u_, v_;
+  Digits constant_divisor_;  // or, if d varies:
   ExactLine d_;
-  Digits constant_divisor_, divisor_step_;
+  Digits divisor_step_;
 };
 
 }  // namespace

@@ -15,18 +15,19 @@ namespace {
 // Of the rows of a batch from `first_row` on, packed one after another.
 class PackedTies {
  public:
-  HWY_INLINE PackedTies(const SpanBatch& rows, const ExactMap& exact, int32_t first_row)
-      : rows_(rows), ties_(exact, rows.span(first_row), 0), row_(first_row) {}
+  HWY_INLINE PackedTies(const SpanBatch& rows, const ExactMap& exact, int32_t first_row,
+                        int spare_bits)
+      : rows_(rows), ties_(exact, rows.span(first_row), 0, spare_bits), row_(first_row) {}
 
   // As RowOfTies does, for packed pixels from a number on that never falls.
-  HWY_INLINE void decide(int32_t first, bool any_u, bool any_v, V32* HWY_RESTRICT s,
+  HWY_INLINE void decide(int32_t first, const NearTies& near, V32* HWY_RESTRICT s,
                          V32* HWY_RESTRICT t) {
     const D32 d;
     const V32 low_s = *s, low_t = *t, lane = hn::Iota(d, 0);
     while (end() <= first && next_row()) continue;
     do {
       V32 row_s = low_s, row_t = low_t;
-      ties_.decide(first - first_of_row_, any_u, any_v, &row_s, &row_t);
+      ties_.decide(first - first_of_row_, near, &row_s, &row_t);
       const auto is_left = hn::Lt(lane, hn::Set(d, first_of_row_ - first));
       *s = hn::IfThenElse(is_left, *s, row_s);
       *t = hn::IfThenElse(is_left, *t, row_t);

@@ -12,17 +12,38 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// Near-ties of pieces, by lanes of doubles.
+// Vectors that are left, with their lanes.
+struct LeftOfPieces : Left {
+  HWY_ALIGN int32_t u_fx16[kMost * kLanes], v_fx16[kMost * kLanes];
+  int32_t window_rows[kMost];
+
+  HWY_INLINE void put(int32_t i, const Span& rest_of_span, const LaneVectors& lanes, int32_t rows) {
+    rest[i] = rest_of_span;
+    window_rows[i] = rows;
+    hn::Store(lanes.u, D32(), u_fx16 + i * kLanes);
+    hn::Store(lanes.v, D32(), v_fx16 + i * kLanes);
+  }
+  // Of a whole vector.
+  [[nodiscard]] HWY_INLINE LowWindow low_window(int32_t i) const {
+    const auto least = [&](const int32_t* lane) {
+      return HWY_MIN(lane[0], lane[kLanes - 1]) >> kTexelFraction;
+    };
+    return {least(u_fx16 + i * kLanes), least(v_fx16 + i * kLanes), window_rows[i]};
+  }
+  [[nodiscard]] HWY_INLINE LaneVectors lanes(int32_t i) const {
+    return {hn::Load(D32(), u_fx16 + i * kLanes), hn::Load(D32(), v_fx16 + i * kLanes)};
+  }
+};
+
 template <class Pixel, class Address>
-HWY_NOINLINE void draw_left(const Left& left, const ProjectiveSpans& spans,
-                            const Surface& surface) {
-  RowOfTies ties(spans.exact, left.rest[0], 0);
+HWY_NOINLINE void draw_left(const LeftOfPieces& left, const ProjectiveSpans& spans,
+                            const Surface& surface, int32_t lack_fx16) {
+  const FixedLanes<Address> fixed(surface.texture, lack_fx16);
+  RowOfTies ties(spans.exact, left.rest[0], 0, fixed.spare_bits());
   for (int32_t i = 0; i < left.count; ++i) {
     const Span& rest = left.rest[i];
     if (rest.row != ties.span().row) ties.go_to(rest);
-    const DividedLanes lanes = spans.field.of(rest);
-    const FixedLanes<Address> fixed(surface.texture, DividedVectors::lack_fx16(lanes));
-    fixed.template draw<Pixel>(rest, surface, ties, DividedVectors(lanes).lanes_from(0));
+    fixed.template draw<Pixel>(rest, surface, ties, left.lanes(i), left.low_window(i));
   }
 }
 
@@ -40,7 +61,7 @@ HWY_INLINE void find(const Pieces& pieces, const AnchoredVectors& vectors, const
 // Until `left` may not hold the next ones; false where no piece is left.
 template <class Pixel, class Address>
 HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vectors,
-                              PieceWalk* from, Left* left) {
+                              PieceWalk* from, LeftOfPieces* left) {
   const FixedLanes<Address> fixed(surface.texture, vectors.lack_fx16());
   const Extent extent = extent_of(surface.texture);
   const auto* const texels = static_cast<const Pixel*>(surface.texture.texels);
@@ -63,7 +84,7 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
       for (int32_t at = 0; at < kVectorsPerPiece && count_px > 0; ++at) {
         const LaneVectors lanes = AnchoredVectors::lanes_from(anchors, k, at);
         if (HWY_UNLIKELY(fixed.any_near(lanes) || (rows != 0 && origins.place[at][k] < 0))) {
-          left->rest[left_count++] = pieces.rest(k, at);
+          left->put(left_count++, pieces.rest(k, at), lanes, rows);
         } else if (rows != 0) {
           const V32 index = fixed.window_index(lanes, hn::Set(D32(), origins.index[at][k]));
           store_pixels(pick(texels + origins.place[at][k], extent.pitch_texel, rows, index),
@@ -87,11 +108,13 @@ template <class Pixel, class Address>
 void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
   const AnchoredVectors vectors(spans.field);
   PieceWalk walk(spans, surface.texture);
-  Left left;
+  LeftOfPieces left;
   bool more = true;
   while (more) {
     more = draw_pieces<Pixel, Address>(surface, vectors, &walk, &left);
-    if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface);
+    if (left.count != 0) {
+      draw_left<Pixel, Address>(left, spans, surface, vectors.lack_fx16());
+    }
   }
 }
 

@@ -157,10 +157,10 @@ template <class Pixel, class Address>
 HWY_NOINLINE void draw_left(const Left& left, const DividedSpan& of, const Surface& surface) {
   const FixedLanes<Address> fixed(surface.texture, DividedVectors::lack_fx16(of.lanes));
   const DividedVectors vectors(of.lanes);
-  RowOfTies ties(of.exact, of.span, 0);
+  RowOfTies ties(of.exact, of.span, 0, fixed.spare_bits());
   for (int32_t i = 0; i < left.count; ++i) {
     fixed.template draw<Pixel>(left.rest[i], surface, ties,
-                               vectors.lanes_from(left.rest[i].left_px - of.span.left_px));
+                               vectors.lanes_from(left.rest[i].left_px - of.span.left_px), {});
   }
 }
 
