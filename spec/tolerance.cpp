@@ -51,8 +51,8 @@ Rational chord_bound(const ScanLine& line, int32_t segment_px) {
 Rational rounding_bound_fx16(const ScanLine& line) {
   const Depths q(line);
   const Columns columns = columns_of(line);
-  const Rational below_a_unit =
-      2 * q.greatest / q.least + 4 + 2 * (columns.last_px() - columns.first_px);
+  const Rational reach = std::max(Rational(q.greatest / q.least), Rational(4096));
+  const Rational below_a_unit = 2 * reach + 4 + 2 * (columns.last_px() - columns.first_px);
   return 4 + below_a_unit / SELVAGE_SUBTEXELS;
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <optional>
 #include <vector>
 
 #include "spec/exact.h"
@@ -51,6 +53,58 @@ void expect_lawful(const ProjectivePlane& plane, const Span& span,
   for (const int32_t offset_px : {0, last / 2, last}) {
     expect_lawful(plane, span, offset_px, vertices);
   }
+}
+
+[[nodiscard]] bool same(const ProjectiveField& a, const ProjectiveField& b) {
+  const auto line = [](const ProjectiveField::Linear& x, const ProjectiveField::Linear& y) {
+    return x.start == y.start && x.step_x == y.step_x && x.step_y == y.step_y;
+  };
+  return a.first_px == b.first_px && a.first_row == b.first_row && a.error_fx32 == b.error_fx32 &&
+         line(a.u_fx32, b.u_fx32) && line(a.v_fx32, b.v_fx32) && line(a.denominator, b.denominator);
+}
+
+// A triangle with vertices more on edges whose ends have one q, at uneven parts of them: doubled
+// areas differ by factors that are no powers of two.
+[[nodiscard]] std::vector<selvage_vertex> triangle_of_five(spec::Random& random) {
+  const auto any = [&](int32_t most) { return 35 * random.in(-most, most); };
+  const int32_t q = random.in(1, 1 << 20);
+  const selvage_vertex a{any(999), any(999), any(999), any(999), q};
+  const selvage_vertex b{any(999), any(999), any(999), any(999), q};
+  const bool level = random.percent(50);
+  const selvage_vertex c{any(999), any(999), any(999), any(999), level ? q : q + random.in(1, 99)};
+  const auto part = [](const selvage_vertex& x, const selvage_vertex& y, int32_t parts) {
+    const auto at = [&](int32_t from, int32_t to) { return from + (to - from) / parts; };
+    return selvage_vertex{at(x.x, y.x), at(x.y, y.y), at(x.u, y.u), at(x.v, y.v), x.q};
+  };
+  std::vector<selvage_vertex> vertices{a, part(a, b, 5), b, c};
+  if (level) vertices.insert(vertices.begin() + 3, part(b, c, 7));
+  return vertices;
+}
+
+TEST(ProjectivePlane, OfAllIsTheSameInWhateverOrder) {
+  int planes = 0;
+  for (uint64_t seed = 1; seed <= 400; ++seed) {
+    spec::Random random(seed);
+    std::vector<selvage_vertex> vertices = triangle_of_five(random);
+    const auto lanes = [&]() -> std::optional<ProjectiveField> {
+      Polygon polygon;
+      EXPECT_EQ(examine(vertices, &polygon), SELVAGE_OK);
+      const auto plane = ProjectivePlane::of_all(polygon);
+      return plane ? std::optional(plane->lanes()) : std::nullopt;
+    };
+    const auto first = lanes();
+    planes += first.has_value();
+    for (size_t turn = 0; turn < vertices.size(); ++turn) {
+      std::ranges::rotate(vertices, vertices.begin() + 1);
+      for (int winding = 0; winding < 2; ++winding) {
+        std::ranges::reverse(vertices);
+        const auto again = lanes();
+        ASSERT_EQ(again.has_value(), first.has_value()) << seed;
+        ASSERT_TRUE(!first || same(*again, *first)) << seed;
+      }
+    }
+  }
+  EXPECT_GT(planes, 300);
 }
 
 TEST(ProjectivePlane, LanesAreLowByLessThanTheirMargin) {

@@ -159,7 +159,8 @@ TEST(Choice, ChecksItsArgumentsAsDrawDoes) {
             SELVAGE_ERROR_VERTEX_COUNT);
 }
 
-// Random quads in perspective, wide enough for segments.
+// Random polygons in perspective, wide enough for segments: quads that are no plane's, triangles,
+// and triangles with a vertex more on an edge.
 class Tolerant : public testing::TestWithParam<uint64_t> {
  protected:
   [[nodiscard]] Case scene() {
@@ -172,11 +173,25 @@ class Tolerant : public testing::TestWithParam<uint64_t> {
       v.y += pick(-300, 300);
       v.q = base + pick(0, base / 2);
     }
+    if (GetParam() % 3 != 0) c.vertices.erase(c.vertices.begin() + pick(0, 4));
+    if (GetParam() % 3 == 2) cut_edge(&c.vertices);
     c.format = pick(0, 3);
     c.address = pick(0, 2);
     c.texture_width_texel = pick(1, 257);
     tolerance_ = pick(1 << 10, 1 << 18);
     return c;
+  }
+  // At a third of the first edge, both of whose ends get one q.
+  static void cut_edge(std::vector<selvage_vertex>* vertices) {
+    selvage_vertex &a = (*vertices)[0], &b = (*vertices)[1];
+    const auto whole = [](int32_t x) { return x / 3 * 3; };
+    for (selvage_vertex* end : {&a, &b}) {
+      *end = {whole(end->x), whole(end->y), whole(end->u), whole(end->v), a.q};
+    }
+    const auto third = [](int32_t from, int32_t to) { return from + (to - from) / 3; };
+    const selvage_vertex cut{third(a.x, b.x), third(a.y, b.y), third(a.u, b.u), third(a.v, b.v),
+                             a.q};
+    vertices->insert(vertices->begin() + 1, cut);
   }
   int32_t tolerance_ = 0;
 };
@@ -266,12 +281,15 @@ TEST_P(Tolerant, ClippedIsCropped) {
 TEST_P(Tolerant, NeitherFirstVertexNorWindingMatters) {
   Case c = scene();
   const Picture before = drawn(c, tolerance_);
-  std::ranges::rotate(c.vertices, c.vertices.begin() + 1);
-  std::ranges::reverse(c.vertices);
-  EXPECT_EQ(drawn(c, tolerance_).pixels, before.pixels);
+  for (size_t turn = 0; turn < c.vertices.size(); ++turn) {
+    std::ranges::rotate(c.vertices, c.vertices.begin() + 1);
+    EXPECT_EQ(drawn(c, tolerance_).pixels, before.pixels);
+    std::ranges::reverse(c.vertices);
+    EXPECT_EQ(drawn(c, tolerance_).pixels, before.pixels);
+  }
 }
 
-INSTANTIATE_TEST_SUITE_P(, Tolerant, testing::Range(uint64_t{0}, uint64_t{40}));
+INSTANTIATE_TEST_SUITE_P(, Tolerant, testing::Range(uint64_t{0}, uint64_t{60}));
 
 // The scenes above would show nothing if all of them were drawn exactly.
 TEST(TolerantScenes, AreDrawnBySegments) {

@@ -8,10 +8,13 @@
 // integers.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "mapper/number.h"
 #include "selvage.h"
@@ -41,6 +44,24 @@ class PlaneFrame {
       if (frame.doubled_area_ < 0) return PlaneFrame(origin, vertices[third], vertices[second]);
     }
     return std::nullopt;
+  }
+
+  // The same however the vertices are ordered, but for those in one place: the first and the last
+  // of them by y and x, and the one furthest from the line through both.
+  [[nodiscard]] static std::optional<PlaneFrame> canonical(
+      std::span<const selvage_vertex> vertices) {
+    const auto before = [](const selvage_vertex& a, const selvage_vertex& b) {
+      return std::pair(a.y, a.x) < std::pair(b.y, b.x);
+    };
+    const auto [first, last] = std::ranges::minmax_element(vertices, before);
+    PlaneFrame best(*first, *last, *first);  // of no area
+    for (const selvage_vertex& third : vertices) {
+      const PlaneFrame frame(*first, *last, third);
+      const int64_t area = std::abs(frame.doubled_area_), most = std::abs(best.doubled_area_);
+      if (area > most || (area == most && before(third, *best.third_))) best = frame;
+    }
+    if (best.doubled_area_ == 0) return std::nullopt;
+    return best.doubled_area_ > 0 ? best : PlaneFrame(*first, *best.third_, *last);
   }
 
   [[nodiscard]] const selvage_vertex& origin() const { return *origin_; }

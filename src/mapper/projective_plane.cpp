@@ -104,16 +104,26 @@ bool ProjectivePlane::set_lanes(const Polygon& polygon, const selvage_rect& visi
   return true;
 }
 
-std::optional<ProjectivePlane> ProjectivePlane::of(const Polygon& polygon,
+std::optional<ProjectivePlane> ProjectivePlane::by(const std::optional<PlaneFrame>& frame,
+                                                   const Polygon& polygon,
                                                    const selvage_rect& visible) {
-  const std::optional<PlaneFrame> frame = PlaneFrame::of(polygon.vertices);
   if (!frame) return std::nullopt;
   ProjectivePlane plane(*frame);
-  for (size_t i = 1; polygon.vertices.size() > 3 && i < polygon.vertices.size(); ++i) {
+  for (size_t i = 0; polygon.vertices.size() > 3 && i < polygon.vertices.size(); ++i) {
     if (!plane.passes_through(polygon.vertices[i])) return std::nullopt;
   }
   if (!plane.set_lanes(polygon, visible)) return std::nullopt;
   return plane;
+}
+
+std::optional<ProjectivePlane> ProjectivePlane::of(const Polygon& polygon,
+                                                   const selvage_rect& visible) {
+  return by(PlaneFrame::of(polygon.vertices), polygon, visible);
+}
+
+std::optional<ProjectivePlane> ProjectivePlane::of_all(const Polygon& polygon) {
+  return by(PlaneFrame::canonical(polygon.vertices), polygon,
+            {polygon.left_px, polygon.top_row, polygon.right_px, polygon.bottom_row});
 }
 
 }  // namespace selvage::mapper

@@ -52,6 +52,10 @@ class ProjectivePlane {
   [[nodiscard]] static std::optional<ProjectivePlane> of(const Polygon& polygon,
                                                          const selvage_rect& visible);
 
+  // The same plane with lanes for all pixels of the polygon, visible or not, and the same lanes
+  // however its vertices are ordered.
+  [[nodiscard]] static std::optional<ProjectivePlane> of_all(const Polygon& polygon);
+
   // Of all visible pixels of the polygon.
   [[nodiscard]] const ProjectiveField& lanes() const { return lanes_; }
 
@@ -78,6 +82,9 @@ class ProjectivePlane {
   [[nodiscard]] static Quantity<Integer> quantity(const PlaneFrame& frame, const Of& of);
 
   explicit ProjectivePlane(const PlaneFrame& frame);
+  [[nodiscard]] static std::optional<ProjectivePlane> by(const std::optional<PlaneFrame>& frame,
+                                                         const Polygon& polygon,
+                                                         const selvage_rect& visible);
   [[nodiscard]] bool passes_through(const selvage_vertex& vertex) const;
   [[nodiscard]] bool set_lanes(const Polygon& polygon, const selvage_rect& visible);
   template <class Integer>

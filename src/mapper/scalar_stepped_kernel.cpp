@@ -86,6 +86,19 @@ void draw_part(const SegmentPart& part, const selvage_texture texture, char* row
   }
 }
 
+// Whether all texels of a part lie in the texture: lanes go one way, but for a unit that their
+// floors may go back.
+[[nodiscard]] bool is_inside(const SegmentPart& part, const selvage_texture& texture) {
+  const auto all_in = [](int64_t first_fx32, int64_t last_fx32, int32_t size_texel) {
+    constexpr int64_t kBack_fx32 = int64_t{kStepTruncations_fx16} << kStepShift;
+    return std::min(first_fx32, last_fx32) - kBack_fx32 >= 0 &&
+           std::max(first_fx32, last_fx32) + kBack_fx32 < int64_t{size_texel} << kLaneFraction;
+  };
+  const Lane first = part.at(part.left_px), last = part.at(part.right_px - 1);
+  return all_in(first.u_fx32, last.u_fx32, texture.width) &&
+         all_in(first.v_fx32, last.v_fx32, texture.height);
+}
+
 template <class Pixel, class Address, class Layout>
 void draw_parts(const SteppedRow& of, const Surface& surface) {
   char* const row = static_cast<char*>(surface.target.pixels) + of.span.row * surface.target.pitch;
@@ -93,8 +106,12 @@ void draw_parts(const SteppedRow& of, const Surface& surface) {
   for (int32_t left_px = of.span.left_px; left_px < of.span.right_px;) {
     const int32_t first_px = walk.first_px();
     const int32_t right_px = std::min(first_px + of.segment_px, of.span.right_px);
-    draw_part<Pixel, Address, Layout>({walk.next(), first_px, left_px, right_px}, surface.texture,
-                                      row);
+    const SegmentPart part{walk.next(), first_px, left_px, right_px};
+    if (is_inside(part, surface.texture)) {
+      draw_part<Pixel, Inside, Layout>(part, surface.texture, row);
+    } else {
+      draw_part<Pixel, Address, Layout>(part, surface.texture, row);
+    }
     left_px = right_px;
   }
 }

@@ -28,7 +28,7 @@ inline constexpr double kMostStep_fx16 = 1 << 30;
 struct SteppedRow {
   Span span;   // the pixels to be drawn
   Span whole;  // the row that the lanes are of: holds the span
-  const ProjectiveLanes& lanes;
+  const DividedLanes& lanes;
   int32_t segment_px;  // a multiple of kStepGroup_px; the last segment may be shorter
 
   // Counted from the row's first pixel. Segments reach from pixel to pixel: the last one to the
@@ -45,7 +45,7 @@ struct SteppedLine {
   double start_fx16, step_fx16;
   double error_fx16;
 
-  SteppedLine(const ProjectiveLanes::Linear& numerator_fx32, const ProjectiveLanes& lanes)
+  SteppedLine(const DividedLanes::Linear& numerator_fx32, const DividedLanes& lanes)
       : start_fx16(numerator_fx32.start * kTexelUnit),
         step_fx16(numerator_fx32.step * kTexelUnit),
         error_fx16(static_cast<double>(lanes.error_fx32()) * kTexelUnit) {}

@@ -1,7 +1,7 @@
 // Tolerance: what a row in perspective is drawn by, where its texels need not be exact.
 //
-// spec/README.md derives the bounds. All that enters a choice is the row's own two edges and the
-// tolerance: no clip, no other row and no machine changes what is drawn.
+// spec/README.md derives the bounds. All that enters a choice is the polygon, the row and the
+// tolerance: no clip and no machine changes what is drawn.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +14,18 @@ namespace selvage::mapper {
 
 // What is below a unit of the errors in 32.32 takes one unit more.
 inline constexpr int32_t kStepRounding_fx16 = kStepTruncations_fx16 + 1;
-// Factors that hold all roundings in double: of the ratio, of a chord's bound, and of the length
-// that is chosen by it.
-inline constexpr double kRatioSlack = 1 + 0x1p-50;
+// Factors that hold all roundings in double: of the ratio of two denominators, each off by less
+// than 2^-26 of itself, of a chord's bound, and of the length that is chosen by it.
+inline constexpr double kRatioSlack = 1 + 0x1p-24;
 inline constexpr double kChordSlack = 1 + 0x1p-40;
 inline constexpr double kBudgetSlack = 1 - 0x1p-30;
 // Narrower rows and shorter segments were measured to cost as much as a division a pixel, by some
 // kernel at least.
 inline constexpr int32_t kLeastStepped_px = 96;
-inline constexpr int32_t kLeastSegment_px = 2 * kStepGroup_px;
+inline constexpr int32_t kLeastSegment_px = 3 * kStepGroup_px;
+
+// Lanes of a plane that are further off cost too much of a tolerance: 1/8 unit at their two ends.
+inline constexpr int64_t kMostSteppedError_fx32 = 1 << 12;
 
 struct RowChoice {
   selvage_method method;
@@ -31,7 +34,7 @@ struct RowChoice {
 };
 
 // The lanes are of a whole row of width_px pixels, clipped or not.
-[[nodiscard]] RowChoice choose_row(const ProjectiveLanes& lanes, int32_t width_px,
+[[nodiscard]] RowChoice choose_row(const DividedLanes& lanes, int32_t width_px,
                                    int32_t tolerance_fx16);
 
 }  // namespace selvage::mapper

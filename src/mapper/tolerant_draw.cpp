@@ -1,50 +1,139 @@
 #include "mapper/tolerant_draw.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
 
+#include "mapper/projective_plane.h"
 #include "mapper/span_walk.h"
 
 namespace selvage::mapper {
 namespace {
 
-// A row, clipped or not: its lanes and what it is drawn by.
-struct TolerantRow {
+[[nodiscard]] int32_t in_whole_groups_px(int32_t width_px) {
+  return (width_px + kStepGroup_px - 1) / kStepGroup_px * kStepGroup_px;
+}
+
+// A row that is not exact.
+[[nodiscard]] SteppedRow stepped_row(const Span& span, const Span& whole, const DividedLanes& lanes,
+                                     const RowChoice& choice) {
+  const int32_t segment_px = choice.method == SELVAGE_METHOD_SUBDIVIDED
+                                 ? choice.segment_px
+                                 : in_whole_groups_px(whole.width_px());
+  return {span, whole, lanes, segment_px};
+}
+
+[[nodiscard]] bool is_exact(const RowChoice& choice) {
+  return choice.method == SELVAGE_METHOD_EXACT_PERSPECTIVE;
+}
+
+// Rows by one map for all: its lanes, and its exact rows together.
+class PlaneRows {
+ public:
+  PlaneRows(const ProjectivePlane& plane, const Polygon& polygon, const selvage_rect& visible,
+            const RowKernel& kernel, int32_t tolerance_fx16)
+      : plane_(plane),
+        visible_(visible),
+        walk_(polygon, {polygon.left_px, visible.top, polygon.right_px, visible.bottom}, kernel),
+        tolerance_fx16_(tolerance_fx16) {}
+
+  // The next rows, clipped by nothing, and their choices; false where none is left.
+  [[nodiscard]] bool next() {
+    if (!walk_.next(&whole_)) return false;
+    for (int32_t i = 0; i < whole_.rows; ++i) {
+      const Span span = whole_.span(i);
+      choices_[static_cast<size_t>(i)] =
+          choose_row(plane_.lanes().of(span), span.width_px(), tolerance_fx16_);
+    }
+    return true;
+  }
+
+  void draw(const Surface& surface, const Kernels& kernels) const {
+    SpanBatch exact = whole_;
+    exact.widest_px = 0;
+    for (int32_t i = 0; i < whole_.rows; ++i) {
+      Span span = visible_part(i);
+      if (!span.empty() && !is_exact(choice(i))) {
+        const DividedLanes lanes = plane_.lanes().of(whole_.span(i));
+        kernels.draw_stepped(stepped_row(span, whole_.span(i), lanes, choice(i)), surface);
+        span.right_px = span.left_px;
+      }
+      exact.left_px[static_cast<size_t>(i)] = span.left_px;
+      exact.right_px[static_cast<size_t>(i)] = span.right_px;
+      exact.widest_px = std::max(exact.widest_px, span.width_px());
+    }
+    if (exact.widest_px == 0) return;
+    kernels.draw_projective({exact, plane_.lanes(), ExactMap(plane_)}, surface);
+  }
+
+  // Calls visit(choice) for each visible row.
+  template <class Visit>
+  void for_each_choice(const Visit& visit) const {
+    for (int32_t i = 0; i < whole_.rows; ++i) {
+      if (!visible_part(i).empty()) visit(choice(i));
+    }
+  }
+
+ private:
+  [[nodiscard]] const RowChoice& choice(int32_t i) const {
+    return choices_[static_cast<size_t>(i)];
+  }
+  [[nodiscard]] Span visible_part(int32_t i) const {
+    const Span whole = whole_.span(i);
+    const int32_t left_px = std::clamp(whole.left_px, visible_.left, visible_.right);
+    return {whole.row, left_px, std::max(left_px, std::min(whole.right_px, visible_.right))};
+  }
+
+  const ProjectivePlane& plane_;
+  selvage_rect visible_;
+  BatchWalk walk_;
+  int32_t tolerance_fx16_;
+  SpanBatch whole_;
+  std::array<RowChoice, kRowsPerBatch> choices_;
+};
+
+// A row by the map between its own two edges.
+struct RuledRow {
   SpanMap map;
   Span whole;
   ProjectiveLanes lanes;
   RowChoice choice;
 
-  TolerantRow(const SpanWalk& walk, int32_t tolerance_fx16)
+  RuledRow(const SpanWalk& walk, int32_t tolerance_fx16)
       : map(walk.map()),
         whole(walk.whole_span()),
         lanes(map, whole),
         choice(choose_row(lanes, whole.width_px(), tolerance_fx16)) {}
 };
 
-[[nodiscard]] int32_t in_whole_groups_px(int32_t width_px) {
-  return (width_px + kStepGroup_px - 1) / kStepGroup_px * kStepGroup_px;
+void draw_row(const RuledRow& row, const Span& span, const Surface& surface,
+              const Kernels& kernels) {
+  if (!is_exact(row.choice)) {
+    return kernels.draw_stepped(stepped_row(span, row.whole, row.lanes, row.choice), surface);
+  }
+  const bool clipped = span.width_px() != row.whole.width_px();
+  const ProjectiveLanes lanes = clipped ? ProjectiveLanes(row.map, span) : row.lanes;
+  const SpanBatch batch = one_span(span);
+  kernels.draw_projective({batch, lanes.field(span), ExactMap(row.map)}, surface);
 }
 
-void draw_row(const TolerantRow& row, const Span& span, const Surface& surface,
-              const Kernels& kernels) {
-  if (row.choice.method == SELVAGE_METHOD_EXACT_PERSPECTIVE) {
-    const bool clipped = span.width_px() != row.whole.width_px();
-    const ProjectiveLanes lanes = clipped ? ProjectiveLanes(row.map, span) : row.lanes;
-    const SpanBatch batch = one_span(span);
-    kernels.draw_projective({batch, lanes.field(span), ExactMap(row.map)}, surface);
-    return;
-  }
-  const int32_t segment_px = row.choice.method == SELVAGE_METHOD_SUBDIVIDED
-                                 ? row.choice.segment_px
-                                 : in_whole_groups_px(row.whole.width_px());
-  kernels.draw_stepped({span, row.whole, row.lanes, segment_px}, surface);
+[[nodiscard]] std::optional<ProjectivePlane> plane_of(const Polygon& polygon) {
+  std::optional<ProjectivePlane> plane = ProjectivePlane::of_all(polygon);
+  if (plane && plane->lanes().error_fx32 > kMostSteppedError_fx32) plane.reset();
+  return plane;
 }
 
 }  // namespace
 
 void draw_tolerantly(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
                      const Kernels& kernels, int32_t tolerance_fx16) {
+  if (const auto plane = plane_of(polygon)) {
+    PlaneRows rows(*plane, polygon, visible, kernels.rows, tolerance_fx16);
+    while (rows.next()) rows.draw(surface, kernels);
+    return;
+  }
   SpanWalk walk(polygon, visible);
   while (walk.next()) draw_row({walk, tolerance_fx16}, walk.span(), surface, kernels);
 }
@@ -52,14 +141,19 @@ void draw_tolerantly(const Surface& surface, const selvage_rect& visible, const 
 RowChoice choose_tolerantly(const selvage_rect& visible, const Polygon& polygon,
                             int32_t tolerance_fx16) {
   RowChoice all{SELVAGE_METHOD_NONE, 0, 0};
-  SpanWalk walk(polygon, visible);
-  while (walk.next()) {
-    const RowChoice row = TolerantRow(walk, tolerance_fx16).choice;
+  const auto add = [&](const RowChoice& row) {
     const bool shorter = all.segment_px == 0 || row.segment_px < all.segment_px;
     if (row.segment_px != 0 && shorter) all.segment_px = row.segment_px;
     all.method = std::max(all.method, row.method);
     all.bound_fx16 = std::max(all.bound_fx16, row.bound_fx16);
+  };
+  if (const auto plane = plane_of(polygon)) {
+    PlaneRows rows(*plane, polygon, visible, kScalarRowKernel, tolerance_fx16);
+    while (rows.next()) rows.for_each_choice(add);
+    return all;
   }
+  SpanWalk walk(polygon, visible);
+  while (walk.next()) add(RuledRow(walk, tolerance_fx16).choice);
   return all;
 }
 

@@ -73,9 +73,9 @@ class StepWindows {
         extent_(extent_of(texture)),
         texels_(static_cast<const Pixel*>(texture.texels)) {}
 
+  [[nodiscard]] HWY_INLINE bool any() const { return kHasWindows && rows_ != 0; }
   // All pixels of the group whose first one has this lane; false where windows do not hold them.
   [[nodiscard]] HWY_INLINE bool draw(Lane lane, Pixel* to) const {
-    if (!kHasWindows || rows_ == 0) return false;
     const int32_t last_column = extent_.width_texel - kLanes;
     const int32_t last_row = extent_.height_texel - rows_;
     for (int32_t k = 0; k < StepOffsets<D32>::kVectors; ++k) {
@@ -101,36 +101,71 @@ class StepWindows {
   const Pixel* texels_;
 };
 
+// Groups of a segment by loads.
+template <class Pixel, class Address>
+class StepLoads {
+ public:
+  HWY_INLINE StepLoads(const Segment& segment, const selvage_texture& texture, const Extent& extent)
+      : u_(segment.step.u_fx32),
+        v_(segment.step.v_fx32),
+        texels_(texture.texels),
+        extent_(extent) {}
+
+  // The pixels [first, end) of the group whose first one has this lane.
+  HWY_INLINE void draw(Lane lane, int32_t first, int32_t end, Pixel* group) const {
+    HWY_ALIGN int32_t place[kStepGroup_px];
+    for (int32_t k = 0; k < Steps::kVectors; ++k) {
+      const auto s = u_.texels(lane.u_fx32, k), t = v_.texels(lane.v_fx32, k);
+      hn::Store(Address::place(s, t, extent_), DStep(), place + k * Steps::kLanesOfD);
+    }
+    char* const pixel = reinterpret_cast<char*>(group + first);
+    if (HWY_LIKELY(end - first == kStepGroup_px)) {
+      fetch_as<Pixel, kStepGroup_px>(texels_, place, pixel);
+    } else {
+      fetch_as<Pixel>(texels_, place + first, end - first, pixel);
+    }
+  }
+
+ private:
+  using Steps = StepOffsets<DStep>;
+  Steps u_, v_;
+  const void* texels_;
+  const Extent& extent_;
+};
+
+template <class Pixel, class Address>
+HWY_INLINE void draw_by_loads(const SegmentPart& part, const selvage_texture& texture,
+                              const Extent& extent, Pixel* row) {
+  const StepLoads<Pixel, Address> loads(part.segment, texture, extent);
+  for (int32_t px = part.group_px(); px < part.right_px; px += kStepGroup_px) {
+    loads.draw(part.at(px), HWY_MAX(part.left_px - px, 0),
+               HWY_MIN(part.right_px - px, kStepGroup_px), row + px);
+  }
+}
+
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_rest(const SegmentPart& part, const selvage_texture& texture,
+                            const Extent& extent, Pixel* row) {
+  draw_by_loads<Pixel, Address>(part, texture, extent, row);
+}
+
+// By windows as far as they hold whole groups from the left on, and the rest by loads.
 template <class Pixel, class Address>
 HWY_INLINE void draw_part(const SegmentPart& part, const selvage_texture& texture,
                           const Extent& extent, Pixel* row) {
-  using Steps = StepOffsets<DStep>;
-  const Steps u(part.segment.step.u_fx32), v(part.segment.step.v_fx32);
-  const StepWindows<Pixel, Address> windows(part.segment, texture);
-  const int64_t step_u = kStepGroup_px * part.segment.step.u_fx32;
-  const int64_t step_v = kStepGroup_px * part.segment.step.v_fx32;
-  HWY_ALIGN int32_t place[kStepGroup_px];
-  int32_t px = part.group_px();
-  Lane lane = part.at(px);
-  int32_t skipped = part.left_px - px;
-  for (; px < part.right_px; px += kStepGroup_px) {
-    const int32_t end = HWY_MIN(part.right_px - px, kStepGroup_px);
-    const bool whole = HWY_LIKELY(end - skipped == kStepGroup_px);
-    if (!whole || !windows.draw(lane, row + px)) {
-      for (int32_t k = 0; k < Steps::kVectors; ++k) {
-        const auto s = u.texels(lane.u_fx32, k), t = v.texels(lane.v_fx32, k);
-        hn::Store(Address::place(s, t, extent), DStep(), place + k * Steps::kLanesOfD);
-      }
-      char* const pixel = reinterpret_cast<char*>(row + px + skipped);
-      if (whole) {
-        fetch_as<Pixel, kStepGroup_px>(texture.texels, place, pixel);
-      } else {
-        fetch_as<Pixel>(texture.texels, place + skipped, end - skipped, pixel);
-      }
+  if constexpr (!kHasWindows) {
+    draw_by_loads<Pixel, Address>(part, texture, extent, row);
+  } else {
+    const StepWindows<Pixel, Address> windows(part.segment, texture);
+    int32_t px = part.left_px;
+    if (windows.any() && px == part.group_px()) {
+      const int32_t end_px = part.right_px - kStepGroup_px;
+      while (px <= end_px && windows.draw(part.at(px), row + px)) px += kStepGroup_px;
     }
-    skipped = 0;
-    lane.u_fx32 += step_u;
-    lane.v_fx32 += step_v;
+    if (px < part.right_px) {
+      draw_rest<Pixel, Address>({part.segment, part.first_px, px, part.right_px}, texture, extent,
+                                row);
+    }
   }
 }
 
@@ -214,7 +249,7 @@ class SomeSegments {
   }
 
   SteppedLine u_, v_;
-  ProjectiveLanes::Linear denominator_;
+  DividedLanes::Linear denominator_;
   int32_t segment_px_, last_px_;
   HWY_ALIGN int32_t start_u_[kMost], whole_u_[kMost], part_u_[kMost];
   HWY_ALIGN int32_t start_v_[kMost], whole_v_[kMost], part_v_[kMost];

@@ -95,7 +95,7 @@ TEST(Plan, MeasuredIsWithinItsBoundAndThatWithinTheTolerance) {
   int64_t pixels = 0;
   std::map<std::string, int> drawn_by;
   double nearest_to_bound = 0;
-  for (uint64_t seed = 1; seed <= 250; ++seed) {
+  for (uint64_t seed = 1; seed <= 320; ++seed) {
     spec::Random random(seed);
     const ScreenFace face = random_face(random);
     const double tolerance = random.pick(kTolerances);
