@@ -36,7 +36,8 @@ static_assert(kMostPieces % kDoubles == 0);
 inline constexpr int32_t kPiece_px = kMostLanes;
 inline constexpr int32_t kVectorsPerPiece = kPiece_px / kLanes;
 struct Pieces {
-  int32_t count;  // beyond it, values mean nothing
+  int32_t count;     // beyond it, values mean nothing
+  bool has_windows;  // some piece has window_rows
   int32_t row[kMostPieces], left_px[kMostPieces];
   int32_t right_px[kMostPieces];     // the end of the span
   int32_t window_rows[kMostPieces];  // 0: a load for each pixel
@@ -65,6 +66,7 @@ class PieceWalk {
     static_assert(kRowsPerBatch % kMostPieces == 0);
     if (next_ >= batch.rows) return false;
     pieces->count = HWY_MIN(batch.rows - next_, kMostPieces);
+    pieces->has_windows = false;
     const D32 d;
     for (int32_t k = 0; k < kMostPieces; k += kLanes) {
       hn::StoreU(hn::Iota(d, batch.first_row + next_ + k), d, pieces->row + k);
@@ -78,6 +80,7 @@ class PieceWalk {
 
   HWY_INLINE bool next_parts(Pieces* pieces) {
     int32_t count = 0;
+    pieces->has_windows = false;
     for (; count < kMostPieces; ++count) {
       while (span_.left_px >= span_.right_px) {
         if (next_ == spans_->batch.rows) {
@@ -91,6 +94,7 @@ class PieceWalk {
       pieces->left_px[count] = span_.left_px;
       pieces->right_px[count] = span_.right_px;
       pieces->window_rows[count] = window_rows_;
+      pieces->has_windows |= window_rows_ != 0;
       span_.left_px += kPiece_px;
     }
     pieces->count = count;

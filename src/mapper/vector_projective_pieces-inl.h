@@ -52,7 +52,7 @@ HWY_INLINE void find(const Pieces& pieces, const AnchoredVectors& vectors, const
                      Anchors* anchors, WindowOrigins* origins) {
   for (int32_t k = 0; k < pieces.count; k += kDoubles) {
     vectors.find(pieces, k, anchors);
-    for (int32_t at = 0; kHasWindows && at < kVectorsPerPiece; ++at) {
+    for (int32_t at = 0; kHasWindows && pieces.has_windows && at < kVectorsPerPiece; ++at) {
       AnchoredVectors::find_origins<Address>(pieces, k, at, *anchors, extent, origins);
     }
   }
