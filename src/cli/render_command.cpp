@@ -47,14 +47,14 @@ inline constexpr int32_t kMostSide_px = 16384;  // the scene's guard band
 }
 
 // "NAME=FILE" each.
-[[nodiscard]] TextureFiles parse_textures(const std::vector<std::string>& texts) {
-  TextureFiles files;
+[[nodiscard]] SceneFiles parse_textures(const std::vector<std::string>& texts) {
+  SceneFiles files;
   for (const std::string& text : texts) {
     const size_t split = text.find('=');
     if (split == 0 || split == std::string::npos || split + 1 == text.size()) {
       throw UserError("'" + text + "': MATERIAL=FILE is needed");
     }
-    if (!files.emplace(text.substr(0, split), text.substr(split + 1)).second) {
+    if (!files.textures.emplace(text.substr(0, split), text.substr(split + 1)).second) {
       throw UserError("'" + text.substr(0, split) + "' stands twice");
     }
   }
@@ -138,10 +138,9 @@ int run_render(const RenderOptions& options, const Console& console) {
   const scene::Hidden hidden = about("--hidden", [&] { return parse_hidden(options.hidden); });
   scene::Wish wish;
   wish.filter = about("--filter", [&] { return parse_wished_filter(options.filter); });
-  const TextureFiles textures =
-      about("--texture", [&] { return parse_textures(options.textures); });
+  const SceneFiles files = about("--texture", [&] { return parse_textures(options.textures); });
   Output output(options);
-  const scene::Scene scene = read_scene(options.scene, textures);
+  const scene::Scene scene = read_scene(options.scene, files);
   wish.tolerance_texel = scene.tolerance_texel;
   if (!options.tolerance.empty()) {
     wish.tolerance_texel = about(

@@ -27,6 +27,10 @@ struct View {
 // What keeps a scene from being drawn, and where; empty if nothing does.
 [[nodiscard]] std::string problem(const Scene& scene);
 
+// Texture coordinates that the mapper's grid holds: selvage_snap takes u and v in [-32768, 32768).
+inline constexpr double kMostTexel = 32767;
+[[nodiscard]] bool is_texture_place(const Vector2& texel);
+
 // What is towards the eye and in the picture at that time. The scene has no problem.
 [[nodiscard]] View look(const Scene& scene, double time_s, Size size);
 

@@ -79,7 +79,7 @@ TEST_F(Globe, SharesTheTextureAlongEveryEdge) {
   expect_shared_edges_agree(read_scene(kScene));
   for (const int32_t width_texel : {64, 1000, 2048}) {
     put("other.png", encode_png(filled(width_texel, width_texel / 2, {})));
-    expect_shared_edges_agree(read_scene(kScene, {{"earth", "other.png"}}));
+    expect_shared_edges_agree(read_scene(kScene, {{{"earth", "other.png"}}, {}}));
   }
 }
 
