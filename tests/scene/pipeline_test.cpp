@@ -31,6 +31,21 @@ TEST(Motion, TurnsScalesAndMoves) {
   EXPECT_TRUE(moved.isApprox(Vector3(1, 4, 5))) << moved.transpose();
 }
 
+// Directions count, however long they are: the squares of these are beyond a double.
+TEST(Motion, TakesAxesOfAnyLength) {
+  for (const double length : {1e-200, 1.0, 1e200}) {
+    Motion motion;
+    motion.axis = {0, 0, length};
+    motion.angle_deg = 90;
+    Scene scene = scene_with(cube());
+    scene.objects[0].motion = motion;
+    scene.lighting = {Vector3::Zero(), {{Vector3(0, 0, length), Vector3::Ones()}}};
+    EXPECT_EQ(problem(scene), "");
+    EXPECT_TRUE((placed(motion, 0) * Vector3(1, 0, 0)).isApprox(Vector3(0, 1, 0))) << length;
+    EXPECT_EQ(reflected(scene.lighting, Shading::kDiffuse, {0, 0, 1}), (Light{255, 255, 255}));
+  }
+}
+
 TEST(Camera, LooksAtItsTargetWithUpUp) {
   Camera camera;
   camera.position = {3, -2, 7};
