@@ -13,6 +13,7 @@
 #include "cli/png.h"
 #include "cli/polygon_text.h"
 #include "cli/render_report.h"
+#include "cli/render_stats.h"
 #include "cli/scene_file.h"
 #include "cli/status_line.h"
 
@@ -123,8 +124,10 @@ struct Frame {
   frame.drawing = compose(scene, time_s, {size.width_px, size.height_px}, wish, hidden);
   frame.compose_ns = since_ns(start);
   frame.picture = to_bitmap(filled(size.width_px, size.height_px, {}), SELVAGE_RGBA8888);
+  const selvage_image target = frame.picture.image();
+  clear(scene, target);
   const auto drawing = std::chrono::steady_clock::now();
-  const selvage_status status = draw(scene, frame.drawing, frame.picture.image());
+  const selvage_status status = draw_pieces(scene, frame.drawing, target);
   frame.draw_ns = since_ns(drawing);
   if (status != SELVAGE_OK) throw UserError(selvage_status_text(status));
   return frame;

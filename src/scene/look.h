@@ -14,7 +14,8 @@ namespace selvage::scene {
 // What became of everything in the scene.
 struct Counts {
   size_t objects = 0, objects_rejected = 0;
-  size_t faces = 0;  // of objects that were not rejected; each is one of the following
+  size_t faces_rejected = 0;  // with their objects
+  size_t faces = 0;           // of objects that were not rejected; each is one of the following
   size_t clipped_away = 0, backs = 0, off_screen = 0, seen = 0;
   size_t refused = 0;  // beyond the mapper's grid; none of a sound scene
 };
