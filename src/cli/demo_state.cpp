@@ -14,7 +14,7 @@ using scene::Vector3;
 
 [[nodiscard]] Eigen::Quaterniond rotation(const Vector3& axis, double angle_deg) {
   return Eigen::Quaterniond(
-      Eigen::AngleAxisd(angle_deg * (std::numbers::pi / 180), axis.normalized()));
+      Eigen::AngleAxisd(angle_deg * (std::numbers::pi / 180), axis.stableNormalized()));
 }
 
 [[nodiscard]] std::optional<selvage_filter> next(const std::optional<selvage_filter>& filter) {
@@ -66,7 +66,7 @@ DemoState demo_start(const scene::Scene& scene) {
   const scene::Motion& motion = scene.objects.front().motion;
   DemoState state;
   state.turn = rotation(motion.axis, motion.angle_deg);
-  state.axis = motion.axis.normalized();
+  state.axis = motion.axis.stableNormalized();
   state.spin_deg = motion.spin_deg != 0 ? motion.spin_deg : kUsualSpin_deg;
   return state;
 }

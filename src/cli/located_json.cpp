@@ -138,7 +138,11 @@ int JsonNode::line() const {
   }
 }
 
-void JsonNode::fail(const std::string& what) const { fail_at(source_.file, line(), where_ + what); }
+std::string JsonNode::place() const {
+  return source_.file + ":" + std::to_string(line()) + where_;
+}
+
+void JsonNode::fail(const std::string& what) const { throw UserError(place() + ": " + what); }
 
 void JsonNode::fail_for(const std::string& needed) const {
   fail(needed + " is needed, not " + excerpt(value_));
@@ -160,7 +164,7 @@ JsonNode JsonNode::at(const std::string& key) const {
   if (!value_.is_object()) fail_for("an object");
   if (!has(key)) fail("'" + key + "' is missing");
   const std::string named = key.size() <= kMostNamed ? key : key.substr(0, kMostNamed) + "...";
-  return {source_, value_[key], path_ + escaped(key), where_ + named + ": "};
+  return {source_, value_[key], path_ + escaped(key), where_ + ": " + named};
 }
 
 std::vector<JsonNode> JsonNode::elements(const std::string& name) const {
@@ -168,7 +172,7 @@ std::vector<JsonNode> JsonNode::elements(const std::string& name) const {
   std::vector<JsonNode> all;
   for (size_t i = 0; i < value_.size(); ++i) {
     all.push_back({source_, value_[i], path_ + "/" + std::to_string(i),
-                   where_ + name + " " + std::to_string(i + 1) + ": "});
+                   where_ + ": " + name + " " + std::to_string(i + 1)});
   }
   return all;
 }

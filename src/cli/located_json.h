@@ -28,6 +28,7 @@ class JsonNode {
  public:
   explicit JsonNode(const LocatedJson& source) : JsonNode(source, source.value, "", "") {}
 
+  [[nodiscard]] std::string place() const;  // "FILE:LINE: KEY", as errors begin
   [[noreturn]] void fail(const std::string& what) const;
   [[noreturn]] void fail_for(const std::string& needed) const;  // "NEEDED is needed, not ..."
 
@@ -64,7 +65,7 @@ class JsonNode {
 
   const LocatedJson& source_;
   const nlohmann::json& value_;
-  std::string path_, where_;  // as a JSON pointer; in words, "KEY: NAME 1: "
+  std::string path_, where_;  // as a JSON pointer; in words, ": KEY: NAME 1"
 };
 
 // Error texts may quote what was given, but not megabytes of it.

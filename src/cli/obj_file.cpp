@@ -110,7 +110,7 @@ void expect_materials(const Parsed& parsed, const std::string& file, const ObjLi
 
 [[nodiscard]] scene::Material material_of(const tinyobj::material_t& source,
                                           const Libraries::Place& place, const SceneFiles& files,
-                                          scene::Scene& scene) {
+                                          const OtherPictures& others, scene::Scene& scene) {
   scene::Material material;
   material.name = source.name;
   material.colour = {level(source.diffuse[0]), level(source.diffuse[1]), level(source.diffuse[2])};
@@ -118,16 +118,15 @@ void expect_materials(const Parsed& parsed, const std::string& file, const ObjLi
   if (source.diffuse_texname.empty()) return material;
   material.texture = scene.textures.size();
   const bool clamp = source.diffuse_texopt.clamp;
-  const auto other = files.textures.find(source.name);
-  if (other != files.textures.end()) {
-    scene.textures.push_back(about("--texture " + source.name,
-                                   [&] { return read_texture(other->second, clamp, files); }));
-    return material;
-  }
-  const std::filesystem::path folder = std::filesystem::path(place.file).parent_path();
-  scene.textures.push_back(
-      about(place.file + ":" + std::to_string(place.texture_line) + ": map_Kd",
-            [&] { return read_texture(folder / source.diffuse_texname, clamp, files); }));
+  const auto other = others.find(source.name);
+  const bool is_own = other == others.end();
+  const std::string asked_by =
+      is_own ? place.file + ":" + std::to_string(place.texture_line) + ": map_Kd"
+             : other->second.asked_by;
+  const std::filesystem::path path =
+      is_own ? std::filesystem::path(place.file).parent_path() / source.diffuse_texname
+             : other->second.path;
+  scene.textures.push_back(about(asked_by, [&] { return read_texture(path, clamp, files); }));
   return material;
 }
 
@@ -208,8 +207,13 @@ std::string SceneFiles::text(const std::filesystem::path& path) const {
   return {all.begin(), all.end()};
 }
 
+bool SceneFiles::has(const std::filesystem::path& path) const {
+  std::error_code ignored;
+  return read || std::filesystem::exists(path, ignored);
+}
+
 scene::Object read_obj(const std::filesystem::path& path, const SceneFiles& files,
-                       scene::Scene& scene) {
+                       const OtherPictures& others, scene::Scene& scene) {
   const std::string file = path.string();
   const ObjLines lines = check_obj_lines(file, files.text(path));
   const Libraries libraries = read_libraries(path, lines, files);
@@ -222,7 +226,7 @@ scene::Object read_obj(const std::filesystem::path& path, const SceneFiles& file
     object.vertices.emplace_back(v[i], v[i + 1], v[i + 2]);
   for (size_t i = 0; i < parsed.materials.size(); ++i) {
     object.materials.push_back(
-        material_of(parsed.materials[i], libraries.places.at(i), files, scene));
+        material_of(parsed.materials[i], libraries.places.at(i), files, others, scene));
   }
   object.materials.emplace_back();  // of faces before any usemtl
   object.materials.back().colour = {204, 204, 204};

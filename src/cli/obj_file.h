@@ -27,10 +27,18 @@ struct SceneFiles {
 
   [[nodiscard]] std::vector<uint8_t> bytes(const std::filesystem::path& path) const;
   [[nodiscard]] std::string text(const std::filesystem::path& path) const;
+  [[nodiscard]] bool has(const std::filesystem::path& path) const;
 };
+
+// In the place of a material's own picture, by material.
+struct OtherPicture {
+  std::filesystem::path path;
+  std::string asked_by;  // for messages
+};
+using OtherPictures = std::map<std::string, OtherPicture>;
 
 // Textures are added to the scene's. Errors name the file and, where it is one line's, the line.
 [[nodiscard]] scene::Object read_obj(const std::filesystem::path& path, const SceneFiles& files,
-                                     scene::Scene& scene);
+                                     const OtherPictures& others, scene::Scene& scene);
 
 }  // namespace selvage::cli

@@ -87,6 +87,35 @@ void set_shadings(const JsonNode& node, scene::Object& object) {
   }
 }
 
+// {"material": "picture", ...}: each is taken where it is there. Those that the caller names win.
+[[nodiscard]] OtherPictures pictures_of(const JsonNode& node, const std::filesystem::path& folder,
+                                        const SceneFiles& files) {
+  OtherPictures pictures;
+  for (const auto& [name, path] : files.textures) pictures[name] = {path, "--texture " + name};
+  if (!node.has("textures")) return pictures;
+  for (const auto& [name, value] : node.at("textures").members()) {
+    const std::filesystem::path path = folder / value.text();
+    if (files.has(path)) pictures.try_emplace(name, OtherPicture{path, value.place()});
+  }
+  return pictures;
+}
+
+[[nodiscard]] const scene::Material* material_named(const scene::Object& object,
+                                                    const std::string& name) {
+  const auto found = std::find_if(object.materials.begin(), object.materials.end(),
+                                  [&](const auto& known) { return known.name == name; });
+  return found == object.materials.end() ? nullptr : &*found;
+}
+
+void expect_textured(const JsonNode& textures, const scene::Object& object) {
+  for (const auto& [name, value] : textures.members()) {
+    const scene::Material* material = material_named(object, name);
+    if (material == nullptr || !material->texture) {
+      value.fail("there is no such material with a texture");
+    }
+  }
+}
+
 // Each of these is some material's that has a texture.
 void expect_used(const SceneFiles& files, const scene::Scene& scene) {
   std::set<std::string> known;
@@ -108,7 +137,7 @@ void expect_used(const SceneFiles& files, const scene::Scene& scene) {
 void add_object(const JsonNode& node, const std::filesystem::path& folder, const SceneFiles& files,
                 scene::Scene& scene) {
   node.expect_keys({"file", "position", "velocity", "axis", "angle_deg", "spin_deg", "scale",
-                    "two_sided", "shading"});
+                    "two_sided", "shading", "textures"});
   const JsonNode file = node.at("file");
   scene::Object alone;
   alone.name = file.text();
@@ -116,7 +145,9 @@ void add_object(const JsonNode& node, const std::filesystem::path& folder, const
   scene::Scene with_motion;
   with_motion.objects = {alone};
   expect_no_problem(node, with_motion);
-  scene::Object object = read_obj(folder / file.text(), files, scene);
+  scene::Object object =
+      read_obj(folder / file.text(), files, pictures_of(node, folder, files), scene);
+  if (node.has("textures")) expect_textured(node.at("textures"), object);
   object.motion = alone.motion;
   if (node.has("two_sided")) object.two_sided = node.at("two_sided").boolean();
   if (node.has("shading")) set_shadings(node.at("shading"), object);

@@ -59,7 +59,7 @@ struct Point {
 // convex, so its disk is the hull of its corners. Snapping moves each by less than 0.71 of a unit:
 // the outline drawn, and a face that vanished at it, are within 3 units of the hull's.
 TEST(GlobeDisk, IsDrawnOnceEverywhere) {
-  const scene::Scene globe = read_scene(kGlobe);
+  const scene::Scene globe = read_globe();
   for (uint64_t seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const scene::Scene scene = globe_seen_from(seed, globe);

@@ -133,7 +133,7 @@ void judge(const Patch& patch, const GlobePicture::Texel& texel, const Range& ra
 }
 
 [[nodiscard]] scene::Scene globe_with_map(int32_t width_texel) {
-  scene::Scene globe = read_scene(kGlobe);
+  scene::Scene globe = read_globe();
   scene::TextureImage& image = globe.textures[0];
   const double scale = static_cast<double>(width_texel) / image.width_texel;
   for (scene::Face& face : globe.objects[0].faces) {

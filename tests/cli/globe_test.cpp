@@ -77,16 +77,16 @@ void expect_shared_edges_agree(const scene::Scene& scene) {
 class Globe : public InDirectory {};
 
 TEST_F(Globe, SharesTheTextureAlongEveryEdge) {
-  expect_shared_edges_agree(read_scene(kGlobe));
+  expect_shared_edges_agree(read_globe());
   for (const int32_t width_texel : {64, 1000, 2048}) {
     put("other.png", encode_png(filled(width_texel, width_texel / 2, {})));
-    expect_shared_edges_agree(read_scene(kGlobe, {{{"earth", "other.png"}}, {}}));
+    expect_shared_edges_agree(read_globe("other.png"));
   }
 }
 
 // A corner of one face that is off by the least that the grid tells: both laws notice.
 TEST_F(Globe, IsNoGlobeWithOneCornerMoved) {
-  const scene::Scene globe = read_scene(kGlobe);
+  const scene::Scene globe = read_globe();
   for (const size_t face : {size_t{0}, size_t{30}, size_t{150}, size_t{311}}) {
     for (const scene::Vector2& step : {scene::Vector2(1, 0), scene::Vector2(0, -1)}) {
       scene::Scene moved = globe;
@@ -192,7 +192,7 @@ void look_across(const GlobePicture& picture, int32_t x, int32_t y, double aroun
 }
 
 TEST(GlobeTexels, RunOnAcrossEveryEdge) {
-  scene::Scene globe = read_scene(kGlobe);
+  scene::Scene globe = read_globe();
   paint_places(globe.textures.at(0));
   const Seams seams = seams_of(globe);
   EXPECT_EQ(seams.torn, 0);
@@ -203,18 +203,18 @@ TEST(GlobeTexels, RunOnAcrossEveryEdge) {
 }
 
 TEST(GlobeTexels, DoNotRunOnWhereACornerIsMoved) {
-  scene::Scene globe = read_scene(kGlobe);
+  scene::Scene globe = read_globe();
   paint_places(globe.textures.at(0));
   globe.objects[0].faces[150].corners[2].texture_texel.x() += 1 / scene::kSubtexels;
   EXPECT_GT(seams_of(globe).torn, 10);  // told by the map
-  const scene::Scene sound = read_scene(kGlobe);
+  const scene::Scene sound = read_globe();
   globe.objects[0].faces[150] = sound.objects[0].faces[150];
   EXPECT_EQ(seams_of(globe).torn, 0);
 }
 
 // Texels tell by themselves what the vertices do not: faces drawn a little beside their place.
 TEST(GlobeTexels, DoNotRunOnWhereTheTextureIsTorn) {
-  scene::Scene globe = read_scene(kGlobe);
+  scene::Scene globe = read_globe();
   paint_places(globe.textures.at(0));
   scene::TextureImage& image = globe.textures[0];
   for (size_t i = 1; i < image.rgba.size(); i += 4) {  // half of it is 64 texels farther

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "cli/scene_file.h"
@@ -14,7 +15,11 @@
 
 namespace selvage::cli::test {
 
-inline constexpr const char* kGlobe = SELVAGE_SCENE_FILES "/globe/globe.json";
+// With the map that is shipped, whatever there is on this machine, or with another.
+[[nodiscard]] inline scene::Scene read_globe(const std::string& map = SELVAGE_SCENE_FILES
+                                             "/globe/earth.png") {
+  return read_scene(SELVAGE_SCENE_FILES "/globe/globe.json", {{{"earth", map}}, {}});
+}
 inline constexpr scene::Size kGlobeSize{160, 120};
 
 [[nodiscard]] inline scene::Scene globe_seen_from(uint64_t seed, scene::Scene scene) {

@@ -214,6 +214,30 @@ TEST_F(SceneFile, NamesWhereAPictureIsWrong) {
          "the JPEG is cut short or damaged");
 }
 
+// Another picture is taken where it is there, and one that the caller names before it.
+TEST_F(SceneFile, TakesOtherPicturesThatAreThere) {
+  const auto with = [](const std::string& textures) {
+    put("scene.json", replaced(kScene, "\"spin_deg\": 9,", "\"textures\":\n" + textures + ","));
+  };
+  const auto width = [](const SceneFiles& files) {
+    return read_scene("scene.json", files).textures.at(0).width_texel;
+  };
+  with(R"({"front": "other.png"})");
+  EXPECT_EQ(width({}), 24);
+  put("other.png", encode_png(filled(5, 3, {})));
+  put("asked.png", encode_png(filled(7, 3, {})));
+  EXPECT_EQ(width({}), 5);
+  EXPECT_EQ(width({{{"front", "asked.png"}}, {}}), 7);
+  put("other.png", std::string("no picture"));
+  EXPECT_EQ(error_of([&] { (void)width({}); }),
+            "scene.json:9: objects: object 1: textures: front: 'other.png': neither a PNG nor a "
+            "JPEG picture");
+  with(R"({"stone": "other.png"})");
+  EXPECT_EQ(error_of([&] { (void)width({}); }),
+            "scene.json:9: objects: object 1: textures: stone: there is no such material with a "
+            "texture");
+}
+
 TEST_F(SceneFile, TakesAJpeg) {
   put("paint.png",
       encode_jpeg(sample_raster(24, 18), JpegKind::kColour));  // by what it is, not its name
