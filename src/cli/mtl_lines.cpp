@@ -11,7 +11,7 @@ void add_material(const std::string& file, const Statement& statement, MtlLines&
   const std::string& name = only_word(file, statement);
   const bool known = std::any_of(lines.materials.begin(), lines.materials.end(),
                                  [&](const MtlMaterial& other) { return other.name == name; });
-  if (known) throw wrong(file, statement, "'" + name + "' stands twice");
+  if (known) throw wrong(file, statement, quoted(name) + " stands twice");
   lines.materials.push_back({name, 0});
 }
 
@@ -19,7 +19,7 @@ void check_illumination(const std::string& file, const Statement& statement) {
   const std::string& model = only_word(file, statement);
   const bool is_digit = model.size() == 1 && model[0] >= '0' && model[0] <= '9';
   if (!is_digit && model != "10") {
-    throw wrong(file, statement, "a whole number from 0 to 10 is needed, not '" + model + "'");
+    throw wrong(file, statement, "a whole number from 0 to 10 is needed, not " + quoted(model));
   }
 }
 
@@ -32,7 +32,7 @@ void check_texture(const std::string& file, const Statement& statement) {
         name + 1 < words.size() && (words[name + 1] == "on" || words[name + 1] == "off");
     if (words[name] != "-clamp" || !is_told) {
       throw wrong(file, statement,
-                  "'" + words[name] + "': of options only -clamp on and -clamp off are heeded");
+                  quoted(words[name]) + ": of options only -clamp on and -clamp off are heeded");
     }
   }
   if (name == words.size()) throw wrong(file, statement, "the name of a picture is needed");

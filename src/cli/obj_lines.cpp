@@ -35,8 +35,7 @@ constexpr std::array kLeftOut = {"vn",    "g",        "s",        "mg",         
   const bool has_texture = count > 1 && !(count == 3 && parts[1].empty());
   if (!whole || !is_index(parts[0]) || (has_texture && !is_index(parts[1])) ||
       (count == 3 && !is_index(parts[2]))) {
-    throw wrong(file, face,
-                "'" + word.substr(0, 60) + "' is no corner; 1, 1/2, 1//3 and 1/2/3 are");
+    throw wrong(file, face, quoted(word) + " is no corner; 1, 1/2, 1//3 and 1/2/3 are");
   }
   return std::string(parts[0]) + (has_texture ? "/" + std::string(parts[1]) : "");
 }
@@ -79,8 +78,8 @@ ObjLines check_obj_lines(const std::string& file, std::string_view text) {
       lines.statements +=
           keyword + " " + numbers(file, statement, is_vertex ? 3 : 2, is_vertex ? 7 : 3) + '\n';
     } else if (std::find(kLeftOut.begin(), kLeftOut.end(), keyword) == kLeftOut.end()) {
-      throw UserError(file + ":" + std::to_string(statement.line) + ": '" + keyword.substr(0, 60) +
-                      "' begins no statement that is read here; v, vt, f, usemtl and mtllib do");
+      throw UserError(file + ":" + std::to_string(statement.line) + ": " + quoted(keyword) +
+                      " begins no statement that is read here; v, vt, f, usemtl and mtllib do");
     }
   }
   return lines;

@@ -11,10 +11,6 @@ namespace {
 
 constexpr size_t kMostQuoted = 60;
 
-[[nodiscard]] std::string quoted(const std::string& word) {
-  return "'" + (word.size() <= kMostQuoted ? word : word.substr(0, kMostQuoted) + "...") + "'";
-}
-
 // What strtod takes besides (hexadecimal, inf, nan) is no number of these files.
 [[nodiscard]] std::optional<double> finite_number(const std::string& word) {
   if (word.find_first_not_of("+-.0123456789eE") != std::string::npos) return std::nullopt;
@@ -38,6 +34,14 @@ constexpr size_t kMostQuoted = 60;
 }
 
 }  // namespace
+
+std::string quoted(const std::string& word) {
+  std::string text = word.substr(0, kMostQuoted);
+  for (char& letter : text) {
+    if (letter < ' ' || letter > '~') letter = '?';
+  }
+  return "'" + text + (word.size() > kMostQuoted ? "...'" : "'");
+}
 
 std::vector<Statement> statements_of(std::string_view text) {
   std::vector<Statement> statements;

@@ -18,6 +18,9 @@ struct Statement {
 // All that is neither blank nor a comment, which a word that begins with # opens.
 [[nodiscard]] std::vector<Statement> statements_of(std::string_view text);
 
+// For error texts: no more than its beginning, and nothing that a terminal would take amiss.
+[[nodiscard]] std::string quoted(const std::string& word);
+
 // "FILE:LINE: KEYWORD: what is wrong"
 [[nodiscard]] UserError wrong(const std::string& file, const Statement& statement,
                               const std::string& what);

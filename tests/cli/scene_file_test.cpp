@@ -154,6 +154,8 @@ TEST_F(SceneFile, NamesFileAndLineOfWhatIsWrongInAnObject) {
   expect("v 0 1 0", "v 0 1e999 0", 3, "'1e999' is no finite number");
   expect("vt 1 0", "vt 1 0 0 0", 9, "vt: 2 to 3 numbers are needed, not 4");
   expect("vt 1 0", "tv 1 0", 9, "'tv' begins no statement that is read here; v, vt, f");
+  expect("vt 1 0", "\x1b[31m\xff" + std::string(99, 'a'), 9,
+         "'?[31m?" + std::string(54, 'a') + "...' begins no statement");
   expect("pyramid.mtl", "gone.mtl", 2, "gone.mtl");
   expect("mtllib pyramid.mtl", "mtllib", 2, "the name of a file is needed");
   expect("usemtl front", "usemtl", 14, "one word is needed, not 0");

@@ -217,6 +217,7 @@ TEST(Look, CutsAFaceThatRoundingBends) {
 }
 
 TEST(Look, RefusesNoFaceOfASoundScene) {
+  size_t seen = 0, clipped_away = 0;
   for (uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     spec::Random random(seed);
@@ -231,10 +232,14 @@ TEST(Look, RefusesNoFaceOfASoundScene) {
     ASSERT_EQ(problem(scene), "");
     const View view = look(scene, 0, kSize);
     EXPECT_EQ(view.counts.refused, 0U);
+    seen += view.counts.seen;
+    clipped_away += view.counts.clipped_away;
     EXPECT_EQ(view.counts.faces, view.counts.clipped_away + view.counts.backs +
                                      view.counts.off_screen + view.counts.seen);
     for (const ScreenFace& face : view.faces) EXPECT_TRUE(is_y_monotone(face.vertices));
   }
+  EXPECT_GT(seen, 1000U);
+  EXPECT_GT(clipped_away, 100U);
 }
 
 TEST(ScreenFace, KnowsWhatIsMonotone) {
