@@ -154,6 +154,26 @@ TEST(Hidden, WaysAgreeOnConvexBodies) {
   EXPECT_GT(pixels, 200000);
 }
 
+// Faces of one depth each: their order is all that there is to know, of equal ones the first shows.
+TEST(Hidden, PainterShowsTheNearestOfParallelFaces) {
+  int64_t overlapped = 0;
+  for (uint64_t seed = 1; seed <= 200; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    spec::Random random(seed);
+    std::vector<ScreenFace> faces = random_faces(seed);
+    for (ScreenFace& face : faces) {
+      const int32_t q = random.in(1, 6);
+      for (selvage_vertex& vertex : face.vertices) vertex.q = q;
+      face.mean_w = 1.0 / q;
+    }
+    const auto painted = draw_indices(visible_pieces(Hidden::kPainter, faces, kSize), faces, kSize);
+    ASSERT_EQ(painted.face, by_depth_test(faces, kSize));
+    overlapped += std::count_if(painted.writes.begin(), painted.writes.end(),
+                                [](int writes) { return writes > 1; });
+  }
+  EXPECT_GT(overlapped, 20000);
+}
+
 // A ball around another, both seen from outside: painter's order draws both, the scan lines one.
 TEST(ScanLine, DrawsNothingOfWhatIsBehind) {
   Scene scene;

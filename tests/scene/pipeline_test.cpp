@@ -75,6 +75,14 @@ TEST(Look, ShowsTheFaceOfACubeThatIsTowardsTheEye) {
   EXPECT_EQ(view.faces[0].face, 1U);  // z = +1, the camera's side
 }
 
+// Painter's order goes by it: the mean of what is left of a face, along the view.
+TEST(Look, TellsHowFarAFaceIs) {
+  Scene scene = scene_with(cube());
+  EXPECT_NEAR(look(scene, 0, kSize).faces.at(0).mean_w, 4, 1e-12);
+  scene.objects[0].motion.position = {0, 0, -3};
+  EXPECT_NEAR(look(scene, 0, kSize).faces.at(0).mean_w, 7, 1e-12);
+}
+
 TEST(Look, ShowsBothSidesWhereAsked) {
   Scene scene = scene_with(cube());
   scene.objects[0].two_sided = true;
@@ -121,6 +129,20 @@ TEST(Look, RejectsObjectsOutsideOfThePicture) {
   }
 }
 
+// By its size in the world: a large one reaches into the picture from outside, a small one does
+// not.
+TEST(Look, RejectsByTheSizeInTheWorld) {
+  Scene scene = scene_with(cube());
+  scene.objects[0].motion.position = {12, 0, 0};
+  scene.objects[0].motion.scale = 10;
+  EXPECT_EQ(look(scene, 0, kSize).counts.objects_rejected, 0U);
+  EXPECT_GT(look(scene, 0, kSize).counts.seen, 0U);
+  scene.objects[0].motion.position = {4, 0, 0};
+  scene.objects[0].motion.scale = 0.01;
+  EXPECT_EQ(look(scene, 0, kSize).counts.objects_rejected, 1U);
+  EXPECT_EQ(look(scene, 0, kSize).counts.faces_rejected, 6U);
+}
+
 // A rejected sphere has no point in the picture.
 TEST(Frustum, RejectsNothingThatIsSeen) {
   const Camera camera;
@@ -155,6 +177,26 @@ TEST(Lighting, FollowsLambert) {
   EXPECT_EQ(level(Shading::kDiffuse, {0, 0, 1}), (Light{255, 153, 51}));
   EXPECT_EQ(level(Shading::kDiffuse, {0, 0, -1}), (Light{51, 51, 51}));
   EXPECT_EQ(level(Shading::kDiffuse, slanted), (Light{153, 102, 51}));
+}
+
+// The normal turns with the object, and a face that is seen from behind shows the light on that
+// side.
+TEST(Lighting, FallsOnTheSideThatIsSeen) {
+  Scene scene = scene_with(cube());
+  scene.lighting = {Vector3::Zero(), {{Vector3(0, 0, 1), Vector3::Ones()}}};
+  scene.objects[0].faces = {scene.objects[0].faces[0]};  // z = -1, towards -z
+  scene.objects[0].materials[0].colour = {200, 100, 50};
+  scene.objects[0].two_sided = true;
+  const auto colour = [&](double angle_deg) {
+    scene.objects[0].motion.angle_deg = angle_deg;
+    return look(scene, 0, kSize).faces.at(0).paint.colour;
+  };
+  EXPECT_EQ(colour(0), (Colour{200, 100, 50}));    // its inside
+  EXPECT_EQ(colour(180), (Colour{200, 100, 50}));  // its outside
+  EXPECT_EQ(colour(60), (Colour{100, 50, 25}));
+  scene.lighting.lamps[0].towards = {0, 0, -1};
+  EXPECT_EQ(colour(0), (Colour{0, 0, 0}));
+  EXPECT_EQ(colour(180), (Colour{0, 0, 0}));
 }
 
 TEST(Lighting, MultipliesToTheNearest) {
