@@ -81,6 +81,9 @@ TEST(Look, TellsHowFarAFaceIs) {
   EXPECT_NEAR(look(scene, 0, kSize).faces.at(0).mean_w, 4, 1e-12);
   scene.objects[0].motion.position = {0, 0, -3};
   EXPECT_NEAR(look(scene, 0, kSize).faces.at(0).mean_w, 7, 1e-12);
+  scene.objects[0].faces = {scene.objects[0].faces[1]};
+  scene.objects[0].motion.angle_deg = 60;  // the middle of its face is cos 60 in front of its own
+  EXPECT_NEAR(look(scene, 0, kSize).faces.at(0).mean_w, 7.5, 1e-12);
 }
 
 TEST(Look, ShowsBothSidesWhereAsked) {
