@@ -138,9 +138,7 @@ int JsonNode::line() const {
   }
 }
 
-std::string JsonNode::place() const {
-  return source_.file + ":" + std::to_string(line()) + where_;
-}
+std::string JsonNode::place() const { return source_.file + ":" + std::to_string(line()) + where_; }
 
 void JsonNode::fail(const std::string& what) const { throw UserError(place() + ": " + what); }
 

@@ -32,7 +32,8 @@ inline constexpr double kFarthest = 1e9;  // of vertices, times their object's s
       !std::isfinite(motion.angle_deg) || !std::isfinite(motion.spin_deg)) {
     return "its motion must be finite";
   }
-  if (!is_finite(motion.axis) || !(motion.axis.stableNorm() > 0)) return "its axis needs a direction";
+  if (!is_finite(motion.axis) || !(motion.axis.stableNorm() > 0))
+    return "its axis needs a direction";
   if (!std::isfinite(motion.scale) || !(motion.scale > 0)) return "its scale must be above 0";
   return "";
 }
@@ -76,7 +77,8 @@ std::string problem(const Scene& scene) {
     }
   }
   for (const Lamp& lamp : scene.lighting.lamps) {
-    if (!is_finite(lamp.towards) || !(lamp.towards.stableNorm() > 0)) return "a lamp needs a direction";
+    if (!is_finite(lamp.towards) || !(lamp.towards.stableNorm() > 0))
+      return "a lamp needs a direction";
   }
   return "";
 }
