@@ -9,7 +9,7 @@
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   using namespace selvage::cli;
   try {
-    const Job job = parse_polygon_json({reinterpret_cast<const char*>(data), size});
+    const Job job = parse_polygon_json("polygon.json", {reinterpret_cast<const char*>(data), size});
     if (job.empty()) std::abort();
     for (const JobPolygon& polygon : job) {
       if (polygon.vertices.size() < 3) std::abort();

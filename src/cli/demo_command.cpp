@@ -62,6 +62,7 @@ void report(const DemoState& state, const DemoPicture& picture, Rate& rate,
 
 void run(const scene::Scene& scene, DemoWindow& window, int32_t frames, const Console& console) {
   DemoState state = demo_start(scene);
+  scene::Scene now = scene;
   Rate rate;
   Clock::time_point last = Clock::now();
   for (int32_t frame = 0; frames == 0 || frame < frames; frame += frames != 0) {
@@ -70,7 +71,8 @@ void run(const scene::Scene& scene, DemoWindow& window, int32_t frames, const Co
     if (state.quit) return;
     advance(state, std::min(Seconds(start - last).count(), kMostStep_s));
     last = start;
-    DemoPicture picture = demo_picture(scene, state, window.size());
+    pose(scene, state, now);
+    DemoPicture picture = posed_picture(now, state, window.size());
     rate.drawing += Clock::now() - start;
     ++rate.frames;
     window.show(picture.raster);

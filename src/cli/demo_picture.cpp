@@ -79,9 +79,12 @@ void draw_texts(const DemoState& state, DemoPicture& picture) {
 }  // namespace
 
 DemoPicture demo_picture(const scene::Scene& scene, const DemoState& state, scene::Size size) {
-  const scene::Scene now = posed(scene, state);
+  return posed_picture(posed(scene, state), state, size);
+}
+
+DemoPicture posed_picture(const scene::Scene& now, const DemoState& state, scene::Size size) {
   const bool exact_mapper = state.mapper == SELVAGE_PROFILE_EXACT;
-  scene::Wish wish{scene.tolerance_texel, state.filter};
+  scene::Wish wish{now.tolerance_texel, state.filter};
   ProfileDrawing drawn = draw_by_profile(now, state.time_s, size, wish, state.mapper);
   DemoPicture picture{to_raster(std::move(drawn.picture)), drawn.faces, 0};
   if (state.difference) {

@@ -21,6 +21,10 @@ struct DemoPicture {
 [[nodiscard]] DemoPicture demo_picture(const scene::Scene& scene, const DemoState& state,
                                        scene::Size size);
 
+// The same of a scene that is posed already.
+[[nodiscard]] DemoPicture posed_picture(const scene::Scene& now, const DemoState& state,
+                                        scene::Size size);
+
 // "214 faces", and where the difference is shown "214 faces, 1034 px differ".
 [[nodiscard]] std::string demo_counts(const DemoState& state, const DemoPicture& picture);
 

@@ -14,7 +14,7 @@ using scene::Vector3;
 
 [[nodiscard]] Eigen::Quaterniond rotation(const Vector3& axis, double angle_deg) {
   return Eigen::Quaterniond(
-      Eigen::AngleAxisd(angle_deg * (std::numbers::pi / 180), axis.normalized()));
+      Eigen::AngleAxisd(angle_deg * (std::numbers::pi / 180), axis.stableNormalized()));
 }
 
 [[nodiscard]] std::optional<selvage_filter> next(const std::optional<selvage_filter>& filter) {
@@ -66,7 +66,7 @@ DemoState demo_start(const scene::Scene& scene) {
   const scene::Motion& motion = scene.objects.front().motion;
   DemoState state;
   state.turn = rotation(motion.axis, motion.angle_deg);
-  state.axis = motion.axis.normalized();
+  state.axis = motion.axis.stableNormalized();
   state.spin_deg = motion.spin_deg != 0 ? motion.spin_deg : kUsualSpin_deg;
   return state;
 }
@@ -127,12 +127,19 @@ void advance(DemoState& state, double step_s) {
 
 scene::Scene posed(const scene::Scene& scene, const DemoState& state) {
   scene::Scene now = scene;
+  pose(scene, state, now);
+  return now;
+}
+
+void pose(const scene::Scene& scene, const DemoState& state, scene::Scene& now) {
   scene::Motion& ball = now.objects.front().motion;
+  ball = scene.objects.front().motion;
   const Eigen::AngleAxisd turn(state.turn);
   ball.axis = turn.axis();
   ball.angle_deg = turn.angle() * (180 / std::numbers::pi);
   ball.spin_deg = 0;
   scene::Camera& camera = now.camera;
+  camera = scene.camera;
   const Vector3 back = camera.position - camera.target;
   const Vector3 right = camera.up.cross(back).normalized();
   const Vector3 up = back.cross(right).normalized();
@@ -140,7 +147,6 @@ scene::Scene posed(const scene::Scene& scene, const DemoState& state) {
   const Vector3 aside = (right * state.right_steps + up * state.up_steps) * (back.norm() / 16);
   camera.target -= aside;
   camera.position = camera.target + back * std::exp2(-state.near_steps / 4.0);
-  return now;
 }
 
 std::string demo_settings(const DemoState& state) {

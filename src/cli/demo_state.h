@@ -58,6 +58,9 @@ void advance(DemoState& state, double step_s);
 // side is 1/16 of the distance from the camera to its target; four steps nearer halve that.
 [[nodiscard]] scene::Scene posed(const scene::Scene& scene, const DemoState& state);
 
+// The same, where `now` is a copy of the scene, however posed: no texture is copied again.
+void pose(const scene::Scene& scene, const DemoState& state, scene::Scene& now);
+
 // "mapper exact, filter auto, axis own, speed 1.00"
 [[nodiscard]] std::string demo_settings(const DemoState& state);
 

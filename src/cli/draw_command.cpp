@@ -32,8 +32,7 @@ void check_png_name(const std::string& output) {
     throw UserError("exactly one of --polygon and --polygon-file is needed");
   }
   if (!options.polygon_file.empty()) {
-    const std::string text = read_text_file(options.polygon_file);
-    return about("'" + options.polygon_file + "'", [&] { return parse_polygon_json(text); });
+    return parse_polygon_json(options.polygon_file, read_text_file(options.polygon_file));
   }
   Job job;
   for (const std::string& text : options.polygons) {

@@ -1,16 +1,15 @@
 #include "cli/located_json.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <iterator>
-
-#include "cli/error.h"
 
 namespace selvage::cli {
 namespace {
 
 using nlohmann::json;
+
+constexpr size_t kMostNamed = 60;  // letters of a key
 
 // Counts the lines that the parser has taken.
 class CountingIterator {
@@ -59,7 +58,7 @@ class Lines {
 
   bool operator()(int depth, json::parse_event_t event, const json& parsed) {
     using Event = json::parse_event_t;
-    if (depth > kMaxJsonDepth) fail_at(located_.file, line_, "nested deeper than any scene is");
+    if (depth > kMaxJsonDepth) fail_at(located_.file, line_, "nested deeper than any file here is");
     if (event == Event::key) note_key(parsed.get_ref<const std::string&>());
     if (event == Event::object_start || event == Event::array_start) {
       const std::string path = next_path();
@@ -82,7 +81,7 @@ class Lines {
     Frame& frame = frames_.back();
     frame.key = frame.path + escaped(key);
     if (!located_.lines.emplace(frame.key, line_).second) {
-      fail_at(located_.file, line_, "the key '" + key + "' stands twice");
+      fail_at(located_.file, line_, "the key " + excerpt(key) + " stands twice");
     }
   }
 
@@ -97,20 +96,26 @@ class Lines {
   std::vector<Frame> frames_;
 };
 
-// "[json.exception.parse_error.101] parse error at line 3, column 5: explanation"
-[[noreturn]] void fail_as_parser(const std::string& file, int line, const std::string& what) {
-  const size_t at = what.find("line "), colon = what.find(": ");
-  const int told = at == std::string::npos ? line : std::atoi(what.c_str() + at + 5);
-  fail_at(file, std::max(told, 1),
-          "not JSON: " + (colon == std::string::npos ? what : what.substr(colon + 2)));
-}
-
-[[nodiscard]] std::string excerpt(const json& value) {
-  const std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
-  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+// "[json.exception.parse_error.101] parse error at line 3, column 5: explanation", or another
+// "[name] explanation" of what was just read.
+[[noreturn]] void fail_as_parser(const std::string& file, int line, const std::string& told) {
+  const size_t bracket = told.find("] ");
+  std::string what = told.substr(bracket == std::string::npos ? 0 : bracket + 2);
+  const std::string at = "parse error at line ";
+  if (what.rfind(at, 0) == 0) {
+    line = std::atoi(what.c_str() + at.size());
+    const size_t column = what.find(", ");
+    if (column != std::string::npos) what.erase(0, column + 2);
+  }
+  fail_at(file, std::max(line, 1), "not JSON: " + what);
 }
 
 }  // namespace
+
+std::string excerpt(const json& value) {
+  const std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
+  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+}
 
 LocatedJson parse_located(std::string file, std::string_view text) {
   LocatedJson located{std::move(file), {}, {}};
@@ -133,62 +138,68 @@ int JsonNode::line() const {
   }
 }
 
-void JsonNode::fail(const std::string& what) const {
-  const std::string where = path_.empty() ? "" : path_.substr(1) + ": ";
-  fail_at(source_.file, line(), where + what);
+std::string JsonNode::place() const { return source_.file + ":" + std::to_string(line()) + where_; }
+
+void JsonNode::fail(const std::string& what) const { throw UserError(place() + ": " + what); }
+
+void JsonNode::fail_for(const std::string& needed) const {
+  fail(needed + " is needed, not " + excerpt(value_));
 }
 
 void JsonNode::expect_keys(const std::vector<std::string>& known) const {
-  if (!value_.is_object()) fail("an object is needed, not " + excerpt(value_));
+  if (!value_.is_object()) fail_for("an object");
   std::string list;
   for (const std::string& key : known) list += (list.empty() ? "" : ", ") + key;
   for (const auto& item : value_.items()) {
     if (std::find(known.begin(), known.end(), item.key()) == known.end()) {
-      at(item.key()).fail("unknown key; known here: " + list);
+      const JsonNode unknown(source_, item.value(), path_ + escaped(item.key()), where_);
+      unknown.fail("unknown key " + excerpt(item.key()) + "; known here: " + list);
     }
   }
 }
 
 JsonNode JsonNode::at(const std::string& key) const {
-  if (!value_.is_object()) fail("an object is needed, not " + excerpt(value_));
+  if (!value_.is_object()) fail_for("an object");
   if (!has(key)) fail("'" + key + "' is missing");
-  return {source_, value_[key], path_ + escaped(key)};
+  const std::string named = key.size() <= kMostNamed ? key : key.substr(0, kMostNamed) + "...";
+  return {source_, value_[key], path_ + escaped(key), where_ + ": " + named};
 }
 
-std::vector<JsonNode> JsonNode::elements() const {
-  if (!value_.is_array()) fail("an array is needed, not " + excerpt(value_));
+std::vector<JsonNode> JsonNode::elements(const std::string& name) const {
+  if (!value_.is_array()) fail_for("an array");
   std::vector<JsonNode> all;
   for (size_t i = 0; i < value_.size(); ++i) {
-    all.push_back({source_, value_[i], path_ + "/" + std::to_string(i)});
+    all.push_back({source_, value_[i], path_ + "/" + std::to_string(i),
+                   where_ + ": " + name + " " + std::to_string(i + 1)});
   }
   return all;
 }
 
 std::vector<std::pair<std::string, JsonNode>> JsonNode::members() const {
-  if (!value_.is_object()) fail("an object is needed, not " + excerpt(value_));
+  if (!value_.is_object()) fail_for("an object");
   std::vector<std::pair<std::string, JsonNode>> all;
   for (const auto& item : value_.items()) all.emplace_back(item.key(), at(item.key()));
   return all;
 }
 
 double JsonNode::number() const {
-  if (!value_.is_number()) fail("a number is needed, not " + excerpt(value_));
+  if (!value_.is_number()) fail_for("a number");
   return value_.get<double>();
 }
 
 bool JsonNode::boolean() const {
-  if (!value_.is_boolean()) fail("true or false is needed, not " + excerpt(value_));
+  if (!value_.is_boolean()) fail_for("true or false");
   return value_.get<bool>();
 }
 
 const std::string& JsonNode::text() const {
-  if (!value_.is_string()) fail("a text is needed, not " + excerpt(value_));
+  if (!value_.is_string()) fail_for("a text");
   return value_.get_ref<const std::string&>();
 }
 
-scene::Vector3 JsonNode::vector() const {
-  if (!value_.is_array() || value_.size() != 3) fail("[x, y, z] is needed, not " + excerpt(value_));
-  const std::vector<JsonNode> parts = elements();
+std::array<double, 3> JsonNode::vector() const {
+  if (!value_.is_array() || value_.size() != 3) fail_for("[x, y, z]");
+  const std::vector<JsonNode> parts = elements("number");
   return {parts[0].number(), parts[1].number(), parts[2].number()};
 }
 

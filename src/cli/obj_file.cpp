@@ -11,41 +11,55 @@
 
 #include "cli/error.h"
 #include "cli/file.h"
+#include "cli/mtl_lines.h"
 #include "cli/obj_lines.h"
 #include "cli/picture_file.h"
+#include "scene/look.h"
 
 namespace selvage::cli {
 namespace {
 
-// Material libraries beside the OBJ file. What is wrong with one is kept, not thrown through the
-// parser.
-class LibraryReader : public tinyobj::MaterialReader {
- public:
-  explicit LibraryReader(std::filesystem::path folder) : folder_(std::move(folder)) {}
+// Material libraries, checked.
+struct Libraries {
+  struct Place {
+    std::string file;
+    int texture_line;  // of the material's map_Kd
+  };
+  std::vector<std::string> texts;
+  std::vector<Place> places;  // of each material, in order
+};
 
-  bool operator()(const std::string& name, std::vector<tinyobj::material_t>* materials,
-                  std::map<std::string, int>* indices, std::string* warnings,
-                  std::string* errors) override {
-    ++read_;
-    try {
-      std::istringstream text(read_text_file(folder_ / name));
-      tinyobj::LoadMtl(indices, materials, &text, warnings, errors);
-      return true;
-    } catch (const UserError& error) {
-      if (problem.empty()) {
-        problem = error.what();
-        problem_library = read_ - 1;
-      }
-      return false;
+[[nodiscard]] Libraries read_libraries(const std::filesystem::path& path, const ObjLines& lines,
+                                       const SceneFiles& files) {
+  Libraries libraries;
+  for (const auto& [line, name] : lines.libraries) {
+    const std::filesystem::path library = path.parent_path() / name;
+    const std::string text = about(path.string() + ":" + std::to_string(line),
+                                   [&, &library = library] { return files.text(library); });
+    MtlLines checked = check_mtl_lines(library.string(), text);
+    libraries.texts.push_back(std::move(checked.statements));
+    for (const MtlMaterial& material : checked.materials) {
+      libraries.places.push_back({library.string(), material.texture_line});
     }
   }
+  return libraries;
+}
 
-  std::string problem;
-  size_t problem_library = 0;  // the how manieth mtllib
+// Gives the parser a library for each "mtllib NUMBER".
+class LibraryReader : public tinyobj::MaterialReader {
+ public:
+  explicit LibraryReader(const std::vector<std::string>& texts) : texts_(texts) {}
+
+  bool operator()(const std::string& number, std::vector<tinyobj::material_t>* materials,
+                  std::map<std::string, int>* indices, std::string* warnings,
+                  std::string* errors) override {
+    std::istringstream text(texts_.at(std::stoul(number)));
+    tinyobj::LoadMtl(indices, materials, &text, warnings, errors);
+    return true;
+  }
 
  private:
-  std::filesystem::path folder_;
-  size_t read_ = 0;
+  const std::vector<std::string>& texts_;
 };
 
 struct Parsed {
@@ -54,22 +68,20 @@ struct Parsed {
   std::vector<tinyobj::material_t> materials;
 };
 
-[[nodiscard]] Parsed parse(const std::filesystem::path& path, const std::string& text,
-                           const ObjLines& lines) {
+[[nodiscard]] Parsed parse(const std::string& file, const ObjLines& lines,
+                           const Libraries& libraries) {
   Parsed parsed;
-  LibraryReader libraries(path.parent_path());
-  std::istringstream stream(text);
-  std::string warnings, errors;
-  const bool fine =
-      tinyobj::LoadObj(&parsed.attributes, &parsed.shapes, &parsed.materials, &warnings, &errors,
-                       &stream, &libraries, /*triangulate=*/false);
-  if (!libraries.problem.empty()) {
-    const size_t last = lines.libraries.size() - 1;
-    throw UserError(path.string() + ":" +
-                    std::to_string(lines.libraries[std::min(libraries.problem_library, last)]) +
-                    ": " + libraries.problem);
+  LibraryReader reader(libraries.texts);
+  std::string statements;  // a material may be used before its library stands in the file
+  for (size_t i = 0; i < libraries.texts.size(); ++i) {
+    statements += "mtllib " + std::to_string(i) + '\n';
   }
-  if (!fine) throw UserError(path.string() + ": " + errors);
+  std::istringstream stream(statements + lines.statements);
+  std::string warnings, errors;
+  if (!tinyobj::LoadObj(&parsed.attributes, &parsed.shapes, &parsed.materials, &warnings, &errors,
+                        &stream, &reader, /*triangulate=*/false)) {
+    throw UserError(file + ": " + errors);
+  }
   return parsed;
 }
 
@@ -88,28 +100,33 @@ void expect_materials(const Parsed& parsed, const std::string& file, const ObjLi
   return static_cast<uint8_t>(std::floor(255 * std::clamp(part, 0.0, 1.0) + 0.5));
 }
 
-[[nodiscard]] scene::TextureImage read_texture(const std::filesystem::path& path, bool clamp) {
-  Raster raster = read_picture(path);
+[[nodiscard]] scene::TextureImage read_texture(const std::filesystem::path& path, bool clamp,
+                                               const SceneFiles& files) {
+  const std::vector<uint8_t> bytes = files.bytes(path);
+  Raster raster = about("'" + path.string() + "'", [&] { return decode_picture(bytes); });
   return {raster.width_px, raster.height_px, std::move(raster.rgba),
           clamp ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP};
 }
 
 [[nodiscard]] scene::Material material_of(const tinyobj::material_t& source,
-                                          const std::filesystem::path& folder,
-                                          const TextureFiles& textures, scene::Scene& scene) {
+                                          const Libraries::Place& place, const SceneFiles& files,
+                                          const OtherPictures& others, scene::Scene& scene) {
   scene::Material material;
   material.name = source.name;
   material.colour = {level(source.diffuse[0]), level(source.diffuse[1]), level(source.diffuse[2])};
   material.shading = source.illum >= 1 ? scene::Shading::kDiffuse : scene::Shading::kFlat;
-  if (!source.diffuse_texname.empty()) {
-    const auto other = textures.find(source.name);
-    const std::filesystem::path path =
-        other == textures.end() ? folder / source.diffuse_texname : other->second;
-    material.texture = scene.textures.size();
-    scene.textures.push_back(about("material '" + source.name + "'", [&] {
-      return read_texture(path, source.diffuse_texopt.clamp);
-    }));
-  }
+  if (source.diffuse_texname.empty()) return material;
+  material.texture = scene.textures.size();
+  const bool clamp = source.diffuse_texopt.clamp;
+  const auto other = others.find(source.name);
+  const bool is_own = other == others.end();
+  const std::string asked_by =
+      is_own ? place.file + ":" + std::to_string(place.texture_line) + ": map_Kd"
+             : other->second.asked_by;
+  const std::filesystem::path path =
+      is_own ? std::filesystem::path(place.file).parent_path() / source.diffuse_texname
+             : other->second.path;
+  scene.textures.push_back(about(asked_by, [&] { return read_texture(path, clamp, files); }));
   return material;
 }
 
@@ -124,7 +141,11 @@ void set_texture(scene::Face& face, const std::vector<scene::Vector2>& uv,
   const scene::Vector2 periods =
       wraps ? scene::Vector2(least.array().floor()) : scene::Vector2(scene::Vector2::Zero());
   for (size_t i = 0; i < uv.size(); ++i) {
-    face.corners[i].texture_texel = (uv[i] - periods).cwiseProduct(size);
+    const scene::Vector2 texel = (uv[i] - periods).cwiseProduct(size);
+    if (!scene::is_texture_place(texel)) {
+      throw UserError("the face has texture coordinates beyond 32767 texels");
+    }
+    face.corners[i].texture_texel = texel;
   }
 }
 
@@ -160,9 +181,7 @@ void add_faces(const Parsed& parsed, const std::string& file, const ObjLines& li
     for (size_t i = 0; i < shape.mesh.num_face_vertices.size(); ++i, ++count) {
       const size_t corners = shape.mesh.num_face_vertices[i];
       const int material = shape.mesh.material_ids[i];
-      const std::string line =
-          count < lines.faces.size() ? std::to_string(lines.faces[count]) : "?";
-      about(file + ":" + line, [&] {
+      about(file + ":" + std::to_string(lines.faces.at(count)), [&] {
         const size_t used =
             material < 0 ? object.materials.size() - 1 : static_cast<size_t>(material);
         scene::Face face = face_of(parsed, std::span(shape.mesh.indices).subspan(first, corners),
@@ -179,20 +198,35 @@ void add_faces(const Parsed& parsed, const std::string& file, const ObjLines& li
 
 }  // namespace
 
-scene::Object read_obj(const std::filesystem::path& path, const TextureFiles& textures,
-                       scene::Scene& scene) {
-  const std::string text = read_text_file(path), file = path.string();
-  const ObjLines lines = check_obj_lines(file, text);
-  const Parsed parsed = parse(path, text, lines);
+std::vector<uint8_t> SceneFiles::bytes(const std::filesystem::path& path) const {
+  return read ? read(path) : read_file(path);
+}
+
+std::string SceneFiles::text(const std::filesystem::path& path) const {
+  const std::vector<uint8_t> all = bytes(path);
+  return {all.begin(), all.end()};
+}
+
+bool SceneFiles::has(const std::filesystem::path& path) const {
+  std::error_code ignored;
+  return read || std::filesystem::exists(path, ignored);
+}
+
+scene::Object read_obj(const std::filesystem::path& path, const SceneFiles& files,
+                       const OtherPictures& others, scene::Scene& scene) {
+  const std::string file = path.string();
+  const ObjLines lines = check_obj_lines(file, files.text(path));
+  const Libraries libraries = read_libraries(path, lines, files);
+  const Parsed parsed = parse(file, lines, libraries);
   expect_materials(parsed, file, lines);
   scene::Object object;
   object.name = path.stem().string();
   const std::vector<double>& v = parsed.attributes.vertices;
   for (size_t i = 0; i + 2 < v.size(); i += 3)
     object.vertices.emplace_back(v[i], v[i + 1], v[i + 2]);
-  for (const tinyobj::material_t& material : parsed.materials) {
+  for (size_t i = 0; i < parsed.materials.size(); ++i) {
     object.materials.push_back(
-        about(file, [&] { return material_of(material, path.parent_path(), textures, scene); }));
+        material_of(parsed.materials[i], libraries.places.at(i), files, others, scene));
   }
   object.materials.emplace_back();  // of faces before any usemtl
   object.materials.back().colour = {204, 204, 204};

@@ -1,27 +1,62 @@
 #include "cli/obj_lines.h"
 
-#include <cmath>
-#include <cstdlib>
-#include <sstream>
+#include <algorithm>
+#include <array>
+#include <charconv>
 
-#include "cli/error.h"
+#include "cli/statement.h"
 
 namespace selvage::cli {
 namespace {
 
-[[nodiscard]] bool is_finite_number(const std::string& word) {
-  char* end = nullptr;
-  const double value = std::strtod(word.c_str(), &end);
-  return end == word.c_str() + word.size() && std::isfinite(value);
+// Statements that have no say in a picture of plane faces here.
+constexpr std::array kLeftOut = {"vn",    "g",        "s",        "mg",         "o",
+                                 "p",     "l",        "lod",      "usemap",     "maplib",
+                                 "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+
+// An index, from 1 or, from the last backward, from -1.
+[[nodiscard]] bool is_index(std::string_view text) {
+  int index = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
+  return error == std::errc{} && end == text.data() + text.size() && index != 0;
 }
 
-void check_numbers(const std::string& where, const std::string& keyword, size_t least,
-                   const std::vector<std::string>& words) {
-  if (words.size() < least) {
-    throw UserError(where + keyword + " needs " + std::to_string(least) + " numbers");
+// "vertex", "vertex/texture", "vertex//normal" or "vertex/texture/normal", without the normal.
+[[nodiscard]] std::string corner(const std::string& file, const Statement& face,
+                                 const std::string& word) {
+  std::string_view rest = word;
+  std::array<std::string_view, 3> parts;
+  size_t count = 0;
+  for (;; rest = rest.substr(parts[count - 1].size() + 1)) {
+    parts[count++] = rest.substr(0, rest.find('/'));
+    if (count == parts.size() || parts[count - 1].size() == rest.size()) break;
   }
-  for (const std::string& word : words) {
-    if (!is_finite_number(word)) throw UserError(where + "'" + word + "' is no finite number");
+  const bool whole = parts[count - 1].size() == rest.size();
+  const bool has_texture = count > 1 && !(count == 3 && parts[1].empty());
+  if (!whole || !is_index(parts[0]) || (has_texture && !is_index(parts[1])) ||
+      (count == 3 && !is_index(parts[2]))) {
+    throw wrong(file, face, quoted(word) + " is no corner; 1, 1/2, 1//3 and 1/2/3 are");
+  }
+  return std::string(parts[0]) + (has_texture ? "/" + std::string(parts[1]) : "");
+}
+
+void add_face(const std::string& file, const Statement& face, ObjLines& lines) {
+  if (face.words.size() < 3) {
+    throw wrong(file, face,
+                "a face needs at least 3 corners, not " + std::to_string(face.words.size()));
+  }
+  lines.statements += "f";
+  for (const std::string& word : face.words) lines.statements += " " + corner(file, face, word);
+  lines.statements += '\n';
+  lines.faces.push_back(face.line);
+}
+
+void add_libraries(const std::string& file, const Statement& statement, ObjLines& lines) {
+  if (statement.words.empty()) throw wrong(file, statement, "the name of a file is needed");
+  for (const std::string& name : statement.words) {
+    const bool known = std::any_of(lines.libraries.begin(), lines.libraries.end(),
+                                   [&](const auto& library) { return library.second == name; });
+    if (!known) lines.libraries.emplace_back(statement.line, name);
   }
 }
 
@@ -29,25 +64,23 @@ void check_numbers(const std::string& where, const std::string& keyword, size_t 
 
 ObjLines check_obj_lines(const std::string& file, std::string_view text) {
   ObjLines lines;
-  std::istringstream stream{std::string(text)};
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
-    const std::string where = file + ":" + std::to_string(number) + ": ";
-    std::istringstream parts(line.substr(0, line.find('#')));
-    std::string keyword;
-    parts >> keyword;
-    std::vector<std::string> words;
-    for (std::string word; parts >> word;) words.push_back(word);
-    if (keyword == "v") check_numbers(where, keyword, 3, words);
-    if (keyword == "vt") check_numbers(where, keyword, 2, words);
-    if (keyword == "mtllib") lines.libraries.push_back(number);
-    if (keyword == "usemtl") lines.materials.emplace_back(number, words.empty() ? "" : words[0]);
-    if (keyword != "f") continue;
-    if (words.size() < 3) {
-      throw UserError(where + "a face needs at least 3 corners, not " +
-                      std::to_string(words.size()));
+  for (const Statement& statement : statements_of(text)) {
+    const std::string& keyword = statement.keyword;
+    if (keyword == "f") {
+      add_face(file, statement, lines);
+    } else if (keyword == "mtllib") {
+      add_libraries(file, statement, lines);
+    } else if (keyword == "usemtl") {
+      lines.materials.emplace_back(statement.line, only_word(file, statement));
+      lines.statements += "usemtl " + statement.words[0] + '\n';
+    } else if (keyword == "v" || keyword == "vt") {
+      const bool is_vertex = keyword == "v";  // may have a w or a colour behind, textures a w
+      lines.statements +=
+          keyword + " " + numbers(file, statement, is_vertex ? 3 : 2, is_vertex ? 7 : 3) + '\n';
+    } else if (std::find(kLeftOut.begin(), kLeftOut.end(), keyword) == kLeftOut.end()) {
+      throw UserError(file + ":" + std::to_string(statement.line) + ": " + quoted(keyword) +
+                      " begins no statement that is read here; v, vt, f, usemtl and mtllib do");
     }
-    lines.faces.push_back(number);
   }
   return lines;
 }

@@ -1,4 +1,4 @@
-// The lines of an OBJ file, for what its parser lets pass and for where things stand.
+// The lines of an OBJ file: checked, for its parser lets much pass, and where things stand.
 #pragma once
 
 #include <string>
@@ -9,12 +9,14 @@
 namespace selvage::cli {
 
 struct ObjLines {
-  std::vector<int> faces;                              // of each f, in order
-  std::vector<int> libraries;                          // of each mtllib
-  std::vector<std::pair<int, std::string>> materials;  // of each usemtl, and what it names
+  std::string statements;                              // v, vt, f and usemtl alone, for the parser
+  std::vector<int> faces;                              // the line of each f, in order
+  std::vector<std::pair<int, std::string>> libraries;  // line and file, each file once
+  std::vector<std::pair<int, std::string>> materials;  // of each usemtl: line and name
 };
 
-// Refuses numbers that are none, and faces of fewer than 3 corners: "FILE:LINE: what is wrong".
+// What is no statement of such a file, numbers that are none, and faces of fewer than 3 corners are
+// UserErrors "FILE:LINE: KEYWORD: what is wrong".
 [[nodiscard]] ObjLines check_obj_lines(const std::string& file, std::string_view text);
 
 }  // namespace selvage::cli

@@ -1,181 +1,113 @@
 #include "cli/polygon_json.h"
 
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "cli/error.h"
+#include "cli/located_json.h"
 
 namespace selvage::cli {
 namespace {
 
 using nlohmann::json;
 
-constexpr int kMaxDepth = 8;  // {"polygons": [{"vertices": [[x, ... is 5 deep
-
-// Refuses, while the text is read, what a json value no longer shows or should never hold.
-class Strictness {
- public:
-  bool operator()(int depth, json::parse_event_t event, const json& parsed) {
-    if (depth > kMaxDepth) throw UserError("nested deeper than any polygon is");
-    if (event == json::parse_event_t::object_start) keys_.emplace_back();
-    if (event == json::parse_event_t::object_end) keys_.pop_back();
-    if (event == json::parse_event_t::key) {
-      const std::string& key = parsed.get_ref<const std::string&>();
-      if (!keys_.back().insert(key).second) throw UserError("the key '" + key + "' stands twice");
-    }
-    return true;
+[[nodiscard]] JobVertex vertex_of_array(const JsonNode& node) {
+  const std::vector<JsonNode> parts = node.elements("number");
+  if (parts.size() != 4 && parts.size() != 5) {
+    node.fail(excerpt(node.value()) + " has " + std::to_string(parts.size()) +
+              " numbers; a vertex is [x, y, u, v] or [x, y, u, v, w]");
   }
-
- private:
-  std::vector<std::set<std::string>> keys_;
-};
-
-[[nodiscard]] json parse_text(std::string_view text) {
-  Strictness strictness;
-  try {
-    return json::parse(text.begin(), text.end(), std::ref(strictness));
-  } catch (const json::exception& error) {
-    const std::string what = error.what();  // "[json.exception.name.id] explanation"
-    const size_t bracket = what.find("] ");
-    throw UserError("not JSON: " + what.substr(bracket == std::string::npos ? 0 : bracket + 2));
-  }
+  const double w = parts.size() == 5 ? parts[4].number() : 1;
+  return {parts[0].number(), parts[1].number(), parts[2].number(), parts[3].number(), w};
 }
 
-// Error texts may quote what was given, but not megabytes of it.
-[[nodiscard]] std::string excerpt(const json& value) {
-  const std::string text = value.dump(-1, ' ', true, json::error_handler_t::replace);
-  return text.size() <= 60 ? text : text.substr(0, 57) + "...";
+[[nodiscard]] JobVertex vertex_of_object(const JsonNode& node) {
+  node.expect_keys({"x", "y", "u", "v", "w"});
+  const double w = node.has("w") ? node.at("w").number() : 1;
+  return {node.at("x").number(), node.at("y").number(), node.at("u").number(),
+          node.at("v").number(), w};
 }
 
-void require_object(const json& value, const std::vector<std::string>& known) {
-  if (!value.is_object()) throw UserError("an object is needed, not " + excerpt(value));
-  std::string list;
-  for (const std::string& key : known) list += (list.empty() ? "" : ", ") + key;
-  for (const auto& item : value.items()) {
-    if (std::find(known.begin(), known.end(), item.key()) == known.end()) {
-      throw UserError("unknown key " + excerpt(json(item.key())) + "; known here: " + list);
-    }
-  }
+[[nodiscard]] JobVertex vertex_of(const JsonNode& node) {
+  if (node.value().is_array()) return vertex_of_array(node);
+  if (node.value().is_object()) return vertex_of_object(node);
+  node.fail_for("[x, y, u, v] or an object");
 }
 
-[[nodiscard]] double number(const json& value) {
-  if (!value.is_number()) throw UserError("a number is needed, not " + excerpt(value));
-  return value.get<double>();
-}
-
-[[nodiscard]] JobVertex vertex_of_array(const json& value) {
-  if (value.size() != 4 && value.size() != 5) {
-    throw UserError(excerpt(value) + " has " + std::to_string(value.size()) +
-                    " numbers; a vertex is [x, y, u, v] or [x, y, u, v, w]");
-  }
-  const double w = value.size() == 5 ? number(value[4]) : 1;
-  return {number(value[0]), number(value[1]), number(value[2]), number(value[3]), w};
-}
-
-[[nodiscard]] JobVertex vertex_of_object(const json& value) {
-  require_object(value, {"x", "y", "u", "v", "w"});
-  const auto field = [&](const char* key) {
-    if (!value.contains(key)) throw UserError("'" + std::string(key) + "' is missing");
-    return about(key, [&] { return number(value[key]); });
-  };
-  const double w = value.contains("w") ? field("w") : 1;
-  return {field("x"), field("y"), field("u"), field("v"), w};
-}
-
-[[nodiscard]] JobVertex vertex_of(const json& value) {
-  if (value.is_array()) return vertex_of_array(value);
-  if (value.is_object()) return vertex_of_object(value);
-  throw UserError("[x, y, u, v] or an object is needed, not " + excerpt(value));
-}
-
-[[nodiscard]] std::vector<JobVertex> vertices_of(const json& value) {
-  if (!value.is_array()) throw UserError("an array is needed, not " + excerpt(value));
+[[nodiscard]] std::vector<JobVertex> vertices_of(const JsonNode& node) {
   std::vector<JobVertex> vertices;
-  for (const json& vertex : value) {
-    vertices.push_back(
-        about("vertex " + std::to_string(vertices.size() + 1), [&] { return vertex_of(vertex); }));
-  }
+  for (const JsonNode& vertex : node.elements("vertex")) vertices.push_back(vertex_of(vertex));
   if (vertices.size() < 3) {
-    throw UserError("a polygon needs at least 3 vertices; this one has " +
-                    std::to_string(vertices.size()));
+    node.fail("a polygon needs at least 3 vertices; this one has " +
+              std::to_string(vertices.size()));
   }
   return vertices;
 }
 
-[[nodiscard]] selvage_rect clip_of(const json& value) {
+[[nodiscard]] selvage_rect clip_of(const JsonNode& node) {
+  const json& value = node.value();
   const auto is_side = [](const json& side) {
     return side.is_number_integer() && side.get<double>() >= INT32_MIN &&
            side.get<double>() <= INT32_MAX;
   };
   if (!value.is_array() || value.size() != 4 || !std::all_of(value.begin(), value.end(), is_side)) {
-    throw UserError("[left, top, right, bottom] in whole pixels is needed, not " + excerpt(value));
+    node.fail_for("[left, top, right, bottom] in whole pixels");
   }
   return {value[0].get<int32_t>(), value[1].get<int32_t>(), value[2].get<int32_t>(),
           value[3].get<int32_t>()};
 }
 
-[[nodiscard]] std::string text_of(const json& value) {
-  if (!value.is_string()) throw UserError("a text is needed, not " + excerpt(value));
-  return value.get<std::string>();
+// The name at a key, if there is one, as `parse` has it.
+template <typename Parse, typename Value>
+void set_name(const JsonNode& node, const char* key, Parse parse, Value& value) {
+  if (!node.has(key)) return;
+  const JsonNode name = node.at(key);
+  const std::string& text = name.text();
+  value = name.about([&] { return parse(text); });
 }
 
-// Everything but the vertices; what `value` does not name stays as it is.
-void read_settings(const json& value, JobPolygon& polygon) {
-  if (value.contains("clip")) {
-    polygon.clip = about("clip", [&] { return clip_of(value["clip"]); });
-  }
-  if (value.contains("profile")) {
-    polygon.options.profile =
-        about("profile", [&] { return parse_profile(text_of(value["profile"])); });
-  }
-  if (value.contains("address")) {
-    polygon.options.address =
-        about("address", [&] { return parse_address(text_of(value["address"])); });
-  }
-  if (value.contains("filter")) {
-    polygon.options.filter =
-        about("filter", [&] { return parse_filter(text_of(value["filter"])); });
-  }
+// Everything but the vertices; what the node does not name stays as it is.
+void read_settings(const JsonNode& node, JobPolygon& polygon) {
+  if (node.has("clip")) polygon.clip = clip_of(node.at("clip"));
+  set_name(node, "profile", parse_profile, polygon.options.profile);
+  set_name(node, "address", parse_address, polygon.options.address);
+  set_name(node, "filter", parse_filter, polygon.options.filter);
 }
 
-[[nodiscard]] JobPolygon polygon_of(const json& value, JobPolygon defaults) {
-  require_object(value, {"vertices", "clip", "address", "filter", "profile"});
-  if (!value.contains("vertices")) throw UserError("'vertices' is missing");
-  read_settings(value, defaults);
-  defaults.vertices = about("vertices", [&] { return vertices_of(value["vertices"]); });
+[[nodiscard]] JobPolygon polygon_of(const JsonNode& node, JobPolygon defaults) {
+  node.expect_keys({"vertices", "clip", "address", "filter", "profile"});
+  read_settings(node, defaults);
+  defaults.vertices = vertices_of(node.at("vertices"));
   return defaults;
 }
 
-[[nodiscard]] Job polygons_of(const json& value) {
-  require_object(value, {"polygons", "clip", "address", "filter", "profile"});
+[[nodiscard]] Job polygons_of(const JsonNode& node) {
+  node.expect_keys({"polygons", "clip", "address", "filter", "profile"});
   JobPolygon defaults;
-  read_settings(value, defaults);
-  const json& polygons = value["polygons"];
-  if (!polygons.is_array() || polygons.empty()) {
-    throw UserError("polygons: an array of at least one polygon is needed, not " +
-                    excerpt(polygons));
+  read_settings(node, defaults);
+  const JsonNode polygons = node.at("polygons");
+  if (!polygons.value().is_array() || polygons.value().empty()) {
+    polygons.fail_for("an array of at least one polygon");
   }
   Job job;
-  for (const json& polygon : polygons) {
-    job.push_back(about("polygon " + std::to_string(job.size() + 1),
-                        [&] { return polygon_of(polygon, defaults); }));
+  for (const JsonNode& polygon : polygons.elements("polygon")) {
+    job.push_back(polygon_of(polygon, defaults));
   }
   return job;
 }
 
 }  // namespace
 
-Job parse_polygon_json(std::string_view text) {
-  const json value = parse_text(text);
-  if (value.is_object() && value.contains("polygons")) return polygons_of(value);
-  if (value.is_object() && !value.contains("vertices")) {
-    throw UserError("'vertices' is missing (or 'polygons', for several)");
+Job parse_polygon_json(std::string file, std::string_view text) {
+  const LocatedJson located = parse_located(std::move(file), text);
+  const JsonNode root(located);
+  if (root.has("polygons")) return polygons_of(root);
+  if (located.value.is_object() && !root.has("vertices")) {
+    root.fail("'vertices' is missing (or 'polygons', for several)");
   }
-  return {polygon_of(value, {})};
+  return {polygon_of(root, {})};
 }
 
 }  // namespace selvage::cli

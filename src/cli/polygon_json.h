@@ -8,12 +8,14 @@
 // twice in one object, is an error.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "cli/job.h"
 
 namespace selvage::cli {
 
-[[nodiscard]] Job parse_polygon_json(std::string_view text);
+// Errors are UserErrors "FILE:LINE: what is wrong".
+[[nodiscard]] Job parse_polygon_json(std::string file, std::string_view text);
 
 }  // namespace selvage::cli

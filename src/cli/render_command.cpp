@@ -13,6 +13,7 @@
 #include "cli/png.h"
 #include "cli/polygon_text.h"
 #include "cli/render_report.h"
+#include "cli/render_stats.h"
 #include "cli/scene_file.h"
 #include "cli/status_line.h"
 
@@ -47,14 +48,14 @@ inline constexpr int32_t kMostSide_px = 16384;  // the scene's guard band
 }
 
 // "NAME=FILE" each.
-[[nodiscard]] TextureFiles parse_textures(const std::vector<std::string>& texts) {
-  TextureFiles files;
+[[nodiscard]] SceneFiles parse_textures(const std::vector<std::string>& texts) {
+  SceneFiles files;
   for (const std::string& text : texts) {
     const size_t split = text.find('=');
     if (split == 0 || split == std::string::npos || split + 1 == text.size()) {
       throw UserError("'" + text + "': MATERIAL=FILE is needed");
     }
-    if (!files.emplace(text.substr(0, split), text.substr(split + 1)).second) {
+    if (!files.textures.emplace(text.substr(0, split), text.substr(split + 1)).second) {
       throw UserError("'" + text.substr(0, split) + "' stands twice");
     }
   }
@@ -123,8 +124,10 @@ struct Frame {
   frame.drawing = compose(scene, time_s, {size.width_px, size.height_px}, wish, hidden);
   frame.compose_ns = since_ns(start);
   frame.picture = to_bitmap(filled(size.width_px, size.height_px, {}), SELVAGE_RGBA8888);
+  const selvage_image target = frame.picture.image();
+  clear(scene, target);
   const auto drawing = std::chrono::steady_clock::now();
-  const selvage_status status = draw(scene, frame.drawing, frame.picture.image());
+  const selvage_status status = draw_pieces(scene, frame.drawing, target);
   frame.draw_ns = since_ns(drawing);
   if (status != SELVAGE_OK) throw UserError(selvage_status_text(status));
   return frame;
@@ -138,10 +141,9 @@ int run_render(const RenderOptions& options, const Console& console) {
   const scene::Hidden hidden = about("--hidden", [&] { return parse_hidden(options.hidden); });
   scene::Wish wish;
   wish.filter = about("--filter", [&] { return parse_wished_filter(options.filter); });
-  const TextureFiles textures =
-      about("--texture", [&] { return parse_textures(options.textures); });
+  const SceneFiles files = about("--texture", [&] { return parse_textures(options.textures); });
   Output output(options);
-  const scene::Scene scene = read_scene(options.scene, textures);
+  const scene::Scene scene = read_scene(options.scene, files);
   wish.tolerance_texel = scene.tolerance_texel;
   if (!options.tolerance.empty()) {
     wish.tolerance_texel = about(

@@ -19,11 +19,13 @@ A scene:
    "background": "#101020", "tolerance": 0.25,
    "objects": [{"file": "ball.obj", "position": [0, 0, 0], "velocity": [0, 0, 0],
                 "axis": [0, 1, 0], "angle_deg": 0, "spin_deg": 30, "scale": 1,
-                "two_sided": false, "shading": {"steel": "ambient"}}]}
+                "two_sided": false, "shading": {"steel": "ambient"},
+                "textures": {"map": "/usr/share/xplanet/images/earth.jpg"}}]}
 Only "objects" with a "file" each is needed: Wavefront OBJ, of plane convex faces that run
 anticlockwise as seen from outside. Materials: Kd, map_Kd (PNG or JPEG) and illum, 0 for colours as
-they are, 1 and more for light. velocity and spin_deg are per second. Several frames go into one
-animation, x.apng, or into files of their own, x-00001.png and so on.
+they are, 1 and more for light. "textures" take the place of materials' own pictures where their
+files are there. velocity and spin_deg are per second. Several frames go into one animation, x.apng,
+or into files of their own, x-00001.png and so on.
 
 Exit codes: 0 fine; 2 wrong use, or a file that cannot be read or written.
 )";

@@ -1,11 +1,11 @@
 #include "cli/scene_file.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <string>
 
 #include "cli/error.h"
-#include "cli/file.h"
 #include "cli/located_json.h"
 #include "cli/obj_file.h"
 #include "cli/raster.h"
@@ -14,11 +14,16 @@
 namespace selvage::cli {
 namespace {
 
+[[nodiscard]] scene::Vector3 to_vector(const JsonNode& node) {
+  const std::array<double, 3> parts = node.vector();
+  return {parts[0], parts[1], parts[2]};
+}
+
 void set(const JsonNode& node, const char* key, double& value) {
   if (node.has(key)) value = node.at(key).number();
 }
 void set(const JsonNode& node, const char* key, scene::Vector3& value) {
-  if (node.has(key)) value = node.at(key).vector();
+  if (node.has(key)) value = to_vector(node.at(key));
 }
 
 // What would keep the scene from being drawn is the fault of this node.
@@ -45,7 +50,7 @@ void expect_no_problem(const JsonNode& node, const scene::Scene& scene) {
 [[nodiscard]] scene::Lamp lamp_of(const JsonNode& node) {
   node.expect_keys({"towards", "level"});
   scene::Lamp lamp;
-  lamp.towards = node.at("towards").vector();
+  lamp.towards = to_vector(node.at("towards"));
   set(node, "level", lamp.level);
   scene::Scene alone;
   alone.lighting.lamps = {lamp};
@@ -82,15 +87,44 @@ void set_shadings(const JsonNode& node, scene::Object& object) {
   }
 }
 
+// {"material": "picture", ...}: each is taken where it is there. Those that the caller names win.
+[[nodiscard]] OtherPictures pictures_of(const JsonNode& node, const std::filesystem::path& folder,
+                                        const SceneFiles& files) {
+  OtherPictures pictures;
+  for (const auto& [name, path] : files.textures) pictures[name] = {path, "--texture " + name};
+  if (!node.has("textures")) return pictures;
+  for (const auto& [name, value] : node.at("textures").members()) {
+    const std::filesystem::path path = folder / value.text();
+    if (files.has(path)) pictures.try_emplace(name, OtherPicture{path, value.place()});
+  }
+  return pictures;
+}
+
+[[nodiscard]] const scene::Material* material_named(const scene::Object& object,
+                                                    const std::string& name) {
+  const auto found = std::find_if(object.materials.begin(), object.materials.end(),
+                                  [&](const auto& known) { return known.name == name; });
+  return found == object.materials.end() ? nullptr : &*found;
+}
+
+void expect_textured(const JsonNode& textures, const scene::Object& object) {
+  for (const auto& [name, value] : textures.members()) {
+    const scene::Material* material = material_named(object, name);
+    if (material == nullptr || !material->texture) {
+      value.fail("there is no such material with a texture");
+    }
+  }
+}
+
 // Each of these is some material's that has a texture.
-void expect_used(const TextureFiles& textures, const scene::Scene& scene) {
+void expect_used(const SceneFiles& files, const scene::Scene& scene) {
   std::set<std::string> known;
   for (const scene::Object& object : scene.objects) {
     for (const scene::Material& material : object.materials) {
       if (material.texture) known.insert(material.name);
     }
   }
-  for (const auto& [name, path] : textures) {
+  for (const auto& [name, path] : files.textures) {
     if (known.contains(name)) continue;
     std::string these;
     for (const std::string& material : known) these += (these.empty() ? "" : ", ") + material;
@@ -100,10 +134,10 @@ void expect_used(const TextureFiles& textures, const scene::Scene& scene) {
   }
 }
 
-void add_object(const JsonNode& node, const std::filesystem::path& folder,
-                const TextureFiles& textures, scene::Scene& scene) {
+void add_object(const JsonNode& node, const std::filesystem::path& folder, const SceneFiles& files,
+                scene::Scene& scene) {
   node.expect_keys({"file", "position", "velocity", "axis", "angle_deg", "spin_deg", "scale",
-                    "two_sided", "shading"});
+                    "two_sided", "shading", "textures"});
   const JsonNode file = node.at("file");
   scene::Object alone;
   alone.name = file.text();
@@ -111,7 +145,9 @@ void add_object(const JsonNode& node, const std::filesystem::path& folder,
   scene::Scene with_motion;
   with_motion.objects = {alone};
   expect_no_problem(node, with_motion);
-  scene::Object object = read_obj(folder / file.text(), textures, scene);
+  scene::Object object =
+      read_obj(folder / file.text(), files, pictures_of(node, folder, files), scene);
+  if (node.has("textures")) expect_textured(node.at("textures"), object);
   object.motion = alone.motion;
   if (node.has("two_sided")) object.two_sided = node.at("two_sided").boolean();
   if (node.has("shading")) set_shadings(node.at("shading"), object);
@@ -119,12 +155,9 @@ void add_object(const JsonNode& node, const std::filesystem::path& folder,
 }
 
 [[nodiscard]] scene::Colour background_of(const JsonNode& node) {
-  try {
-    const Colour colour = parse_colour(node.text());
-    return {colour.red, colour.green, colour.blue, colour.alpha};
-  } catch (const UserError& error) {
-    node.fail(error.what());
-  }
+  const std::string& text = node.text();
+  const Colour colour = node.about([&] { return parse_colour(text); });
+  return {colour.red, colour.green, colour.blue, colour.alpha};
 }
 
 [[nodiscard]] double tolerance_of(const JsonNode& node) {
@@ -135,24 +168,24 @@ void add_object(const JsonNode& node, const std::filesystem::path& folder,
 
 }  // namespace
 
-scene::Scene read_scene(const std::filesystem::path& path, const TextureFiles& textures) {
-  const LocatedJson located = parse_located(path.string(), read_text_file(path));
+scene::Scene read_scene(const std::filesystem::path& path, const SceneFiles& files) {
+  const LocatedJson located = parse_located(path.string(), files.text(path));
   const JsonNode root(located);
   root.expect_keys({"camera", "ambient", "lamps", "background", "tolerance", "objects"});
   scene::Scene scene;
   if (root.has("camera")) scene.camera = camera_of(root.at("camera"));
   set(root, "ambient", scene.lighting.ambient);
   if (root.has("lamps")) {
-    for (const JsonNode& lamp : root.at("lamps").elements()) {
+    for (const JsonNode& lamp : root.at("lamps").elements("lamp")) {
       scene.lighting.lamps.push_back(lamp_of(lamp));
     }
   }
   if (root.has("background")) scene.background = background_of(root.at("background"));
   if (root.has("tolerance")) scene.tolerance_texel = tolerance_of(root.at("tolerance"));
-  const std::vector<JsonNode> objects = root.at("objects").elements();
+  const std::vector<JsonNode> objects = root.at("objects").elements("object");
   if (objects.empty()) root.at("objects").fail("at least one object is needed");
-  for (const JsonNode& object : objects) add_object(object, path.parent_path(), textures, scene);
-  expect_used(textures, scene);
+  for (const JsonNode& object : objects) add_object(object, path.parent_path(), files, scene);
+  expect_used(files, scene);
   expect_no_problem(root, scene);
   return scene;
 }

@@ -9,8 +9,8 @@
 namespace selvage::cli {
 
 // Files in it are named from its own folder. Errors are UserErrors "FILE:LINE: what is wrong".
-// Each of the textures takes the place of one that a material names.
+// Each of `files.textures` takes the place of one that a material names.
 [[nodiscard]] scene::Scene read_scene(const std::filesystem::path& path,
-                                      const TextureFiles& textures = {});
+                                      const SceneFiles& files = {});
 
 }  // namespace selvage::cli

@@ -5,18 +5,6 @@
 #include "scene/paints.h"
 
 namespace selvage::scene {
-namespace {
-
-void fill(const selvage_image& target, const Colour& colour) {
-  const uint8_t pixel[] = {colour.red, colour.green, colour.blue, colour.alpha};
-  for (int32_t y = 0; y < target.height; ++y) {
-    auto* row = static_cast<uint8_t*>(target.pixels) + y * target.pitch;
-    for (int32_t x = 0; x < target.width; ++x) std::memcpy(row + x * 4, pixel, sizeof pixel);
-  }
-}
-
-}  // namespace
-
 Drawing compose(const Scene& scene, double time_s, Size size, const Wish& wish, Hidden way) {
   Drawing drawing;
   drawing.view = look(scene, time_s, size);
@@ -27,8 +15,22 @@ Drawing compose(const Scene& scene, double time_s, Size size, const Wish& wish, 
   return drawing;
 }
 
+void clear(const Scene& scene, const selvage_image& target) {
+  const Colour& colour = scene.background;
+  const uint8_t pixel[] = {colour.red, colour.green, colour.blue, colour.alpha};
+  for (int32_t y = 0; y < target.height; ++y) {
+    auto* row = static_cast<uint8_t*>(target.pixels) + y * target.pitch;
+    for (int32_t x = 0; x < target.width; ++x) std::memcpy(row + x * 4, pixel, sizeof pixel);
+  }
+}
+
 selvage_status draw(const Scene& scene, const Drawing& drawing, const selvage_image& target) {
-  fill(target, scene.background);
+  clear(scene, target);
+  return draw_pieces(scene, drawing, target);
+}
+
+selvage_status draw_pieces(const Scene& scene, const Drawing& drawing,
+                           const selvage_image& target) {
   Paints paints(scene);
   for (const Piece& piece : drawing.pieces) {
     const ScreenFace& face = drawing.view.faces[piece.face];

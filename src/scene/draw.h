@@ -22,8 +22,14 @@ struct Drawing {
 [[nodiscard]] Drawing compose(const Scene& scene, double time_s, Size size, const Wish& wish,
                               Hidden way);
 
-// The background, then the pieces in order. The target is RGBA8888; the first error of
-// selvage_draw, if any.
+// The background alone. The target is RGBA8888, here and below.
+void clear(const Scene& scene, const selvage_image& target);
+
+// The pieces in order; the first error of selvage_draw, if any.
+[[nodiscard]] selvage_status draw_pieces(const Scene& scene, const Drawing& drawing,
+                                         const selvage_image& target);
+
+// Both, one after the other.
 [[nodiscard]] selvage_status draw(const Scene& scene, const Drawing& drawing,
                                   const selvage_image& target);
 

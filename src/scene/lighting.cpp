@@ -17,7 +17,7 @@ Light reflected(const Lighting& lighting, Shading shading, const Vector3& normal
   Vector3 level = lighting.ambient;
   if (shading == Shading::kDiffuse) {
     for (const Lamp& lamp : lighting.lamps) {
-      level += std::max(0.0, normal.dot(lamp.towards.normalized())) * lamp.level;
+      level += std::max(0.0, normal.dot(lamp.towards.stableNormalized())) * lamp.level;
     }
   }
   return {step(level.x()), step(level.y()), step(level.z())};

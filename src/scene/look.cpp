@@ -34,6 +34,7 @@ void add_candidates(const Scene& scene, size_t index, double time_s, Size size, 
   if (!may_be_seen({to_eye * sphere.centre, sphere.radius * object.motion.scale}, scene.camera,
                    size)) {
     ++counts.objects_rejected;
+    counts.faces_rejected += object.faces.size();
     return;
   }
   const Matrix3 to_place = eye_to_place(scene.camera, size);

@@ -14,7 +14,8 @@ namespace selvage::scene {
 // What became of everything in the scene.
 struct Counts {
   size_t objects = 0, objects_rejected = 0;
-  size_t faces = 0;  // of objects that were not rejected; each is one of the following
+  size_t faces_rejected = 0;  // with their objects
+  size_t faces = 0;           // of objects that were not rejected; each is one of the following
   size_t clipped_away = 0, backs = 0, off_screen = 0, seen = 0;
   size_t refused = 0;  // beyond the mapper's grid; none of a sound scene
 };
@@ -26,6 +27,10 @@ struct View {
 
 // What keeps a scene from being drawn, and where; empty if nothing does.
 [[nodiscard]] std::string problem(const Scene& scene);
+
+// Texture coordinates that the mapper's grid holds: selvage_snap takes u and v in [-32768, 32768).
+inline constexpr double kMostTexel = 32767;
+[[nodiscard]] bool is_texture_place(const Vector2& texel);
 
 // What is towards the eye and in the picture at that time. The scene has no problem.
 [[nodiscard]] View look(const Scene& scene, double time_s, Size size);

@@ -5,8 +5,6 @@
 namespace selvage::scene {
 namespace {
 
-// selvage_snap takes u and v in [-32768, 32768) texels.
-inline constexpr double kMostTexel = 32767;
 inline constexpr double kFarthest = 1e9;  // of vertices, times their object's scale
 
 [[nodiscard]] bool is_finite(const Vector3& vector) { return vector.allFinite(); }
@@ -34,7 +32,8 @@ inline constexpr double kFarthest = 1e9;  // of vertices, times their object's s
       !std::isfinite(motion.angle_deg) || !std::isfinite(motion.spin_deg)) {
     return "its motion must be finite";
   }
-  if (!is_finite(motion.axis) || !(motion.axis.norm() > 0)) return "its axis needs a direction";
+  if (!is_finite(motion.axis) || !(motion.axis.stableNorm() > 0))
+    return "its axis needs a direction";
   if (!std::isfinite(motion.scale) || !(motion.scale > 0)) return "its scale must be above 0";
   return "";
 }
@@ -43,7 +42,7 @@ inline constexpr double kFarthest = 1e9;  // of vertices, times their object's s
   if (face.corners.size() < 3) return "has fewer than 3 corners";
   for (const Corner& corner : face.corners) {
     if (corner.vertex >= object.vertices.size()) return "has a corner at no vertex";
-    if (!(corner.texture_texel.cwiseAbs().maxCoeff() <= kMostTexel)) {
+    if (!is_texture_place(corner.texture_texel)) {
       return "has texture coordinates beyond 32767 texels";
     }
   }
@@ -55,6 +54,10 @@ inline constexpr double kFarthest = 1e9;  // of vertices, times their object's s
 }
 
 }  // namespace
+
+bool is_texture_place(const Vector2& texel) {
+  return std::abs(texel.x()) <= kMostTexel && std::abs(texel.y()) <= kMostTexel;
+}
 
 std::string problem(const Scene& scene) {
   if (const std::string camera = problem_of(scene.camera); !camera.empty()) return camera;
@@ -74,7 +77,8 @@ std::string problem(const Scene& scene) {
     }
   }
   for (const Lamp& lamp : scene.lighting.lamps) {
-    if (!is_finite(lamp.towards) || !(lamp.towards.norm() > 0)) return "a lamp needs a direction";
+    if (!is_finite(lamp.towards) || !(lamp.towards.stableNorm() > 0))
+      return "a lamp needs a direction";
   }
   return "";
 }

@@ -106,6 +106,22 @@ TEST(DemoState, MovesWhatIsSeen) {
   expect_at(after(DemoKey::kRight, 1000), kMostMove_steps / 16., 0, 1);
 }
 
+TEST(DemoState, PosesAgainFromTheStart) {
+  const scene::Scene scene = station();
+  scene::Scene now = scene;
+  DemoState state = demo_start(scene);
+  for (const DemoKey key : {DemoKey::kUp, DemoKey::kNearer, DemoKey::kAxisX, DemoKey::kLeft}) {
+    press(state, key);
+    advance(state, 0.3);
+    pose(scene, state, now);
+    const scene::Scene anew = posed(scene, state);
+    EXPECT_EQ(now.camera.position, anew.camera.position);
+    EXPECT_EQ(now.camera.target, anew.camera.target);
+    EXPECT_EQ(now.objects[0].motion.axis, anew.objects[0].motion.axis);
+    EXPECT_EQ(now.objects[0].motion.angle_deg, anew.objects[0].motion.angle_deg);
+  }
+}
+
 TEST(DemoState, GoesRoundTheFiltersAndMappers) {
   DemoState state = demo_start(station());
   EXPECT_EQ(demo_settings(state), "mapper exact, filter auto, axis own, speed 1.00");

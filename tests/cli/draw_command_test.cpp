@@ -285,7 +285,7 @@ TEST_F(Draw, NamesTheFileThatIsWrong) {
   options_.background = "#000";
   options_.polygons.clear();
   options_.polygon_file = "bad.json";
-  EXPECT_EQ(refusal(), "'bad.json': vertices: an array is needed, not 3");
+  EXPECT_EQ(refusal(), "bad.json:1: vertices: an array is needed, not 3");
 }
 
 TEST_F(Draw, NamesTheOptionThatIsWrong) {

@@ -117,10 +117,89 @@ TEST_F(Render, ExplainsAndCounts) {
   ASSERT_EQ(told["faces"].size(), 1U);
   EXPECT_EQ(told["faces"][0]["object"], "square");
   EXPECT_EQ(told["faces"][0]["bound_texel"], 0);
-  EXPECT_EQ(told["stats"]["faces_seen"], 1);
-  EXPECT_EQ(told["stats"]["written_px"], 900);
-  EXPECT_EQ(told["stats"]["shown_px"], 900);
-  EXPECT_EQ(told["stats"]["pieces"], 1);
+  EXPECT_EQ(told["stats"]["faces_drawn"], 1);
+  EXPECT_EQ(told["stats"]["pixels_written"], 900);
+}
+
+// Squares: in front, behind it, behind half of it, turned away, aside of the picture in an object
+// that reaches into it, in one that does not, behind the eye; and one between pixels' centres.
+TEST_F(Render, CountsWhatBecomesOfEveryFace) {
+  std::string all = "mtllib square.mtl\nusemtl red\n";
+  const auto square = [&](double x, double y, double z, double half, bool turned) {
+    const double at[][2] = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
+    for (const auto& corner : at) {
+      all += "v " + std::to_string(x + corner[0]) + " " + std::to_string(y + corner[1]) + " " +
+             std::to_string(z) + "\n";
+    }
+    all += turned ? "f -1 -2 -3 -4\n" : "f -4 -3 -2 -1\n";
+  };
+  square(0, 0, 0, 1, false);
+  square(0, 0, -0.5, 0.5, false);
+  square(1, 0, -1, 0.5, false);
+  square(0, 1, 0, 0.1, true);
+  square(5, 0, 0, 0.5, false);
+  square(0, 0, 5, 0.5, false);
+  square(0, 1.5, 0, 0.01, false);
+  put("square.obj", all);
+  put("scene.json",
+      std::string(R"({"camera": {"position": [0, 0, 4], "view_deg": 53.13010235415598},
+          "objects": [{"file": "square.obj"}, {"file": "square.obj", "position": [90, 0, 0]}]})"));
+  options_.stats = options_.json = true;
+  EXPECT_EQ(run(), kExitFine);
+  const auto stats = nlohmann::json::parse(out_.str())["stats"];
+  EXPECT_EQ(stats["objects"], 2);
+  EXPECT_EQ(stats["objects_culled"], 1);
+  EXPECT_EQ(stats["faces"], 14);
+  EXPECT_EQ(stats["faces_culled"], (nlohmann::json{{"with their object", 7},
+                                                   {"clipped away", 1},
+                                                   {"from behind", 1},
+                                                   {"off screen", 1},
+                                                   {"refused", 0},
+                                                   {"without a pixel", 2}}));
+  EXPECT_EQ(stats["faces_drawn"], 2);
+  // The third is 12 px wide from column 46, the first ends at 55.
+  const int pixels = 900 + 12 * (46 + 12 - 55);
+  EXPECT_EQ(stats["drawn_by"],
+            (nlohmann::json{{"exact affine", {{"faces", 2}, {"pixels", pixels}}}}));
+  EXPECT_EQ(stats["draw_calls"], 2);
+  EXPECT_EQ(stats["pixels_written"], pixels);
+  EXPECT_EQ(stats["pixels_shown"], pixels);
+  EXPECT_GT(stats["draw_ns"], 0);
+  EXPECT_DOUBLE_EQ(stats["draw_ns_per_pixel"], stats["draw_ns"].get<double>() / pixels);
+}
+
+// Painter's order draws the hidden one too, and its pixels twice.
+TEST_F(Render, CountsWhatIsPaintedOver) {
+  put("square.obj", kSquare + std::string("v -1 -1 -4\nv 1 -1 -4\nv 1 1 -4\nv -1 1 -4\n"
+                                          "f 5 6 7 8\n"));
+  options_.hidden = "painter";
+  options_.stats = options_.json = true;
+  EXPECT_EQ(run(), kExitFine);
+  const auto stats = nlohmann::json::parse(out_.str())["stats"];
+  EXPECT_EQ(stats["faces_drawn"], 2);
+  EXPECT_EQ(stats["pixels_written"], 900 + 15 * 15);
+  EXPECT_EQ(stats["pixels_shown"], 900);
+}
+
+// Corners half way between two rows of the grid: the face is drawn as triangles, and is one face.
+TEST_F(Render, CountsFacesAndNotTheirTriangles) {
+  std::string bent = "mtllib square.mtl\nusemtl red\n";
+  for (int i = 0; i < 5; ++i) {
+    bent +=
+        "v " + std::to_string(1 - i * 0.5) + (i % 2 ? " 0.99607421876 0\n" : " 0.99607421874 0\n");
+  }
+  put("square.obj", bent + "v -1 -0.5 0\nv 1 -0.5 0\nf 1 2 3 4 5 6 7\n");
+  put("scene.json", std::string(R"({"camera": {"position": [0, 0, 1], "view_deg": 90},
+                                    "objects": [{"file": "square.obj"}]})"));
+  options_.size = "320x200";
+  options_.frames = 2;
+  options_.stats = options_.json = true;
+  EXPECT_EQ(run(), kExitFine);
+  const auto stats = nlohmann::json::parse(out_.str())["stats"];
+  EXPECT_EQ(stats["faces"], 2);  // one a frame
+  EXPECT_EQ(stats["faces_drawn"], 2);
+  EXPECT_GT(stats["draw_calls"], 2);
+  EXPECT_EQ(stats["pixels_written"], 2 * 200 * 150);
 }
 
 TEST_F(Render, TellsPeopleTheSame) {
@@ -128,7 +207,10 @@ TEST_F(Render, TellsPeopleTheSame) {
   EXPECT_EQ(run(), kExitFine);
   expect_contains(out_.str(), "square face 1: ");
   expect_contains(out_.str(), "one colour");
-  expect_contains(out_.str(), "written_px: 900");
+  expect_contains(out_.str(), "faces_drawn: 1\n");
+  expect_contains(out_.str(), "faces_culled:\n  with their object: 0\n");
+  expect_contains(out_.str(), "drawn_by:\n  exact affine: 1 faces, 900 pixels\n");
+  expect_contains(out_.str(), "pixels_written: 900\n");
 }
 
 TEST_F(Render, HidesEitherWay) {

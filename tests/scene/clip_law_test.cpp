@@ -163,6 +163,7 @@ TEST(ClipLaw, ClippingInSpaceIsClippingThePicture) {
 }
 
 TEST(ClipLaw, SharedSidesStayShared) {
+  int cut = 0;
   for (uint64_t seed = 1; seed <= 500; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     spec::Random random(seed);
@@ -180,11 +181,13 @@ TEST(ClipLaw, SharedSidesStayShared) {
       const Vector3 off = corner.place - corners[1].place;
       const double part = off.dot(side) / side.squaredNorm();
       if ((off - part * side).norm() > 1e-9 || part < 0 || part > 1) continue;
+      cut += part > 1e-6 && part < 1 - 1e-6;
       EXPECT_TRUE(std::any_of(right.begin(), right.end(), [&](const PlacedCorner& other) {
         return other.place == corner.place;
       }));
     }
   }
+  EXPECT_GT(cut, 200);
 }
 
 }  // namespace

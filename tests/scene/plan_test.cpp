@@ -183,6 +183,16 @@ TEST(Plan, FootprintsAreWithinTheirBound) {
   EXPECT_GT(nearest_to_bound, 0.9);
 }
 
+TEST(Plan, AddressesAsTheTextureDoes) {
+  Scene scene = scene_with_texture();
+  spec::Random random(1);
+  const ScreenFace face = random_face(random);
+  for (const selvage_address address : {SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP}) {
+    scene.textures[0].address = address;
+    EXPECT_EQ(plan(scene, face, {}).options.address, address);
+  }
+}
+
 TEST(Plan, TakesTheFilterThatTheScaleNeeds) {
   const Scene scene = scene_with_texture();
   const auto filter_at = [&](int32_t texels, std::optional<selvage_filter> wished) {

@@ -13,10 +13,7 @@ the u of its own meridian. So neighbours agree along all of their meridian.
 
 Between two parallels the faces are trapezoids, and the map is not linear on their planes: the rows
 of the picture rule it between a face's edges, where it is always the same. So inside a face it moves
-a little as the globe turns: seen straight, between rows along the parallels and rows along the
-meridian, by up to (1 - sqrt(r))^2 of half of the face's u, r the shorter parallel side over the
-longer. That is 0.08 next to the caps, 0.01 at 40 degrees, nothing at the equator; all of it at the
-poles, where half of a face's u is no length.
+a little as the globe turns, and src/scene/README.md derives how far.
 """
 import math
 import struct

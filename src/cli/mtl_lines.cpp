@@ -1,0 +1,67 @@
+#include "cli/mtl_lines.h"
+
+#include <algorithm>
+
+#include "cli/statement.h"
+
+namespace selvage::cli {
+namespace {
+
+void add_material(const std::string& file, const Statement& statement, MtlLines& lines) {
+  const std::string& name = only_word(file, statement);
+  const bool known = std::any_of(lines.materials.begin(), lines.materials.end(),
+                                 [&](const MtlMaterial& other) { return other.name == name; });
+  if (known) throw wrong(file, statement, quoted(name) + " stands twice");
+  lines.materials.push_back({name, 0});
+}
+
+void check_illumination(const std::string& file, const Statement& statement) {
+  const std::string& model = only_word(file, statement);
+  const bool is_digit = model.size() == 1 && model[0] >= '0' && model[0] <= '9';
+  if (!is_digit && model != "10") {
+    throw wrong(file, statement, "a whole number from 0 to 10 is needed, not " + quoted(model));
+  }
+}
+
+// [-clamp on|off] and the picture's name
+void check_texture(const std::string& file, const Statement& statement) {
+  const std::vector<std::string>& words = statement.words;
+  size_t name = 0;
+  for (; name < words.size() && words[name].front() == '-'; name += 2) {
+    const bool is_told =
+        name + 1 < words.size() && (words[name + 1] == "on" || words[name + 1] == "off");
+    if (words[name] != "-clamp" || !is_told) {
+      throw wrong(file, statement,
+                  quoted(words[name]) + ": of options only -clamp on and -clamp off are heeded");
+    }
+  }
+  if (name == words.size()) throw wrong(file, statement, "the name of a picture is needed");
+}
+
+}  // namespace
+
+MtlLines check_mtl_lines(const std::string& file, std::string_view text) {
+  MtlLines lines;
+  for (const Statement& statement : statements_of(text)) {
+    const std::string& keyword = statement.keyword;
+    std::string words = joined(statement.words);
+    if (keyword == "newmtl") {
+      add_material(file, statement, lines);
+    } else if (keyword == "Kd") {
+      words = numbers(file, statement, 3, 3);
+    } else if (keyword == "illum") {
+      check_illumination(file, statement);
+    } else if (keyword == "map_Kd") {
+      check_texture(file, statement);
+    } else {
+      continue;
+    }
+    if (lines.materials.empty()) throw wrong(file, statement, "a newmtl is needed before");
+    if (keyword == "map_Kd") lines.materials.back().texture_line = statement.line;
+    lines.statements += keyword + " " + words + '\n';
+  }
+  if (lines.materials.empty()) throw UserError(file + ": there is no newmtl in it");
+  return lines;
+}
+
+}  // namespace selvage::cli

@@ -1,0 +1,24 @@
+// The lines of an MTL file: checked, for its parser lets all pass, and where things stand.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace selvage::cli {
+
+struct MtlMaterial {
+  std::string name;
+  int texture_line = 0;  // of its map_Kd; 0 without
+};
+
+struct MtlLines {
+  std::string statements;  // newmtl, Kd, illum and map_Kd alone, for the parser
+  std::vector<MtlMaterial> materials;
+};
+
+// Numbers that are none, materials that stand twice and options of textures that are not heeded are
+// UserErrors "FILE:LINE: KEYWORD: what is wrong". Other statements than these four are left out.
+[[nodiscard]] MtlLines check_mtl_lines(const std::string& file, std::string_view text);
+
+}  // namespace selvage::cli

@@ -1,0 +1,39 @@
+// The statements of Wavefront files: a keyword and words, one a line.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/error.h"
+
+namespace selvage::cli {
+
+struct Statement {
+  int line;  // the first, of a statement that backslashes continue
+  std::string keyword;
+  std::vector<std::string> words;
+};
+
+// All that is neither blank nor a comment, which a word that begins with # opens.
+[[nodiscard]] std::vector<Statement> statements_of(std::string_view text);
+
+// For error texts: no more than its beginning, and nothing that a terminal would take amiss.
+[[nodiscard]] std::string quoted(const std::string& word);
+
+// "FILE:LINE: KEYWORD: what is wrong"
+[[nodiscard]] UserError wrong(const std::string& file, const Statement& statement,
+                              const std::string& what);
+
+// All words, which are finite decimal numbers, from `least` to `most` of them, each in its shortest
+// form, with a space between.
+[[nodiscard]] std::string numbers(const std::string& file, const Statement& statement, size_t least,
+                                  size_t most);
+
+// The only word.
+[[nodiscard]] const std::string& only_word(const std::string& file, const Statement& statement);
+
+// The words, or those behind the first, with a space between.
+[[nodiscard]] std::string joined(const std::vector<std::string>& words, size_t first = 0);
+
+}  // namespace selvage::cli
