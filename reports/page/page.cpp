@@ -1,6 +1,7 @@
 // The document: everything in one file but the pictures, nothing from outside its folder.
 #include "reports/page/html.h"
 #include "reports/page/matrix.h"
+#include "reports/page/scenes.h"
 #include "reports/page/sections.h"
 
 namespace selvage::reports {
@@ -27,6 +28,14 @@ th, td { padding: .25rem .7rem; border-bottom: 1px solid var(--line); text-align
 td.n, th.n { text-align: right; white-space: nowrap; }
 .seen { background: var(--soft); } .seen code { overflow-wrap: anywhere; }
 .three { display: grid; grid-template-columns: repeat(auto-fit, minmax(15rem, 1fr)); gap: .8rem; }
+.two { display: grid; gap: .8rem; margin: .8rem 0;
+       grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); }
+.five { display: grid; gap: .8rem; grid-template-columns: repeat(auto-fit, minmax(13rem, 1fr)); }
+.two img, .five img { width: 100%; background: #060914; }
+.legend { list-style: none; margin: .3rem 0; padding: 0; } .five .legend { font-size: .78rem; }
+.legend li { padding-left: 1.4rem; text-indent: -1.4rem; }
+.swatch { display: inline-block; width: .9rem; height: .9rem; margin-right: .5rem;
+          vertical-align: -.1rem; border-radius: .15rem; }
 figure { margin: 0; } figcaption { font-size: .85rem; }
 img { max-width: 100%; height: auto; display: block; }
 .three img { width: 100%; background: #181c26; }
@@ -60,10 +69,10 @@ std::string document(const std::string& title, const std::string& body) {
 }
 
 std::string page(const Results& results) {
-  const std::string body = summary_section(results) + verdict_section(results) +
-                           matrix_section(results.matrix) + gallery_section(results) +
-                           stability_section(results) + measurement_section(results) +
-                           method_section(results);
+  const std::string body = summary_section(results) + scenes_section(results.scenes) +
+                           verdict_section(results) + matrix_section(results.matrix) +
+                           gallery_section(results) + stability_section(results) +
+                           measurement_section(results) + method_section(results);
   return document("Selvage: verdicts, pictures, measurements", body);
 }
 

@@ -89,7 +89,7 @@ void measure(const Studies& studies, const TimingOptions& options, cli::StatusLi
 void animate(const Options& options, const Study& study, cli::StatusLine& line) {
   const scene::Size half{(study.size.width_px + 1) / 2, (study.size.height_px + 1) / 2};
   uint64_t frame = 0;
-  const auto bytes = animation(study.what, study.shipped->turn_s, half, options.frames, [&] {
+  const auto bytes = animation(study.what, *study.shipped, half, options.frames, [&] {
     line.count("scenes: animation, frame", ++frame, options.frames);
   });
   cli::write_file(fs::path(options.output) / (std::string(study.shipped->id) + ".apng"), bytes);

@@ -4,7 +4,7 @@ namespace selvage::reports {
 namespace {
 
 // Of 256: the least share of a choice's colour that is shown, and what a border leaves of it.
-inline constexpr int32_t kLeastLight = 150, kBorder = 130;
+inline constexpr int32_t kLeastLight = 176, kBorder = 130;
 
 // The luma of ITU-R BT.601, 0 .. 255.
 [[nodiscard]] int32_t luma(const cli::Colour& colour) {

@@ -3,6 +3,8 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "cli/scene_file.h"
@@ -11,7 +13,8 @@ namespace selvage::reports {
 
 struct Shipped {
   std::string_view id, title, sentence;
-  double turn_s;  // until it looks as at first
+  double turn_s;                         // until it looks as at first
+  std::optional<selvage_filter> filter;  // of the picture and the animation; else the planner's
 };
 
 inline constexpr std::array<Shipped, 2> kShipped{
@@ -19,11 +22,11 @@ inline constexpr std::array<Shipped, 2> kShipped{
       "A ball of quads and triangles and a ring around it, each turning by itself, in a light. A "
       "bear looks out of a window; the other faces of the ball have one colour each, but for a "
       "hatch and solar cells.",
-      9},
+      9, std::nullopt},
      {"globe", "A globe",
       "A map of our own drawing on a ball of quads and triangles that share their vertices and, "
       "along every edge, the texture: it runs on without a seam.",
-      12}}};
+      12, SELVAGE_FILTER_BILINEAR}}};
 
 [[nodiscard]] inline scene::Scene read_shipped(const std::filesystem::path& folder,
                                                const Shipped& shipped) {

@@ -6,6 +6,7 @@
 
 #include "cli/file.h"
 #include "cli/png.h"
+#include "reports/scenes/animation.h"
 #include "reports/scenes/overlay.h"
 
 namespace selvage::reports {
@@ -69,7 +70,6 @@ void add_trials(Study& study, const std::string& name, std::optional<selvage_fil
     write_picture(output / trial.overlay_file, overlay(drawn.picture, exact, choices));
     study.trials.push_back(std::move(trial));
   }
-  if (!filter) write_picture(output / (std::string(study.shipped->id) + ".png"), exact_picture);
 }
 
 }  // namespace
@@ -85,6 +85,8 @@ std::unique_ptr<Study> study(const Shipped& shipped, const std::filesystem::path
   study->counts = view.counts;
   const ExactView exact = exact_view(view, size);
   for (const ExactPixel& pixel : exact.pixels) study->shown_px += pixel.face.has_value();
+  write_picture(output / (std::string(shipped.id) + ".png"),
+                picture(study->what, shipped.filter, 0, size));
   add_trials(*study, "auto", std::nullopt, exact, output, tick);
   add_trials(*study, "nearest", SELVAGE_FILTER_NEAREST, exact, output, tick);
   return study;

@@ -51,6 +51,7 @@ json json_of(const Study& study) {
           {"width_px", study.size.width_px},
           {"height_px", study.size.height_px},
           {"picture", id + ".png"},
+          {"picture_filter", study.shipped->filter ? "bilinear" : "auto"},
           {"tolerance", tolerance_name(study.tolerance_texel)},
           {"faces", study.counts.faces},
           {"faces_from_behind", study.counts.backs},
