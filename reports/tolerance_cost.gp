@@ -19,7 +19,7 @@ set xrange [-0.3:last + 0.3]
 set logscale y
 set xlabel 'tolerance, texels'
 set ylabel 'ns per pixel'
-set ytics (0.5, 0.7, 1, 1.5, 2, 3, 4, 5, 7, 10, 15, 20, 30, 50, 70, 100, 150, 200, 300, 500, 1000)
+set ytics (0.5, 0.7, 1, 1.5, 2, 2.5, 3, 3.5, 4, 5, 6, 7, 10, 15, 20, 30, 50, 70, 100, 150, 200, 300, 500, 1000)
 set format y '%g'
 set key outside right top vertical Left reverse samplen 1.5 width 2
 # The area filter costs many times what nearest costs: an axis of its own for each.

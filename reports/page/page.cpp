@@ -51,7 +51,9 @@ img { max-width: 100%; height: auto; display: block; }
 .worst code { overflow-wrap: anywhere; } .worst img { background: #181818; }
 pre { background: var(--soft); padding: .8rem 1rem; overflow-x: auto; font-size: .85rem; }
 summary { cursor: pointer; } details { margin: .8rem 0; }
-.matrix td, .matrix th { padding: .2rem .35rem; font-size: .8rem; }
+.reaching { margin-inline: calc(min(0px, 40rem - 50vw + .5rem)); }
+.matrix td, .matrix th { padding: .2rem .25rem; font-size: .8rem; }
+.matrix tr:first-child th { font-size: .68rem; } .matrix small { font-size: .68rem; }
 .matrix th:first-child { position: sticky; left: 0; background: var(--page); min-width: 8rem; }
 .matrix small { display: block; font-weight: normal; white-space: nowrap; } .differs { background: var(--soft); }
 .quiet { opacity: .65; } .enlarged { image-rendering: pixelated; }

@@ -95,9 +95,13 @@ std::string small_overlays(const json& scenes, const json& scene, const std::str
 
 std::string counts(const json& scene) {
   const auto number = [&](const char* key) { return grouped(scene.at(key).get<uint64_t>()); };
+  const std::string shown =
+      scene.at("faces_shown") == scene.at("faces_seen")
+          ? "all show, at "
+          : "the nearer ones leave " + number("faces_shown") + " to show, at ";
   return "Of " + number("faces") + " faces " + number("faces_from_behind") +
-         " are turned away, and are neither drawn nor in the overlay; " + number("faces_seen") +
-         " face the eye and show at " + number("shown_px") + " pixels.";
+         " are turned away, and are neither drawn nor in the overlay; of the " +
+         number("faces_seen") + " that face the eye " + shown + number("shown_px") + " pixels.";
 }
 
 std::string scene_part(const json& scenes, const json& scene) {

@@ -21,7 +21,7 @@ std::string cell(const std::string& html) { return element("td", html, "class=n"
 std::string texels(double value) {
   if (value == 0) return "0";
   char text[32];
-  std::snprintf(text, sizeof text, value < 0.0001 ? "%.0e" : "%.4f", value);
+  std::snprintf(text, sizeof text, value < 0.001 ? "%.6f" : "%.4f", value);
   return text;
 }
 
@@ -83,14 +83,21 @@ std::string share_of_area(const Trials& trials) {
   return (area == textured ? "All of its " + grouped(textured)
                            : grouped(area) + " of its " + grouped(textured)) +
          " textured pixels are on faces that are minified somewhere, which get the area filter. "
-         "That filter is exact whatever the tolerance, and costs much the most; only affine for "
-         "the whole face takes less time there. ";
+         "That filter is exact whatever the tolerance, and costs by far the most; a tolerance "
+         "changes such a face only where it admits affine for the whole of it. ";
+}
+
+// What a tolerance cannot change at all.
+std::string share_of_colours(const Trials& trials) {
+  const uint64_t plain = px_of(*trials.front(), "one-colour");
+  if (plain == 0) return {};
+  return grouped(plain) + " pixels are of one colour, where no map can be wrong. ";
 }
 
 std::string first_difference(const Trials& trials) {
   for (const json* trial : trials) {
     if (trial->at("different_px") == 0) continue;
-    return "The first picture that differs from the exact one is that within " +
+    return "The first picture that differs from the exact one is that within a tolerance of " +
            text_of(*trial, "tolerance") + ", in " +
            grouped(trial->at("different_px").get<uint64_t>()) + " pixels. ";
   }
@@ -105,11 +112,15 @@ std::string unused(const Trials& trials) {
     if (trial == trials.back() || trial->at("choices") != last.at("choices") ||
         trial->at("bound_texel") != last.at("bound_texel"))
       continue;
-    return "Beyond " + text_of(*trial, "tolerance") + " nothing changes: no bound is above " +
-           texels(last.at("bound_texel").get<double>()) + " texel. ";
+    return "Beyond a tolerance of " + text_of(*trial, "tolerance") +
+           " nothing changes: no bound is above " + texels(last.at("bound_texel").get<double>()) +
+           " texel. ";
   }
   return {};
 }
+
+// Spreads apart, and medians by more than repetitions of the same calls differ.
+inline constexpr double kNotable = 1.03;
 
 double quantile(const json& trial, const char* key) {
   return trial.at("textured_ns_per_px").at(key).get<double>();
@@ -121,15 +132,17 @@ std::string saving(const Trials& trials) {
                           [](const json* t) { return t->at("textured_ns_per_px").is_null(); }))
     return {};
   const double ratio = quantile(*trials.back(), "median") / quantile(exact, "median");
-  std::string text = "Within " + text_of(*trials.back(), "tolerance") + " a textured pixel takes " +
-                     rounded(ratio) + " of the exact time. ";
+  std::string text = "Within " + text_of(*trials.back(), "tolerance") +
+                     " texels a textured pixel takes " + rounded(ratio) + " of the exact time. ";
   std::string slower;
   for (const json* trial : trials) {
-    if (quantile(*trial, "lower_quartile") > quantile(exact, "upper_quartile"))
+    if (quantile(*trial, "lower_quartile") > quantile(exact, "upper_quartile") &&
+        quantile(*trial, "median") > kNotable * quantile(exact, "median"))
       slower += (slower.empty() ? "" : ", ") + text_of(*trial, "tolerance");
   }
   if (!slower.empty())
-    text += "Within " + slower + " it takes more than the exact one: a tolerance is no gain there.";
+    text += "Within " + slower +
+            " texel it takes more than the exact one: a tolerance is no gain there.";
   return text;
 }
 
@@ -159,7 +172,8 @@ std::string tolerance_remarks(const json& scene) {
     if (trials.empty()) continue;
     items += element(
         "li", element("strong", filter == "auto" ? "Filter left to the planner" : "All nearest") +
-                  ". " + (filter == "auto" ? share_of_area(trials) : "") +
+                  ". " +
+                  (filter == "auto" ? share_of_colours(trials) + share_of_area(trials) : "") +
                   first_difference(trials) + unused(trials) + saving(trials));
   }
   return element("ul", items);

@@ -87,9 +87,8 @@ void measure(const Studies& studies, const TimingOptions& options, cli::StatusLi
 }
 
 void animate(const Options& options, const Study& study, cli::StatusLine& line) {
-  const scene::Size half{(study.size.width_px + 1) / 2, (study.size.height_px + 1) / 2};
   uint64_t frame = 0;
-  const auto bytes = animation(study.what, *study.shipped, half, options.frames, [&] {
+  const auto bytes = animation(study.what, *study.shipped, study.size, options.frames, [&] {
     line.count("scenes: animation, frame", ++frame, options.frames);
   });
   cli::write_file(fs::path(options.output) / (std::string(study.shipped->id) + ".apng"), bytes);
@@ -174,8 +173,7 @@ int main(int argc, char** argv) {
   Options options;
   app.add_option("--shipped", options.shipped, "folder of the scenes")->required();
   app.add_option("--output", options.output, "existing folder for all that is written")->required();
-  app.add_option("--size", options.size, "of the pictures; animations are half as wide and high")
-      ->capture_default_str();
+  app.add_option("--size", options.size, "of the pictures and animations")->capture_default_str();
   app.add_option("--frames", options.frames, "of each animation, over one turn")
       ->check(CLI::Range(1, 10000))
       ->capture_default_str();

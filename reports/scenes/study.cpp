@@ -77,14 +77,19 @@ void add_trials(Study& study, const std::string& name, std::optional<selvage_fil
 std::unique_ptr<Study> study(const Shipped& shipped, const std::filesystem::path& folder,
                              const scene::Size& size, const std::filesystem::path& output,
                              const std::function<void()>& tick) {
-  auto study =
-      std::make_unique<Study>(Study{&shipped, read_shipped(folder, shipped), size, {}, 0, 0, {}});
+  auto study = std::make_unique<Study>(
+      Study{&shipped, read_shipped(folder, shipped), size, {}, 0, 0, 0, {}});
   tick();
   study->tolerance_texel = study->what.tolerance_texel;
   const scene::View view = look(study->what, 0, size);
   study->counts = view.counts;
   const ExactView exact = exact_view(view, size);
-  for (const ExactPixel& pixel : exact.pixels) study->shown_px += pixel.face.has_value();
+  std::set<size_t> shown;
+  for (const ExactPixel& pixel : exact.pixels) {
+    study->shown_px += pixel.face.has_value();
+    if (pixel.face) shown.insert(*pixel.face);
+  }
+  study->faces_shown = shown.size();
   write_picture(output / (std::string(shipped.id) + ".png"),
                 picture(study->what, shipped.filter, 0, size));
   add_trials(*study, "auto", std::nullopt, exact, output, tick);

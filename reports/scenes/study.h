@@ -38,8 +38,8 @@ struct Study {
   scene::Scene what;  // stays where it is: the trials' calls read its textures
   scene::Size size;
   scene::Counts counts;
-  double tolerance_texel = 0;  // the scene's own
-  uint64_t shown_px = 0;
+  double tolerance_texel = 0;              // the scene's own
+  uint64_t shown_px = 0, faces_shown = 0;  // the others that face the eye are hidden
   std::vector<Trial> trials;
 };
 

@@ -56,6 +56,7 @@ json json_of(const Study& study) {
           {"faces", study.counts.faces},
           {"faces_from_behind", study.counts.backs},
           {"faces_seen", study.counts.seen},
+          {"faces_shown", study.faces_shown},
           {"shown_px", study.shown_px},
           {"trials", trials}};
 }

@@ -51,6 +51,7 @@ using json = nlohmann::ordered_json;
                     {"faces", 30},
                     {"faces_from_behind", 11},
                     {"faces_seen", 19},
+                    {"faces_shown", 17},
                     {"shown_px", 5000},
                     {"trials",
                      {trial("0", 0, 0, 4), trial("1/4", 0, 0, 6), trial("1", 0.75, 13, 2),
@@ -79,8 +80,9 @@ TEST(ScenesPage, ShowsPicturesLegendAndNumbers) {
 TEST(ScenesPage, SaysFromWhereOnThePictureDiffersAndWhatItSaves) {
   const std::string remarks = tolerance_remarks(scenes()["scenes"][0]);
   for (const char* part :
-       {"differs from the exact one is that within 1, in 13 pixels", "Beyond 1 nothing changes",
-        "Within 4 a textured pixel takes 0.500", "Within 1/4 it takes more than the exact one"}) {
+       {"differs from the exact one is that within a tolerance of 1, in 13 pixels",
+        "Beyond a tolerance of 1 nothing changes", "Within 4 texels a textured pixel takes 0.500",
+        "Within 1/4 texel it takes more than the exact one"}) {
     EXPECT_TRUE(holds(remarks, part)) << part << "\n" << remarks;
   }
   json none = scenes()["scenes"][0];
