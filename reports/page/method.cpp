@@ -125,10 +125,16 @@ std::string limits() {
 std::string summary_line(const Results& results) {
   const Tally laws = laws_of(results), pictures = pictures_of(results);
   const Tally promises = promises_of(results);
+  const KeptCount drawings = kept_promises(results.scenes);
+  const std::string scenes = drawings.all == 0
+                                 ? ""
+                                 : ", " + std::to_string(drawings.kept) + " of " +
+                                       std::to_string(drawings.all) +
+                                       " drawings of scenes are within their tolerance";
   return std::to_string(laws.good) + " of " + std::to_string(laws.all) + " laws hold, " +
          std::to_string(pictures.good) + " of " + std::to_string(pictures.all) +
-         " pictures equal the exact model's, " + std::to_string(promises.good) + " of " +
-         std::to_string(promises.all) + " promises of stability are kept";
+         " pictures equal the exact model's" + scenes + ", " + std::to_string(promises.good) +
+         " of " + std::to_string(promises.all) + " promises of stability are kept";
 }
 
 std::string summary_section(const Results& results) {

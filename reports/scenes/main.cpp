@@ -116,18 +116,25 @@ void animate(const Options& options, const Study& study, cli::StatusLine& line) 
           {"scenes", scenes}};
 }
 
+[[nodiscard]] std::string text_of(const std::optional<Spread>& ns) {
+  if (!ns) return "not timed";
+  char text[64];
+  std::snprintf(text, sizeof text, "%.2f %.2f-%.2f", ns->median, ns->lower_quartile,
+                ns->upper_quartile);
+  return text;
+}
+
 void print_table(const Studies& studies) {
   std::printf("%-8s %-8s %9s %10s %10s %10s %9s %9s %18s\n", "scene", "filter", "tolerance",
               "largest", "mean", "bound", "texels", "pixels", "ns/px of textured");
   for (const auto& study : studies) {
     for (const Trial& trial : study->trials) {
-      const Spread ns = trial.textured_ns_per_px.value_or(Spread{});
-      std::printf("%-8s %-8s %9s %10.6f %10.6f %10.6f %9ju %9ju %6.2f %5.2f-%5.2f\n",
+      std::printf("%-8s %-8s %9s %10.6f %10.6f %10.6f %9ju %9ju %18s\n",
                   std::string(study->shipped->id).c_str(), trial.filter.c_str(),
                   tolerance_name(trial.tolerance_texel).c_str(), trial.verdict.largest_texel,
                   trial.verdict.mean_texel(), trial.verdict.bound_texel,
-                  uintmax_t{trial.verdict.wrong_texels}, uintmax_t{trial.different_px}, ns.median,
-                  ns.lower_quartile, ns.upper_quartile);
+                  uintmax_t{trial.verdict.wrong_texels}, uintmax_t{trial.different_px},
+                  text_of(trial.textured_ns_per_px).c_str());
     }
   }
 }
