@@ -1,7 +1,7 @@
 # Cost against one quantity, as SVG. Called by reports/run:
 #   gnuplot -e "data='scale.curve.dat'; svg='scale.svg'" curve.gp
 # Tab-separated, written by selvage_page. First line: the axis, then the name of each series and two
-# empty cells. Others: a tic's label, x, then median, lower and upper quartile of each series.
+# empty cells. Others: a tic's label, its place, then median, lower and upper quartile of each series.
 # What is drawn black here takes the text colour of a light or dark page (plot.css).
 set terminal svg size 660,400 dynamic enhanced font 'sans-serif,13' linewidth 1.2
 set output svg
@@ -21,9 +21,18 @@ array colours[8] = ['#2f86d6', '#7fb8ec', '#d9661f', '#b8901a', '#7f7f7f', '#b45
 array shapes[8] = [7, 6, 5, 9, 13, 11, 15, 4]
 set border 3
 set tics nomirror out
-set logscale xy
-set xrange [lowest_x / 1.3:highest_x * 1.3]
-set yrange [*:*]
+margin = highest_x > lowest_x ? 0.04 * (highest_x - lowest_x) : 1
+lowest = 1e9
+highest = 0
+do for [s = 1:series] {
+  stats data every ::1 using 3 * s + 1 nooutput
+  lowest = exists('STATS_min') && STATS_min < lowest ? STATS_min : lowest
+  stats data every ::1 using 3 * s + 2 nooutput
+  highest = exists('STATS_max') && STATS_max > highest ? STATS_max : highest
+}
+set logscale y
+set xrange [lowest_x - margin:highest_x + margin]
+set yrange [lowest / 1.3:highest * 1.2]
 set xlabel axis
 set ylabel 'ns per covered pixel'
 set ytics (0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)

@@ -51,7 +51,7 @@ std::string element(std::string_view tag, std::string_view html, std::string_vie
   std::string text = "<" + std::string(tag);
   if (!attributes.empty()) text += " " + std::string(attributes);
   text += ">" + std::string(html) + "</" + std::string(tag) + ">";
-  const bool within_a_line = tag == "strong" || tag == "code" || tag == "small";
+  const bool within_a_line = tag == "strong" || tag == "code" || tag == "small" || tag == "span";
   return within_a_line ? text : text + "\n";
 }
 

@@ -61,6 +61,7 @@ void write_page(const fs::path& folder, Results results) {
   results.laws = read_json(folder / "laws.json");
   results.gallery = read_json(folder / "gallery.json");
   results.stability = read_json(folder / "stability.json");
+  if (fs::exists(folder / "scenes.json")) results.scenes = read_json(folder / "scenes.json");
   if (fs::exists(folder / "bench.json")) results.bench = read_json(folder / "bench.json");
   if (fs::exists(folder / "matrix.json")) results.matrix = read_json(folder / "matrix.json");
   const fs::path mutants = folder / "mutation_score.json";

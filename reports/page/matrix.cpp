@@ -26,8 +26,8 @@ std::string kind_of(const json& cell) {
 }
 
 std::string holding(const json& cell) {
-  const std::string px = grouped(cell.at("judged_px").get<uint64_t>()) + " px";
-  std::string title = grouped(cell.at("cases").get<uint64_t>()) + " cases, " + px;
+  const std::string px = grouped(cell.at("judged_px").get<uint64_t>());
+  std::string title = grouped(cell.at("cases").get<uint64_t>()) + " cases, " + px + " px";
   std::string text = cell.contains("not_claimed") ? "holds*" : "holds";
   text += element("small", px);
   if (cell.contains("nearest")) {
@@ -78,7 +78,7 @@ std::string table(const json& matrix) {
     head += "<th title=\"" + text_of(law, "statement") + "\">" + text_of(law, "law");
   std::string rows = head + "</tr>\n";
   for (const json& subject : matrix.at("subjects")) rows += row_html(subject, matrix.at("laws"));
-  return element("div", element("table", rows, "class=matrix"), "class=wide");
+  return element("div", element("table", rows, "class=matrix"), "class=\"wide reaching\"");
 }
 
 std::string finding_item(const json& cell) {
@@ -117,7 +117,8 @@ std::string matrix_section(const json& matrix) {
          element("p",
                  "Other mappers, and each of our own, held against the laws that they promise: " +
                      grouped(count("cases")) + " cases each from seed " + grouped(count("seed")) +
-                     ", with no tolerance. &ldquo;fails&rdquo; leads to the smallest "
+                     ", with no tolerance; below it the number of pixels judged. "
+                     "&ldquo;fails&rdquo; leads to the smallest "
                      "counterexample; it says that a picture differs from the exact one, not "
                      "that the mapper is wrong: most mappers never promised it. Where a "
                      "violation was examined, its kind is below it: a convention or a precision "

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "reports/page/html.h"
+#include "reports/page/scenes.h"
 #include "reports/page/sections.h"
 
 namespace selvage::reports {
@@ -47,6 +48,14 @@ std::string tally_item(const std::string& what, const Tally& tally) {
   return element(
       "li",
       element("strong", count, tally.good == tally.all ? "class=good" : "class=bad") + " " + what);
+}
+
+std::string scenes_item(const json& scenes) {
+  const KeptCount count = kept_promises(scenes);
+  if (count.all == 0) return "";
+  return tally_item(
+      "drawings of the <a href=#scenes>scenes</a> are within their tolerance in every pixel",
+      {count.kept, count.all});
 }
 
 // Of all mutants of the mapper; of a sample, or of none, nothing is said.
@@ -116,14 +125,20 @@ std::string limits() {
 std::string summary_line(const Results& results) {
   const Tally laws = laws_of(results), pictures = pictures_of(results);
   const Tally promises = promises_of(results);
+  const KeptCount drawings = kept_promises(results.scenes);
+  const std::string scenes = drawings.all == 0
+                                 ? ""
+                                 : ", " + std::to_string(drawings.kept) + " of " +
+                                       std::to_string(drawings.all) +
+                                       " drawings of scenes are within their tolerance";
   return std::to_string(laws.good) + " of " + std::to_string(laws.all) + " laws hold, " +
          std::to_string(pictures.good) + " of " + std::to_string(pictures.all) +
-         " pictures equal the exact model's, " + std::to_string(promises.good) + " of " +
-         std::to_string(promises.all) + " promises of stability are kept";
+         " pictures equal the exact model's" + scenes + ", " + std::to_string(promises.good) +
+         " of " + std::to_string(promises.all) + " promises of stability are kept";
 }
 
 std::string summary_section(const Results& results) {
-  return element("h1", "Selvage: what it draws, and what it costs") +
+  return element("h1", "Selvage: what it draws, and what it costs") + scenes_head(results.scenes) +
          element(
              "ul",
              tally_item("<a href=#laws>laws</a> hold for the built-in mapper", laws_of(results)) +
@@ -133,7 +148,7 @@ std::string summary_section(const Results& results) {
                      "<a href=#stability>cells of the stability table</a> that promise to be "
                      "exact, or within a derived bound, are",
                      promises_of(results)) +
-                 mutants_item(results.mutants) +
+                 scenes_item(results.scenes) + mutants_item(results.mutants) +
                  element("li",
                          "<a href=#speed>Speed against error</a>, beside the usual arithmetics, "
                          "the mappers of other projects, a solid fill and a memcpy") +
@@ -153,11 +168,11 @@ std::string method_section(const Results& results) {
     }
   }
   html += element("h3", "What it does not show") + limits();
-  html +=
-      element("p",
-              "The numbers of this page as files: <a href=verify.json>verify.json</a>, "
-              "<a href=gallery.json>gallery.json</a>, <a href=stability.json>stability.json</a>, "
-              "<a href=bench.json>bench.json</a>.");
+  html += element("p",
+                  "The numbers of this page as files: <a href=verify.json>verify.json</a>, "
+                  "<a href=scenes.json>scenes.json</a>, <a href=gallery.json>gallery.json</a>, "
+                  "<a href=stability.json>stability.json</a>, "
+                  "<a href=bench.json>bench.json</a>.");
   return html;
 }
 

@@ -1,6 +1,7 @@
 // The document: everything in one file but the pictures, nothing from outside its folder.
 #include "reports/page/html.h"
 #include "reports/page/matrix.h"
+#include "reports/page/scenes.h"
 #include "reports/page/sections.h"
 
 namespace selvage::reports {
@@ -27,6 +28,14 @@ th, td { padding: .25rem .7rem; border-bottom: 1px solid var(--line); text-align
 td.n, th.n { text-align: right; white-space: nowrap; }
 .seen { background: var(--soft); } .seen code { overflow-wrap: anywhere; }
 .three { display: grid; grid-template-columns: repeat(auto-fit, minmax(15rem, 1fr)); gap: .8rem; }
+.two { display: grid; gap: .8rem; margin: .8rem 0;
+       grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); }
+.five { display: grid; gap: .8rem; grid-template-columns: repeat(auto-fit, minmax(13rem, 1fr)); }
+.two img, .five img { width: 100%; background: #060914; }
+.legend { list-style: none; margin: .3rem 0; padding: 0; } .five .legend { font-size: .78rem; }
+.legend li { padding-left: 1.4rem; text-indent: -1.4rem; }
+.swatch { display: inline-block; width: .9rem; height: .9rem; margin-right: .5rem;
+          vertical-align: -.1rem; border-radius: .15rem; }
 figure { margin: 0; } figcaption { font-size: .85rem; }
 img { max-width: 100%; height: auto; display: block; }
 .three img { width: 100%; background: #181c26; }
@@ -42,7 +51,9 @@ img { max-width: 100%; height: auto; display: block; }
 .worst code { overflow-wrap: anywhere; } .worst img { background: #181818; }
 pre { background: var(--soft); padding: .8rem 1rem; overflow-x: auto; font-size: .85rem; }
 summary { cursor: pointer; } details { margin: .8rem 0; }
-.matrix td, .matrix th { padding: .2rem .35rem; font-size: .8rem; }
+.reaching { margin-inline: calc(min(0px, 40rem - 50vw + .5rem)); }
+.matrix td, .matrix th { padding: .2rem .25rem; font-size: .8rem; }
+.matrix tr:first-child th { font-size: .68rem; } .matrix small { font-size: .68rem; }
 .matrix th:first-child { position: sticky; left: 0; background: var(--page); min-width: 8rem; }
 .matrix small { display: block; font-weight: normal; white-space: nowrap; } .differs { background: var(--soft); }
 .quiet { opacity: .65; } .enlarged { image-rendering: pixelated; }
@@ -60,10 +71,10 @@ std::string document(const std::string& title, const std::string& body) {
 }
 
 std::string page(const Results& results) {
-  const std::string body = summary_section(results) + verdict_section(results) +
-                           matrix_section(results.matrix) + gallery_section(results) +
-                           stability_section(results) + measurement_section(results) +
-                           method_section(results);
+  const std::string body = summary_section(results) + scenes_section(results.scenes) +
+                           verdict_section(results) + matrix_section(results.matrix) +
+                           gallery_section(results) + stability_section(results) +
+                           measurement_section(results) + method_section(results);
   return document("Selvage: verdicts, pictures, measurements", body);
 }
 

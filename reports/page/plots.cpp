@@ -128,15 +128,22 @@ std::string tic(double x) {
   return number(x);
 }
 
+// On the axis: quantities by their ratios, so each by its logarithm; directions have no ratios, and
+// crowd at 90 degrees, so they stand side by side.
+double place_of(const json& curve, size_t index) {
+  const double x = curve.at("points")[index].at("x").get<double>();
+  return curve.at("id") == "direction" ? static_cast<double>(index) : std::log2(x);
+}
+
 std::string curve(const json& curve) {
   std::vector<std::string> ids, head{curve.at("axis").get<std::string>(), ""};
   for (const json& result : curve.at("points").front().at("results"))
     ids.push_back(result.at("id").get<std::string>());
   for (const std::string& id : ids) head.insert(head.end(), {id, "", ""});
   std::string text = line(head);
-  for (const json& point : curve.at("points")) {
-    std::vector<std::string> cells{tic(point.at("x").get<double>()),
-                                   number(point.at("x").get<double>())};
+  for (size_t i = 0; i < curve.at("points").size(); ++i) {
+    const json& point = curve["points"][i];
+    std::vector<std::string> cells{tic(point.at("x").get<double>()), number(place_of(curve, i))};
     for (const std::string& id : ids) {
       const json* result = result_of(point, id);
       for (const char* key : {"median", "lower_quartile", "upper_quartile"})

@@ -10,6 +10,7 @@ struct Results {
   nlohmann::ordered_json verify;     // selvage verify --json
   nlohmann::ordered_json laws;       // selvage laws --json
   nlohmann::ordered_json gallery;    // selvage_gallery
+  nlohmann::ordered_json scenes;     // selvage_scenes; null where it was not built
   nlohmann::ordered_json stability;  // selvage stability --json
   nlohmann::ordered_json bench;      // selvage bench --json; null where nothing was measured
   nlohmann::ordered_json matrix;     // selvage_page matrix; null where none was made

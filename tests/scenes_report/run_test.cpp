@@ -1,0 +1,117 @@
+// selvage_scenes on pictures so small that it takes a second.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/png.h"
+#include "reports/scenes/plot_data.h"
+
+namespace selvage::reports {
+namespace {
+
+using json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+const fs::path kOut = fs::path(testing::TempDir()) / "selvage_scenes_test";
+
+[[nodiscard]] int run(const std::string& arguments) {
+  fs::create_directories(kOut);
+  const std::string command = std::string(SELVAGE_SCENES) + " --output " + kOut.string() + " " +
+                              arguments + " >" + kOut.string() + ".table 2>" + kOut.string() +
+                              ".errors";
+  return WEXITSTATUS(std::system(command.c_str()));
+}
+
+[[nodiscard]] std::string text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+[[nodiscard]] cli::Raster picture(const std::string& name) {
+  const std::string bytes = text_of(kOut / name);
+  return cli::decode_png({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()});
+}
+
+void check_trial(const json& trial, uint64_t shown_px) {
+  SCOPED_TRACE(trial.at("overlay"));
+  EXPECT_EQ(trial.at("breaches"), 0) << trial.at("first_breach");
+  const double measured = trial.at("largest_error_texel"), bound = trial.at("bound_texel");
+  EXPECT_LE(trial.at("mean_error_texel"), measured);
+  EXPECT_LE(measured, bound);
+  EXPECT_LE(bound, trial.at("tolerance_texel"));
+  if (trial.at("tolerance_texel") == 0) {
+    EXPECT_EQ(trial.at("different_px"), 0);
+    EXPECT_EQ(trial.at("wrong_texels"), 0);
+  }
+  uint64_t px = 0;
+  for (const json& choice : trial.at("choices")) {
+    px += choice.at("px").get<uint64_t>();
+    EXPECT_GT(choice.at("faces"), 0);
+  }
+  EXPECT_EQ(px, shown_px);
+  for (const char* key : {"ns_per_px", "textured_ns_per_px"}) {
+    const json& ns = trial.at(key);
+    EXPECT_GT(ns.at("lower_quartile"), 0);
+    EXPECT_LE(ns.at("lower_quartile"), ns.at("median"));
+    EXPECT_LE(ns.at("median"), ns.at("upper_quartile"));
+  }
+  EXPECT_EQ(picture(trial.at("overlay")).width_px, 64);
+}
+
+TEST(ScenesRun, DrawsJudgesTimesAndTells) {
+  fs::remove_all(kOut);
+  ASSERT_EQ(run("--shipped " SELVAGE_SHIPPED " --size 64x48 --frames 3 --repetitions 2 --min-time "
+                "0.0001"),
+            0)
+      << text_of(kOut.string() + ".errors");
+  const json scenes = json::parse(text_of(kOut / "scenes.json"));
+  EXPECT_EQ(scenes.at("repetitions"), 2);
+  ASSERT_EQ(scenes.at("scenes").size(), 2u);
+  for (const json& one : scenes["scenes"]) {
+    SCOPED_TRACE(one.at("id"));
+    ASSERT_EQ(one.at("trials").size(), 10u);
+    for (const json& trial : one["trials"]) check_trial(trial, one.at("shown_px"));
+    EXPECT_GT(one["trials"].back().at("largest_error_texel"), 0);
+    EXPECT_EQ(picture(one.at("picture")).height_px, 48);
+    const std::string film = text_of(kOut / one.at("animation").get<std::string>());
+    const size_t control = film.find("acTL");
+    ASSERT_NE(control, std::string::npos);
+    EXPECT_EQ(film[control + 7], 3);  // frames: the last of four bytes
+  }
+  // A tolerance, its place, and three cells for each of four lines of the plot.
+  const std::string cost = text_of(kOut / "scenes-cost.tolerance_cost.dat");
+  EXPECT_EQ(std::count(cost.begin(), cost.end(), '\n'), 6);
+  EXPECT_EQ(std::count(cost.begin(), cost.end(), '\t'), 6 * 13);
+  EXPECT_NE(cost.find("\n1/16\t1\t"), std::string::npos) << cost;
+  const std::string error = text_of(kOut / "scenes-error.tolerance_error.dat");
+  EXPECT_EQ(std::count(error.begin(), error.end(), '\t'), 6 * 9);
+}
+
+TEST(ScenesRun, WrongUseIsNamed) {
+  EXPECT_EQ(run("--shipped /there/is/none"), 2);
+  EXPECT_NE(text_of(kOut.string() + ".errors").find("/there/is/none"), std::string::npos);
+  EXPECT_EQ(run("--shipped " SELVAGE_SHIPPED " --size 9000x9"), 2);
+  EXPECT_NE(text_of(kOut.string() + ".errors").find("4096"), std::string::npos);
+  EXPECT_EQ(run("--shipped " SELVAGE_SHIPPED " --frames 0"), 2);
+}
+
+TEST(PlotData, LeavesOutCostWhereNothingWasTimed) {
+  const json trial = {{"filter", "auto"},
+                      {"tolerance", "1/4"},
+                      {"largest_error_texel", 0.1},
+                      {"mean_error_texel", 0},
+                      {"textured_ns_per_px", nullptr}};
+  const json scenes = {{"scenes", {{{"id", "one"}, {"trials", {trial}}}}}};
+  const auto files = plot_data(scenes);
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_EQ(files[0].second, "\t\tone, auto\t\n1/4\t0\t-1\t-7\n");
+}
+
+}  // namespace
+}  // namespace selvage::reports
