@@ -45,7 +45,7 @@ summary { cursor: pointer; } details { margin: .8rem 0; }
 .matrix td, .matrix th { padding: .2rem .35rem; font-size: .8rem; }
 .matrix th:first-child { position: sticky; left: 0; background: var(--page); min-width: 8rem; }
 .matrix small { display: block; font-weight: normal; white-space: nowrap; } .differs { background: var(--soft); }
-.quiet { opacity: .65; } .enlarged { image-rendering: pixelated; }
+.quiet { opacity: .65; } .enlarged { image-rendering: pixelated; margin-top: .8rem; }
 )";
 
 }  // namespace

@@ -170,6 +170,12 @@ TEST(Matrix, CounterexampleTellsAllThatIsNeeded) {
         "nothing", "case 12", "one-MAP.png", "drawn | expected | difference", "(1, 0), (0, 0), 1",
         "selvage verify --subject a.so --law MAP --case 02", "../index.html#matrix"})
     EXPECT_TRUE(holds(html, part)) << part;
+
+  json cell = subject.at("cells")[1];
+  cell["violation"]["found_by"] = "hunt";
+  EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "in hunted case 12"));
+  cell["violation"]["found_by"] = "corpus";
+  EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "known before, and tried first"));
 }
 
 }  // namespace
