@@ -71,6 +71,7 @@ Case Climb::closest_of(int count, Make make) {
 }
 
 Case Climb::propose() {
+  if (aim_at(law_.name) == Aim::kNothing) return generated();
   if (!score_) return closest_of(kStarts, [&] { return generated(); });
   return closest_of(kProposals, [&] {
     return within(subject_.claims, mutate_case(random_, at_, aim_at(law_.name)));
