@@ -55,11 +55,15 @@ void catch_faults() {
   return nullptr;
 }
 
+// A subject that forks goes on twice: only the worker answers.
 void answer(Control& control, const Functions& functions, std::span<const Arena> to_prepare_in) {
+  const pid_t worker = getpid();
   const Arena* arena = arena_of(control.call, to_prepare_in);
   if (arena != nullptr) arena->make_writable();
   try {
-    control.answer = carry_out(functions, control.call);
+    const Answer found = carry_out(functions, control.call);
+    if (getpid() != worker) _exit(0);
+    control.answer = found;
   } catch (...) {
     control.end.threw = true;
     _exit(1);
@@ -71,7 +75,6 @@ void answer(Control& control, const Functions& functions, std::span<const Arena>
 
 void work(Control& control, const Functions& functions, std::span<const Arena> to_prepare_in) {
   noted_in = &control;
-  const pid_t self = getpid();
   // A local variable may lie elsewhere, under a sanitizer.
   control.stack = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
   catch_faults();
@@ -79,7 +82,6 @@ void work(Control& control, const Functions& functions, std::span<const Arena> t
   for (set_state(control, state);; state = wait_while(control, state)) {
     if (state != State::kCall) continue;
     answer(control, functions, to_prepare_in);
-    if (getpid() != self) _exit(0);  // the subject forked, and this is the other one
     state = State::kIdle;
     set_state(control, state);
   }
