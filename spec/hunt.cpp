@@ -29,8 +29,11 @@ constexpr int kProposals = 2;
   return (near.edges + near.texels) / (2 * kMost);
 }
 
-[[nodiscard]] Case as_judged(const Law& law, const Case& c) {
-  return law.name == "FILTER" ? c : with_nearest(c);
+// Only FILTER judges by the case's filter, and of nearest ones it says little.
+[[nodiscard]] double closeness_to(const Law& law, const Case& c) {
+  const Aim aim = aim_at(law.name);
+  if (law.name != "FILTER") return closeness_to(aim, with_nearest(c));
+  return c.filter != SELVAGE_FILTER_NEAREST ? closeness_to(aim, c) : 0;
 }
 
 }  // namespace
@@ -46,7 +49,7 @@ Aim aim_at(std::string_view law) {
 }
 
 Score score_of(const Law& law, const Case& c, const std::optional<Margin>& margin) {
-  return {margin ? margin->share() : 0, closeness_to(aim_at(law.name), as_judged(law, c))};
+  return {margin ? margin->share() : 0, closeness_to(law, c)};
 }
 
 Climb::Climb(const Law& law, const Subject& subject, uint64_t seed, uint64_t number)
@@ -58,17 +61,17 @@ Case Climb::generated() {
 
 template <typename Make>
 Case Climb::closest_of(int count, Make make) {
-  const Aim aim = aim_at(law_.name);
   std::pair<double, Case> closest{-1, {}};
   for (int i = 0; i < count; ++i) {
     Case c = make();
-    const double closeness = closeness_to(aim, as_judged(law_, c));
+    const double closeness = closeness_to(law_, c);
     if (closeness > closest.first) closest = {closeness, std::move(c)};
   }
   return std::move(closest.second);
 }
 
 Case Climb::propose() {
+  if (aim_at(law_.name) == Aim::kNothing) return generated();
   if (!score_) return closest_of(kStarts, [&] { return generated(); });
   return closest_of(kProposals, [&] {
     return within(subject_.claims, mutate_case(random_, at_, aim_at(law_.name)));

@@ -32,7 +32,7 @@ class Climb {
 
   // The next case to be judged, as profile and claims of the subject take it: first where the climb
   // begins, the closest of a few generated cases; then, of a few mutations of the case that it has
-  // got to, the closest.
+  // got to, the closest. Where there is nothing to climb on, each is generated.
   [[nodiscard]] Case propose();
   // Goes on from a case that was judged if its score is no less than what the climb has got to.
   void weigh(Case c, const Score& score);

@@ -164,8 +164,10 @@ struct Drawn {
   const selvage_options options = scene.options();
   const auto textures = scene.textures();
   const auto polygons = scene.polygons(textures);
-  drawn.status =
-      subject.draw_many(&image, scene.clip(), polygons.data(), polygons.size(), &options, threads);
+  drawn.status = with_shown(scene.shown(), [&] {
+    return subject.draw_many(&image, scene.clip(), polygons.data(), polygons.size(), &options,
+                             threads);
+  });
   return drawn;
 }
 
@@ -210,9 +212,9 @@ struct Drawn {
 }  // namespace
 
 Judgement check_same(const Subject& subject, const Case& c) {
-  Judgement judgement;
-  if (!is_valid(c)) return judgement;
-  if (add(&judgement, check_same_layouts(subject, c))) return judgement;
+  if (!is_valid(c)) return {};
+  Judgement judgement = check_same_layouts(subject, c);
+  if (judgement.violation) return judgement;
   demand_claimed(subject, c);
   const Scene scene(subject, c);
   const Drawn in_turn = draw_in_turn(subject, scene);

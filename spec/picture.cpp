@@ -116,9 +116,10 @@ Picture draw(const Subject& subject, const Case& c, const TexelAt& texel_at) {
   demand_claimed(subject, c);
   Picture picture = blank(c);
   const auto draw_with = [&](size_t i) {
-    const TextureMemory texture(subject, c, texel_at, kOutsideTexture[i]);
-    return with_shown(
-        c, [&] { return draw_over(subject, c, texture, kBackgrounds[i], &picture.memory_fault); });
+    return with_shown(c, [&] {
+      const TextureMemory texture(subject, c, texel_at, kOutsideTexture[i]);
+      return draw_over(subject, c, texture, kBackgrounds[i], &picture.memory_fault);
+    });
   };
   const Drawn first = draw_with(0), second = draw_with(1);
   picture.status = first.status;

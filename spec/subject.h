@@ -23,6 +23,8 @@ struct Prepare {
                                void* memory, size_t bytes, selvage_texture* prepared)>
       prepare;
   std::function<size_t(const selvage_texture*, selvage_layout, int32_t with_sums)> bytes;
+  // Nothing is drawn from what was prepared in this memory any more; may be empty.
+  std::function<void(const void* memory)> release{};
 };
 
 struct Subject {

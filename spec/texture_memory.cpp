@@ -33,6 +33,10 @@ TextureMemory::TextureMemory(const Subject& subject, const Case& c, const TexelA
           c.filter == SELVAGE_FILTER_AREA && can_be_filtered(c), outside);
 }
 
+TextureMemory::~TextureMemory() {
+  if (release_) release_();
+}
+
 void TextureMemory::prepare(const Prepare& prepare, selvage_layout layout, bool with_sums,
                             uint8_t outside) {
   const selvage_texture source = view_;
@@ -46,8 +50,9 @@ void TextureMemory::prepare(const Prepare& prepare, selvage_layout layout, bool 
       reinterpret_cast<uintptr_t>(memory_.data()) % SELVAGE_PREPARED_ALIGNMENT;
   const size_t start = kGuardBytes + SELVAGE_PREPARED_ALIGNMENT - misaligned;
   const Canvas before = given_;
-  status_ =
-      prepare.prepare(&source, layout, with_sums ? 1 : 0, memory_.data() + start, bytes, &view_);
+  uint8_t* const given = memory_.data() + start;
+  status_ = prepare.prepare(&source, layout, with_sums ? 1 : 0, given, bytes, &view_);
+  if (prepare.release) release_ = [release = prepare.release, given] { release(given); };
   const auto is_outside = [&](uint8_t byte) { return byte == outside; };
   const auto first = memory_.begin() + static_cast<ptrdiff_t>(start);
   if (!std::all_of(memory_.begin(), first, is_outside) ||

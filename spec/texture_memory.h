@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ class TextureMemory {
   TextureMemory(const Subject& subject, const Case& c, const TexelAt& texel_at, uint8_t outside);
   TextureMemory(const TextureMemory&) = delete;  // the view points into it
   TextureMemory& operator=(const TextureMemory&) = delete;
+  ~TextureMemory();
 
   // Of preparing it, and what that has written and may not; nothing if it is fine.
   [[nodiscard]] selvage_status status() const { return status_; }
@@ -44,6 +46,7 @@ class TextureMemory {
   Canvas given_;
   std::vector<uint8_t> memory_;  // with guards on both sides
   selvage_texture view_;
+  std::function<void()> release_;  // what was prepared in it
   selvage_status status_ = SELVAGE_OK;
   std::string fault_;
 };

@@ -8,6 +8,10 @@
  *   SELVAGE_API const selvage_claims* selvage_subject(void) { return &claims; }
  *
  * A field that is zero claims everything there is.
+ *
+ * What else of selvage.h the library exports is held against the laws, too: selvage_draw_many and
+ * selvage_draw_many_bytes, selvage_prepare and selvage_prepare_bytes (law SAME), selvage_choose
+ * (law TOLERANCE). The verdict names those that it does not.
  */
 #ifndef SELVAGE_SUBJECT_H
 #define SELVAGE_SUBJECT_H
@@ -38,8 +42,9 @@ enum {
   SELVAGE_LACKS_ALL = 127
 };
 
-/* What selvage_draw may answer, drawing nothing, where a drawing is beyond the subject in a way
- * that no field tells. It counts as not claimed, and the verdict shows how often it was said. */
+/* What a call may answer, drawing nothing, where it is beyond the subject in a way that no field
+ * tells: selvage_prepare, say, of a layout that it does not have. It counts as not claimed, and the
+ * verdict shows how often it was said. */
 enum { SELVAGE_STATUS_BEYOND_CLAIMS = -1 };
 
 typedef struct selvage_claims {

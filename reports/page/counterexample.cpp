@@ -28,6 +28,13 @@ std::string drawing_of(const json& violation) {
   return shown ? element("pre", escaped(spec::print(*shown))) : "";
 }
 
+std::string found_by(const json& violation) {
+  const auto by = violation.value("found_by", "random");
+  if (by == "corpus") return "known before, and tried first";
+  return (by == "hunt" ? "in hunted case " : "in case ") + violation.at("case_number").dump() +
+         " from the seed on, then shrunk";
+}
+
 std::string facts(const json& matrix, const json& cell) {
   const json& violation = cell.at("violation");
   const auto text = [&](const char* key) { return escaped(violation.value(key, std::string())); };
@@ -37,9 +44,7 @@ std::string facts(const json& matrix, const json& cell) {
   return element("table", line("law", statement_of(matrix, cell)) + line("what", text("what")) +
                               line("pixel", pixel) + line("exact u", text("u_texel")) +
                               line("exact v", text("v_texel")) + line("allowed", text("allowed")) +
-                              line("drawn", text("drawn")) +
-                              line("found", "in case " + violation.at("case_number").dump() +
-                                                " from the seed on, then shrunk"));
+                              line("drawn", text("drawn")) + line("found", found_by(violation)));
 }
 
 std::string finding_of(const json& cell) {

@@ -8,6 +8,7 @@
 
 #include "cli/error.h"
 #include "cli/file.h"
+#include "reports/page/known.h"
 #include "reports/page/matrix.h"
 #include "reports/page/plots.h"
 #include "reports/page/sections.h"
@@ -53,7 +54,21 @@ bool write_matrix(const fs::path& folder, const std::string& findings) {
                    counterexample_page(matrix, subject, cell));
     }
   }
+  for (const std::string& question : open_questions(matrix)) {
+    std::fprintf(stderr, "matrix: %s\n", question.c_str());
+  }
   return ours_hold(matrix);
+}
+
+// What is tried first on the row `id`, as the directory for `selvage verify --corpus`.
+void write_known(const fs::path& folder, const std::string& findings, const std::string& id) {
+  const fs::path directory = folder / "matrix" / "known" / id;
+  fs::create_directories(directory);
+  const auto corpus = cli::read_corpus(folder / "corpus");
+  const json examined = findings.empty() ? json::object() : read_json(findings);
+  for (const cli::KnownCase& known : known_cases(examined, id, corpus)) {
+    cli::write_to_corpus(directory, known);
+  }
 }
 
 void write_page(const fs::path& folder, Results results) {
@@ -96,7 +111,14 @@ int main(int argc, char** argv) {
   std::string findings;
   matrix->add_option("--findings", findings,
                      "JSON: what is known of subjects and their violations");
-  for (CLI::App* command : {plots, worst, html, matrix})
+  CLI::App* known = app.add_subcommand(
+      "known",
+      "the cases that its matrix tries first on a row, from the findings and from its folder "
+      "corpus, to its folder matrix/known/ID");
+  std::string row;
+  known->add_option("--findings", findings, "as for matrix");
+  known->add_option("--row", row, "the row's ID")->required();
+  for (CLI::App* command : {plots, worst, html, matrix, known})
     command->add_option("folder", folder)->required();
   html->add_option("--revision", results.revision, "what source this is about");
   html->add_option("--unmeasured", results.unmeasured, "why there is no bench.json");
@@ -110,6 +132,8 @@ int main(int argc, char** argv) {
       std::cout << worst_case_lines(read_json(fs::path(folder) / "stability.json"));
     else if (matrix->parsed())
       return write_matrix(folder, findings) ? 0 : 1;
+    else if (known->parsed())
+      write_known(folder, findings, row);
     else
       write_page(folder, std::move(results));
     return 0;

@@ -97,6 +97,10 @@ std::string about(const json& subject) {
   for (const json& cell : subject.value("cells", json::array())) {
     if (cell.contains("finding")) items += finding_item(cell);
   }
+  for (const json& law : subject.value("stale", json::array())) {
+    items += element("li", element("strong", escaped(law.get<std::string>())) +
+                               ": the case that the finding is about holds now");
+  }
   std::string title = name_of(subject);
   const std::string examined = subject.value("examined", "");
   if (!subject.value("subject", std::string()).ends_with(examined))

@@ -21,10 +21,14 @@ struct MatrixRow {
 [[nodiscard]] std::vector<MatrixRow> read_rows(const std::filesystem::path& folder);
 
 // The whole matrix as one value. `findings` holds, by the row's id, what is known of a subject: its
-// conventions, and for each law that it was seen to break what that means.
+// conventions, and for each law that it was seen to break what that means, and on which case.
 [[nodiscard]] nlohmann::ordered_json matrix_of(const std::vector<MatrixRow>& rows,
                                                const nlohmann::ordered_json& laws,
                                                const nlohmann::ordered_json& findings);
+
+// A line for each finding whose case no longer fails, and for each violation of a peer that none is
+// about.
+[[nodiscard]] std::vector<std::string> open_questions(const nlohmann::ordered_json& matrix);
 
 // Whether every one of the project's own mappers keeps what it promises.
 [[nodiscard]] bool ours_hold(const nlohmann::ordered_json& matrix);

@@ -35,6 +35,27 @@ json cell_of(const MatrixRow& row, const std::string& name) {
   return nullptr;
 }
 
+// What was found is about the case that it was found on, and that one is tried first; `varies`:
+// what is shown is not the mapper's alone, so that it may look right.
+enum class Standing { kNone, kShown, kStale };
+Standing standing_of(const json& cell, const json& finding) {
+  const bool violated = cell.at("verdict") == "violated";
+  if (finding.is_null() || !finding.contains("case") || finding.value("varies", false)) {
+    return violated && !finding.is_null() ? Standing::kShown : Standing::kNone;
+  }
+  return violated && cell.at("violation").value("found_by", "") == "corpus" ? Standing::kShown
+                                                                            : Standing::kStale;
+}
+
+void add_finding(const json& known, json* cell, json* subject) {
+  const auto law = cell->at("law").get<std::string>();
+  const json findings = known.value("laws", json::object());
+  const json finding = findings.value(law, json());
+  const Standing standing = standing_of(*cell, finding);
+  if (standing == Standing::kShown) (*cell)["finding"] = finding;
+  if (standing == Standing::kStale) (*subject)["stale"].push_back(law);
+}
+
 json subject_of(const MatrixRow& row, const json& laws, const json& known) {
   json subject = {{"id", row.id}, {"group", row.group}};
   if (known.contains("convention")) subject["convention"] = known["convention"];
@@ -50,8 +71,7 @@ json subject_of(const MatrixRow& row, const json& laws, const json& known) {
     const auto name = law.at("law").get<std::string>();
     json cell = cell_of(row, name);
     if (cell.is_null()) continue;
-    if (cell.at("verdict") == "violated" && known.contains("laws") && known["laws"].contains(name))
-      cell["finding"] = known["laws"][name];
+    add_finding(known, &cell, &subject);
     subject["cells"].push_back(std::move(cell));
   }
   return subject;
@@ -98,6 +118,25 @@ json matrix_of(const std::vector<MatrixRow>& rows, const json& laws, const json&
   for (const MatrixRow& row : rows)
     matrix["subjects"].push_back(subject_of(row, laws, findings.value(row.id, json::object())));
   return matrix;
+}
+
+std::vector<std::string> open_questions(const json& matrix) {
+  std::vector<std::string> open;
+  for (const json& subject : matrix.at("subjects")) {
+    const auto ask = [&](const json& law, const char* what) {
+      open.push_back(subject.at("id").get<std::string>() + ": " + law.get<std::string>() + ": " +
+                     what);
+    };
+    for (const json& law : subject.value("stale", json::array())) {
+      ask(law, "the finding is stale: its case holds");
+    }
+    if (subject.at("group") != "peers") continue;
+    for (const json& cell : subject.value("cells", json::array())) {
+      const bool is_open = cell.at("verdict") == "violated" && !cell.contains("finding");
+      if (is_open) ask(cell.at("law"), "the violation is unexamined");
+    }
+  }
+  return open;
 }
 
 bool ours_hold(const json& matrix) {

@@ -56,7 +56,7 @@ summary { cursor: pointer; } details { margin: .8rem 0; }
 .matrix tr:first-child th { font-size: .68rem; } .matrix small { font-size: .68rem; }
 .matrix th:first-child { position: sticky; left: 0; background: var(--page); min-width: 8rem; }
 .matrix small { display: block; font-weight: normal; white-space: nowrap; } .differs { background: var(--soft); }
-.quiet { opacity: .65; } .enlarged { image-rendering: pixelated; }
+.quiet { opacity: .65; } .enlarged { image-rendering: pixelated; margin-top: .8rem; }
 )";
 
 }  // namespace

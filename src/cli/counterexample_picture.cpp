@@ -1,21 +1,35 @@
 #include "cli/counterexample_picture.h"
 
+#include <cstdint>
+
 #include "cli/comparison_picture.h"
 #include "spec/filter_texture.h"
 
 namespace selvage::cli {
 namespace {
 
-// A call that fails has drawn what it had until then.
-[[nodiscard]] spec::Subject unfailing(const spec::Subject& subject) {
-  spec::Subject calm = subject;
-  calm.draw = [draw = subject.draw](auto... arguments) -> selvage_status {
+// The function, with `failed` for the answer of a call that fails.
+template <class Function, class Answer>
+[[nodiscard]] auto calmed(Function function, Answer failed) {
+  return [function, failed](auto... arguments) -> Answer {
     try {
-      return draw(arguments...);
+      return function(arguments...);
     } catch (const spec::SubjectFailure&) {
-      return SELVAGE_OK;
+      return failed;
     }
   };
+}
+
+// A drawing that fails has drawn what it had until then; from a texture that could not be prepared
+// nothing is drawn.
+[[nodiscard]] spec::Subject unfailing(const spec::Subject& subject) {
+  spec::Subject calm = subject;
+  calm.draw = calmed(subject.draw, selvage_status{SELVAGE_OK});
+  if (calm.prepare) {
+    const selvage_status failed = SELVAGE_ERROR_TEXTURE_PREPARED;
+    calm.prepare->prepare = calmed(subject.prepare->prepare, failed);
+    calm.prepare->bytes = calmed(subject.prepare->bytes, SIZE_MAX);
+  }
   return calm;
 }
 

@@ -114,6 +114,9 @@ std::string junit_xml(const VerifyRun& run) {
       attribute("time", seconds(time_ns));
   std::string properties = property("selvage", selvage_version()) +
                            property("profile", run.profile) + property("arguments", run.arguments);
+  for (const auto& [function, law] : run.not_exported) {
+    properties += property("not exported", function);
+  }
   if (!run.replay) {
     properties += property("seed", std::to_string(run.seed));
     properties += property("cases", std::to_string(run.cases));

@@ -141,6 +141,9 @@ std::string table_summary(const VerifyRun& run) {
   for (const NotPromised& law : run.not_promised) {
     text += "not promised: " + law.law + ": " + law.why + "\n";
   }
+  for (const auto& [function, law] : run.not_exported) {
+    text += "not exported: " + function + ": " + law + " says nothing of it\n";
+  }
   return text;
 }
 

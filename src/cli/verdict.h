@@ -32,6 +32,11 @@ struct NotPromised {
   std::string law, why;
 };
 
+// A function that a library does not export, and the law that is held against it where one does.
+struct NotExported {
+  std::string function, law;
+};
+
 // Part `index` of `count`, from 1 on.
 struct Shard {
   uint64_t index = 1, count = 1;
@@ -45,6 +50,7 @@ struct VerifyRun {
   uint64_t seed = 0;    // of the first case; meaningless in a replay
   std::vector<Verdict> verdicts;
   std::vector<NotPromised> not_promised{};  // the laws that were left out for it
+  std::vector<NotExported> not_exported{};  // no failure: there is nothing to be held to it
   bool oracle_missing = false;              // this build has no ORACLE law
   std::string arguments{};   // " --subject ./theirs.so ...": how the subject is told again
   uint64_t cases = 0;        // asked for; 0 where a replay or a time was

@@ -133,6 +133,9 @@ using nlohmann::ordered_json;
   for (const ordered_json& law : values.at("not_promised")) {
     run.not_promised.push_back({law.at("law"), law.at("why")});
   }
+  for (const ordered_json& missing : values.at("not_exported")) {
+    run.not_exported.push_back({missing.at("function"), missing.at("law")});
+  }
   return run;
 }
 
@@ -158,6 +161,10 @@ std::string verdict_json(const VerifyRun& run) {
   values["not_promised"] = ordered_json::array();
   for (const NotPromised& law : run.not_promised) {
     values["not_promised"].push_back({{"law", law.law}, {"why", law.why}});
+  }
+  values["not_exported"] = ordered_json::array();
+  for (const auto& [function, law] : run.not_exported) {
+    values["not_exported"].push_back({{"function", function}, {"law", law}});
   }
   return values.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

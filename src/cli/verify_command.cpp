@@ -118,6 +118,20 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
   return plan;
 }
 
+// Calls that laws which are checked would be held against, if the library had them.
+[[nodiscard]] std::vector<NotExported> not_exported(const spec::Subject& subject,
+                                                    const VerifyPlan& plan) {
+  std::vector<NotExported> missing;
+  const auto note = [&](bool has, const char* function, const char* law) {
+    const auto is_it = [law](const spec::Law* one) { return one->name == law; };
+    if (!has && std::ranges::any_of(plan.laws, is_it)) missing.push_back({function, law});
+  };
+  note(subject.draw_many != nullptr, "selvage_draw_many", "SAME");
+  note(subject.prepare.has_value(), "selvage_prepare", "SAME");
+  note(subject.choose != nullptr, "selvage_choose", "TOLERANCE");
+  return missing;
+}
+
 [[nodiscard]] VerifyRun begun(const VerifyOptions& options, const ChosenSubject& chosen,
                               const VerifyPlan& plan) {
   VerifyRun run{.subject = chosen.subject.name,
@@ -126,6 +140,7 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
                 .seed = plan.seed,
                 .verdicts = {}};
   if (options.laws.empty()) run.not_promised = unpromised_laws(chosen.subject);
+  if (chosen.host) run.not_exported = not_exported(chosen.subject, plan);
   run.oracle_missing = options.laws.empty() && spec::find_law("ORACLE") == nullptr;
   run.arguments = chosen.arguments;
   run.cases = plan.replayed || plan.time ? 0 : plan.cases;

@@ -30,13 +30,18 @@ void Arena::make_read_only() const {
   mprotect(reinterpret_cast<void*>(range_.begin), range_.bytes(), PROT_READ);
 }
 
-uintptr_t Arena::at_end(size_t bytes, uintptr_t like, size_t unit) const {
-  const uintptr_t nearest = range_.end - bytes;
-  return nearest - ((nearest - like) & (unit - 1));
+void Arena::make_writable() const {
+  mprotect(reinterpret_cast<void*>(range_.begin), range_.bytes(), PROT_READ | PROT_WRITE);
 }
 
-uintptr_t Arena::at_begin(uintptr_t like, size_t unit) const {
-  return range_.begin + ((like - range_.begin) & (unit - 1));
+std::optional<uintptr_t> Packer::place(size_t bytes, uintptr_t like, size_t unit) {
+  if (bytes > room_.bytes()) return std::nullopt;
+  const uintptr_t nearest = from_end_ ? room_.end - bytes : room_.begin;
+  const uintptr_t shift = from_end_ ? (nearest - like) & (unit - 1) : (like - nearest) & (unit - 1);
+  if (shift > room_.bytes() - bytes) return std::nullopt;
+  const uintptr_t at = from_end_ ? nearest - shift : nearest + shift;
+  (from_end_ ? room_.end : room_.begin) = from_end_ ? at : at + bytes;
+  return at;
 }
 
 }  // namespace selvage::testbed

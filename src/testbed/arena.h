@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace selvage::testbed {
 
@@ -13,6 +14,9 @@ struct Range {
   [[nodiscard]] size_t bytes() const { return end - begin; }
   [[nodiscard]] bool is_empty() const { return begin == end; }
   [[nodiscard]] bool holds(uintptr_t address) const { return begin <= address && address < end; }
+  [[nodiscard]] bool holds(const Range& other) const {
+    return begin <= other.begin && other.end <= end;
+  }
   // They overlap, or one begins where the other ends.
   [[nodiscard]] bool touches(const Range& other) const {
     return begin <= other.end && other.begin <= end;
@@ -37,14 +41,26 @@ class Arena {
   }
   // In this process alone.
   void make_read_only() const;
-
-  // Where `bytes` go so that they end where the arena does, or begin where it begins, as near as an
-  // address lets them that is `like` modulo `unit`, a power of two.
-  [[nodiscard]] uintptr_t at_end(size_t bytes, uintptr_t like, size_t unit) const;
-  [[nodiscard]] uintptr_t at_begin(uintptr_t like, size_t unit) const;
+  void make_writable() const;
 
  private:
   Range range_;
+};
+
+// Fills a range from its end downward, or from its beginning upward.
+class Packer {
+ public:
+  Packer(Range room, bool from_end) : room_(room), from_end_(from_end) {}
+
+  [[nodiscard]] size_t bytes_left() const { return room_.bytes(); }
+  // Where so many bytes go, at most those that are left: as near to what is taken already, or to
+  // the range's end, as an address lets them that is `like` modulo `unit`, a power of two. Empty
+  // where that is too many.
+  [[nodiscard]] std::optional<uintptr_t> place(size_t bytes, uintptr_t like, size_t unit);
+
+ private:
+  Range room_;
+  bool from_end_;
 };
 
 }  // namespace selvage::testbed

@@ -23,7 +23,7 @@ enum class State : uint32_t {
   kNoWorker,
   kFork,  // the keeper's turn
   kCall,  // the worker's turn
-  kIdle,  // it waits for a call; what it did last is in `status`
+  kIdle,  // it waits for a call; what it did last is in `answer`
   kGone   // it has ended: `end`
 };
 
@@ -42,26 +42,60 @@ struct End {
   int wait_status = 0;  // as by waitpid
 };
 
+enum class Function : uint32_t {
+  kDraw,
+  kDrawMany,
+  kDrawManyBytes,
+  kPrepare,
+  kPrepareBytes,
+  kChoose
+};
+inline constexpr std::array<const char*, 6> kFunctionNames = {
+    "selvage_draw",    "selvage_draw_many",     "selvage_draw_many_bytes",
+    "selvage_prepare", "selvage_prepare_bytes", "selvage_choose"};
+
+[[nodiscard]] constexpr const char* name_of(Function function) {
+  return kFunctionNames[static_cast<size_t>(function)];
+}
+[[nodiscard]] constexpr uint32_t bit_of(Function function) {
+  return uint32_t{1} << static_cast<uint32_t>(function);
+}
+
+// The arguments of any of them; each looks at its own.
 struct Call {
-  const selvage_image* target;
-  const selvage_rect* clip;
-  const selvage_vertex* vertices;
-  size_t count;
-  const selvage_texture* texture;
-  const selvage_options* options;
+  Function function = Function::kDraw;
+  const selvage_image* target = nullptr;
+  const selvage_rect* clip = nullptr;
+  const selvage_polygon* polygons = nullptr;  // draw and choose: one; prepare: one's texture
+  size_t count = 0;                           // of them
+  const selvage_options* options = nullptr;
+  int32_t threads = 0;
+  selvage_layout layout = SELVAGE_LAYOUT_ROWS;
+  int32_t with_sums = 0;
+  void* memory = nullptr;  // to prepare in, or scratch
+  size_t bytes = 0;        // of it
+  selvage_choice* choice = nullptr;
+  selvage_texture* prepared = nullptr;
+};
+
+// Each function gives one of them.
+struct Answer {
+  selvage_status status = SELVAGE_OK;
+  size_t bytes = 0;
 };
 
 struct Control {
   std::atomic<uint32_t> state{static_cast<uint32_t>(State::kLoading)};
   std::atomic<uint32_t> step{static_cast<uint32_t>(Step::kLoad)};
   std::array<char, 1024> refusal{};
+  uint32_t exported = 0;  // sum of bit_of()
   bool has_claims = false;
   selvage_claims claims{};  // its texts are below
   std::array<char, 128> name{}, version{};
   std::atomic<pid_t> worker{0};
   uintptr_t stack = 0;  // an address near the beginning of the worker's
   Call call{};
-  selvage_status status = SELVAGE_OK;
+  Answer answer{};
   End end{};
 };
 

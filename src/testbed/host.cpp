@@ -12,11 +12,9 @@
 #include <iostream>
 #include <new>
 
-#include "testbed/claims.h"
-#include "testbed/control.h"
 #include "testbed/ending.h"
+#include "testbed/host_state.h"
 #include "testbed/keeper.h"
-#include "testbed/placement.h"
 
 namespace selvage::testbed {
 namespace {
@@ -37,78 +35,71 @@ void flush_all() {
 
 }  // namespace
 
-// The process that loaded the library, with all that is shared with it.
-struct Host::Keeper {
-  Arenas arenas;
-  Arena control_memory{sizeof(Control)};
-  Control& control = *new (reinterpret_cast<void*>(control_memory.range().begin)) Control;
-  int output = memfd_create("selvage-subject-output", MFD_CLOEXEC);
-  pid_t process = -1;
+Host::Keeper::Keeper()
+    : control(*new (reinterpret_cast<void*>(control_memory.range().begin)) Control),
+      output(memfd_create("selvage-subject-output", MFD_CLOEXEC)) {}
 
-  Keeper() = default;
-  Keeper(const Keeper&) = delete;
-  Keeper& operator=(const Keeper&) = delete;
-  ~Keeper() {
-    end_worker();
-    if (process > 0) {
-      kill(process, SIGKILL);
-      waitpid(process, nullptr, 0);
-    }
-    if (output >= 0) close(output);
+Host::Keeper::~Keeper() {
+  end_worker();
+  if (process > 0) {
+    kill(process, SIGKILL);
+    waitpid(process, nullptr, 0);
   }
+  if (output >= 0) close(output);
+}
 
-  void start(const std::string& library) {
-    fcntl(output, F_SETFL, O_APPEND);
-    flush_all();
-    const pid_t parent = getpid();
-    process = fork();
-    if (process < 0) throw std::bad_alloc();
-    if (process > 0) return;
-    arenas.texture.make_read_only();
-    arenas.vertices.make_read_only();
-    arenas.structures.make_read_only();
-    keep(control, library, output, parent);
+void Host::Keeper::start(const std::string& library) {
+  fcntl(output, F_SETFL, O_APPEND);
+  flush_all();
+  const pid_t parent = getpid();
+  process = fork();
+  if (process < 0) throw std::bad_alloc();
+  if (process > 0) return;
+  for (const Arena* arena : {&arenas.texture, &arenas.other_textures, &arenas.vertices,
+                             &arenas.polygons, &arenas.structures}) {
+    arena->make_read_only();
   }
+  for (const Arena& arena : arenas.prepared) arena.make_read_only();
+  keep(control, library, output, parent, arenas.prepared);
+}
 
-  [[nodiscard]] bool is_alive() {
-    if (process > 0 && waitpid(process, nullptr, WNOHANG) != 0) process = -1;
-    return process > 0;
+bool Host::Keeper::is_alive() {
+  if (process > 0 && waitpid(process, nullptr, WNOHANG) != 0) process = -1;
+  return process > 0;
+}
+
+State Host::Keeper::next(State state, std::chrono::nanoseconds most) {
+  const auto end = std::chrono::steady_clock::now() + most;
+  for (;;) {
+    const std::chrono::nanoseconds left = end - std::chrono::steady_clock::now();
+    if (left.count() <= 0) return state;
+    const State now =
+        wait_while(control, state, std::min<std::chrono::nanoseconds>(left, kLookAfterKeeper));
+    if (now != state || !is_alive()) return now;
   }
+}
 
-  // Waits until the state is another; `state` itself where the time is over or the keeper dead.
-  [[nodiscard]] State next(State state, std::chrono::nanoseconds most) {
-    const auto end = std::chrono::steady_clock::now() + most;
-    for (;;) {
-      const std::chrono::nanoseconds left = end - std::chrono::steady_clock::now();
-      if (left.count() <= 0) return state;
-      const State now =
-          wait_while(control, state, std::min<std::chrono::nanoseconds>(left, kLookAfterKeeper));
-      if (now != state || !is_alive()) return now;
-    }
+void Host::Keeper::end_worker() const {
+  const pid_t worker = control.worker;
+  if (worker > 0) kill(worker, SIGKILL);
+}
+
+void Host::Keeper::have_worker() {
+  if (state() == State::kIdle) return;
+  control.end.signal = 0;
+  control.end.threw = control.end.is_address_known = false;
+  control.end.access = Access::kUnknown;
+  set_state(control, State::kFork);
+  if (next(State::kFork, kForkLimit) != State::kIdle) {
+    throw LibraryError("the process that holds the subject has ended");
   }
-
-  void end_worker() const {
-    const pid_t worker = control.worker;
-    if (worker > 0) kill(worker, SIGKILL);
-  }
-
-  [[nodiscard]] State state() const { return static_cast<State>(control.state.load()); }
-
-  // A worker that waits for a call.
-  void have_worker() {
-    if (state() == State::kIdle) return;
-    control.end.signal = 0;
-    control.end.threw = control.end.is_address_known = false;
-    control.end.access = Access::kUnknown;
-    set_state(control, State::kFork);
-    if (next(State::kFork, kForkLimit) != State::kIdle) {
-      throw LibraryError("the process that holds the subject has ended");
-    }
-  }
-};
+}
 
 Host::Host(const std::filesystem::path& library, std::chrono::nanoseconds call_limit)
-    : keeper_(std::make_unique<Keeper>()), name_(library.string()), call_limit_(call_limit) {
+    : keeper_(std::make_unique<Keeper>()),
+      blocks_(std::make_unique<Blocks>()),
+      name_(library.string()),
+      call_limit_(call_limit) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(library, error)) {
     throw cannot_use(name_, "there is no such file");
@@ -131,16 +122,16 @@ void Host::load() {
 
 Host::~Host() = default;
 
-void Host::begin_case() { at_end_ = true; }
+void Host::begin_case() { at_end_ = blocks_->at_end = true; }
 
-selvage_status Host::draw(const selvage_image* target, const selvage_rect* clip,
-                          const selvage_vertex* vertices, size_t count,
-                          const selvage_texture* texture, const selvage_options* options) {
+const Arenas& Host::arenas() const { return keeper_->arenas; }
+const Control& Host::control() const { return keeper_->control; }
+
+Answer Host::call(const Call& call) {
   Control& control = keeper_->control;
   keeper_->have_worker();
-  const Placement placement(keeper_->arenas, {target, clip, vertices, count, texture, options},
-                            at_end_);
-  at_end_ = !at_end_;
+  const Placement placement(keeper_->arenas, call, blocks_->placed, at_end_);
+  if (call.function == Function::kDraw || call.function == Function::kDrawMany) at_end_ = !at_end_;
   control.call = placement.copy_in();
   set_state(control, State::kCall);
   State state = keeper_->next(State::kCall, call_limit_);
@@ -152,31 +143,19 @@ selvage_status Host::draw(const selvage_image* target, const selvage_rect* clip,
     if (state == State::kIdle) state = keeper_->next(State::kIdle, kForkLimit);  // a tie
   }
   placement.copy_out();
+  const auto failure = [&](const std::string& happened) {
+    const bool is_draw = call.function == Function::kDraw;
+    return spec::SubjectFailure{happened, hung, is_draw ? "" : name_of(call.function)};
+  };
   if (!is_held) {
     load();
-    throw spec::SubjectFailure{"ended the process that holds it"};
+    throw failure("ended the process that holds it");
   }
-  if (hung) throw spec::SubjectFailure{describe_hang(call_limit_), true};
-  if (state == State::kGone) throw spec::SubjectFailure{describe_end(control, placement)};
-  if (control.status == SELVAGE_STATUS_BEYOND_CLAIMS)
+  if (hung) throw failure(describe_hang(call_limit_));
+  if (state == State::kGone) throw failure(describe_end(control, placement));
+  if (control.answer.status == SELVAGE_STATUS_BEYOND_CLAIMS)
     throw spec::NotClaimed{"what it says itself is beyond it"};
-  return control.status;
-}
-
-spec::Subject Host::subject(const std::shared_ptr<Host>& host) {
-  const Control& control = host->keeper_->control;
-  spec::Subject subject;
-  try {
-    if (control.has_claims) subject = claimed(control.claims);
-  } catch (const LibraryError& error) {
-    throw cannot_use(host->name_, error.what());
-  }
-  subject.name = control.name[0] != '\0' ? control.name.data()
-                                         : std::filesystem::path(host->name_).filename().string();
-  if (control.version[0] != '\0') subject.name += " " + std::string(control.version.data());
-  subject.draw = [host](auto... arguments) { return host->draw(arguments...); };
-  subject.begin_case = [host] { host->begin_case(); };
-  return subject;
+  return control.answer;
 }
 
 std::string Host::printed() const {

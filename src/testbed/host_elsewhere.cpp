@@ -4,6 +4,7 @@
 namespace selvage::testbed {
 
 struct Host::Keeper {};
+struct Host::Blocks {};
 
 Host::Host(const std::filesystem::path& library, std::chrono::nanoseconds)
     : name_(library.string()) {

@@ -83,24 +83,21 @@ void describe(Control& control, const selvage_claims* claims) {
   control.has_claims = true;
 }
 
-[[nodiscard]] DrawFunction load(Control& control, const std::string& path) {
+[[nodiscard]] Functions load(Control& control, const std::string& path) {
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) {
     const char* why = dlerror();
     refuse(control, why != nullptr ? why : "it cannot be loaded");
   }
-  const auto draw = reinterpret_cast<DrawFunction>(dlsym(library, "selvage_draw"));
-  if (draw == nullptr) {
-    refuse(control,
-           "it exports no selvage_draw: the function of selvage.h, with C linkage and "
-           "default visibility");
-  }
+  const Functions functions = find_functions(library);
+  if (const std::string fault = fault_of(functions); !fault.empty()) refuse(control, fault);
+  control.exported = exported(functions);
   using Describe = const selvage_claims* (*)();
   if (const auto about = reinterpret_cast<Describe>(dlsym(library, "selvage_subject"))) {
     control.step = static_cast<uint32_t>(Step::kDescribe);
     describe(control, about());
   }
-  return draw;
+  return functions;
 }
 
 // Ends with its parent, whatever becomes of that.
@@ -109,13 +106,14 @@ void die_with(pid_t parent) {
   if (getppid() != parent) _exit(0);
 }
 
-void fork_worker(Control& control, DrawFunction draw) {
+void fork_worker(Control& control, const Functions& functions,
+                 std::span<const Arena> to_prepare_in) {
   const pid_t keeper = getpid();
   const pid_t worker = fork();
   if (worker == 0) {
     die_with(keeper);
     setpgid(0, 0);
-    work(control, draw);
+    work(control, functions, to_prepare_in);
   }
   control.worker = worker;
   int status = 0;
@@ -129,15 +127,16 @@ void fork_worker(Control& control, DrawFunction draw) {
 
 }  // namespace
 
-void keep(Control& control, const std::string& library, int output, pid_t parent) {
+void keep(Control& control, const std::string& library, int output, pid_t parent,
+          std::span<const Arena> to_prepare_in) {
   die_with(parent);
   seal_off(output);
   limit_resources();
-  const DrawFunction draw = load(control, library);
+  const Functions functions = load(control, library);
   control.step = static_cast<uint32_t>(Step::kDone);
   set_state(control, State::kNoWorker);
   for (State state = State::kNoWorker;;) {
-    if (state == State::kFork) fork_worker(control, draw);
+    if (state == State::kFork) fork_worker(control, functions, to_prepare_in);
     state = static_cast<State>(control.state.load());  // which may be kFork again
     if (state != State::kFork) state = wait_while(control, state);
   }

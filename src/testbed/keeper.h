@@ -1,15 +1,18 @@
 // The processes that the subject runs in.
 #pragma once
 
+#include <span>
 #include <string>
 
+#include "testbed/arena.h"
 #include "testbed/control.h"
 
 namespace selvage::testbed {
 
 // The keeper's whole life, in a process forked for it: loads the library, then forks a worker
 // whenever it is told to, and tells how each ended. `output` is a descriptor that takes what the
-// subject prints. Never returns.
-[[noreturn]] void keep(Control& control, const std::string& library, int output, pid_t parent);
+// subject prints; textures are prepared in the arenas `to_prepare_in`. Never returns.
+[[noreturn]] void keep(Control& control, const std::string& library, int output, pid_t parent,
+                       std::span<const Arena> to_prepare_in);
 
 }  // namespace selvage::testbed

@@ -45,30 +45,43 @@ void catch_faults() {
   }
 }
 
-void draw_once(Control& control, DrawFunction draw) {
+// The arena that a texture is prepared in; null where none is.
+[[nodiscard]] const Arena* arena_of(const Call& call, std::span<const Arena> to_prepare_in) {
+  if (call.function != Function::kPrepare) return nullptr;
+  const auto address = reinterpret_cast<uintptr_t>(call.memory);
+  for (const Arena& arena : to_prepare_in) {
+    if (arena.range().holds(address)) return &arena;
+  }
+  return nullptr;
+}
+
+// A subject that forks goes on twice: only the worker answers.
+void answer(Control& control, const Functions& functions, std::span<const Arena> to_prepare_in) {
+  const pid_t worker = getpid();
+  const Arena* arena = arena_of(control.call, to_prepare_in);
+  if (arena != nullptr) arena->make_writable();
   try {
-    const Call& call = control.call;
-    control.status =
-        draw(call.target, call.clip, call.vertices, call.count, call.texture, call.options);
+    const Answer found = carry_out(functions, control.call);
+    if (getpid() != worker) _exit(0);
+    control.answer = found;
   } catch (...) {
     control.end.threw = true;
     _exit(1);
   }
+  if (arena != nullptr) arena->make_read_only();
 }
 
 }  // namespace
 
-void work(Control& control, DrawFunction draw) {
+void work(Control& control, const Functions& functions, std::span<const Arena> to_prepare_in) {
   noted_in = &control;
-  const pid_t self = getpid();
   // A local variable may lie elsewhere, under a sanitizer.
   control.stack = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
   catch_faults();
   State state = State::kIdle;
   for (set_state(control, state);; state = wait_while(control, state)) {
     if (state != State::kCall) continue;
-    draw_once(control, draw);
-    if (getpid() != self) _exit(0);  // the subject forked, and this is the other one
+    answer(control, functions, to_prepare_in);
     state = State::kIdle;
     set_state(control, state);
   }

@@ -39,8 +39,34 @@ class VerifySubject : public InDirectory {
 TEST_F(VerifySubject, OfARightOneHolds) {
   EXPECT_EQ(run("right"), kExitFine) << out();
   expect_contains(out(), "subject right.so, profile exact\nseed 5\n");
-  EXPECT_EQ(out().find("not "), std::string::npos) << out();
+  EXPECT_EQ(out().find("not claimed"), std::string::npos) << out();
+  EXPECT_EQ(out().find("not promised"), std::string::npos) << out();
   EXPECT_EQ(err(), "");
+}
+
+// What a library does not export is told, and is no failure.
+TEST_F(VerifySubject, TellsWhatItDoesNotExport) {
+  options_.laws = {"SAME", "TOLERANCE"};
+  options_.junit = "verdict.xml";
+  EXPECT_EQ(run("prepares_right"), kExitFine) << out();
+  expect_contains(out(), "not exported: selvage_draw_many: SAME says nothing of it\n");
+  expect_contains(out(), "not exported: selvage_choose: TOLERANCE says nothing of it\n");
+  EXPECT_EQ(out().find("not exported: selvage_prepare"), std::string::npos) << out();
+  expect_contains(get("verdict.xml"), "<property name=\"not exported\" value=\"selvage_choose\"/>");
+  options_.laws = {"SAME"};
+  options_.json = true;
+  EXPECT_EQ(run("chooses_right"), kExitFine) << out();
+  const auto missing = nlohmann::json::parse(out())["not_exported"];
+  ASSERT_EQ(missing.size(), 2u);
+  EXPECT_EQ(missing[1]["function"], "selvage_prepare");
+  EXPECT_EQ(missing[1]["law"], "SAME");
+}
+
+TEST_F(VerifySubject, ThatFailsToPrepareHasAPictureOfNothing) {
+  options_.laws = {"SAME"};
+  EXPECT_EQ(run("prepares_source"), kExitLawFailed);
+  expect_contains(out(), "it wrote in the texture, at texel (0, 0) (SIGSEGV)");
+  EXPECT_GT(read_picture("selvage-SAME.png").width_px, 3);
 }
 
 TEST_F(VerifySubject, ThatCrashesEndsInAVerdictAndAPicture) {

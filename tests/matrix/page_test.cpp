@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "reports/page/known.h"
 #include "reports/page/matrix.h"
 #include "spec/case.h"
 
@@ -111,6 +112,55 @@ TEST(Matrix, FindingsAreShownWhereTheLawWasBrokenAlone) {
   EXPECT_FALSE(holds(html, "unexamined"));
 }
 
+// A finding is about the case that it was found on. Where that holds now it is stale, and another
+// violation of its law is one that nobody has looked at.
+TEST(Matrix, FindingsWhoseCaseHoldsAreStale) {
+  const json finding = {{"kind", "limit"}, {"text", "t"}, {"source", "s"}, {"case", "02"}};
+  const json findings = {
+      {"one",
+       {{"examined", "1"}, {"convention", "c"}, {"laws", {{"MAP", finding}, {"COV", finding}}}}}};
+  const json matrix = matrix_with(findings);
+  EXPECT_EQ(matrix["subjects"][0].at("stale"), json::array({"COV", "MAP"}));
+  EXPECT_TRUE(holds(matrix_section(matrix),
+                    "<strong>COV</strong>: the case that the finding is about holds now"));
+  EXPECT_TRUE(holds(matrix_section(matrix), "unexamined"));
+  const auto open = open_questions(matrix);
+  ASSERT_EQ(open.size(), 3u);
+  EXPECT_EQ(open[1], "one: MAP: the finding is stale: its case holds");
+  EXPECT_EQ(open[2], "one: MAP: the violation is unexamined");
+
+  json replayed = verdict();
+  replayed["laws"][1]["violation"]["found_by"] = "corpus";
+  const json known = {{"one", {{"laws", {{"MAP", finding}}}}}};
+  const json again =
+      matrix_of({{.group = "peers", .id = "one", .verdict = replayed, .error = ""}}, kLaws, known);
+  EXPECT_EQ(again["subjects"][0]["cells"][1].at("finding").at("kind"), "limit");
+  EXPECT_TRUE(open_questions(again).empty());
+}
+
+TEST(Matrix, TriesTheCasesOfItsFindingsFirst) {
+  const auto hex = [](int32_t side_px) {
+    spec::Case c;
+    c.target_width_px = side_px;
+    return spec::to_hex(c);
+  };
+  const json findings = {
+      {"one", {{"laws", {{"MAP", {{"case", hex(1)}}}}}}},
+      {"two", {{"laws", {{"MAP", {{"case", hex(2)}}}, {"COV", {{"case", hex(3)}}}}}}}};
+  spec::Case old;
+  old.target_width_px = 4;
+  const auto widths = [&](const std::string& id) {
+    std::string text;
+    for (const cli::KnownCase& known : known_cases(findings, id, {{"CLIP", old}, {"MAP", old}})) {
+      text += known.law + std::to_string(known.found.target_width_px) + " ";
+    }
+    return text;
+  };
+  EXPECT_EQ(widths("one"), "MAP1 COV3 CLIP4 ");
+  EXPECT_EQ(widths("two"), "MAP2 COV3 CLIP4 ");
+  EXPECT_EQ(widths("three"), "MAP1 MAP2 COV3 CLIP4 MAP4 ");
+}
+
 TEST(Matrix, CounterexampleTellsAllThatIsNeeded) {
   const json matrix = matrix_with(json::object());
   const json& subject = matrix.at("subjects")[0];
@@ -120,6 +170,12 @@ TEST(Matrix, CounterexampleTellsAllThatIsNeeded) {
         "nothing", "case 12", "one-MAP.png", "drawn | expected | difference", "(1, 0), (0, 0), 1",
         "selvage verify --subject a.so --law MAP --case 02", "../index.html#matrix"})
     EXPECT_TRUE(holds(html, part)) << part;
+
+  json cell = subject.at("cells")[1];
+  cell["violation"]["found_by"] = "hunt";
+  EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "in hunted case 12"));
+  cell["violation"]["found_by"] = "corpus";
+  EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "known before, and tried first"));
 }
 
 }  // namespace

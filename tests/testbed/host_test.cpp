@@ -36,6 +36,8 @@ TEST(Host, RefusesWhatIsNoSubject) {
   expect_refused(library("not_there"), "there is no such file");
   expect_refused(SELVAGE_SUBJECTS, "there is no such file");
   expect_refused(library("no_draw"), "it exports no selvage_draw");
+  expect_refused(library("prepares_half"),
+                 "it exports selvage_prepare and no selvage_prepare_bytes; both are needed");
   const auto text = std::filesystem::temp_directory_path() / "selvage-no-library.so";
   std::ofstream(text) << "no library\n";
   expect_refused(text, "no-library.so: ");

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <vector>
 
+#include "spec/subject.h"
+
 namespace selvage::testbed {
 namespace {
 
@@ -16,7 +18,10 @@ class PlacementTest : public testing::Test {
   }
 
   [[nodiscard]] Placement placed(bool at_end) const {
-    return {arenas_, {&target_, nullptr, vertices_, 3, &texture_, &options_}, at_end};
+    return {arenas_,
+            {.target = &target_, .polygons = &polygon_, .count = 1, .options = &options_},
+            prepared_,
+            at_end};
   }
 
   Arenas arenas_;
@@ -24,17 +29,24 @@ class PlacementTest : public testing::Test {
   selvage_image target_;
   selvage_texture texture_;
   selvage_vertex vertices_[3] = {{0, 0, 0, 0, 1}, {256, 0, 0, 0, 1}, {0, 256, 0, 0, 1}};
+  selvage_polygon polygon_{vertices_, 3, &texture_};
   selvage_options options_{};
+  std::vector<Placed> prepared_;
 };
+
+[[nodiscard]] uintptr_t texels_of(const Call& call, size_t polygon = 0) {
+  return reinterpret_cast<uintptr_t>(call.polygons[polygon].texture->texels);
+}
 
 TEST_F(PlacementTest, EndsOrBeginsAtAGuard) {
   const Call last = placed(true).copy_in();
   EXPECT_EQ(reinterpret_cast<uintptr_t>(last.target->pixels) + 5 * 32, arenas_.target.range().end);
-  EXPECT_EQ(reinterpret_cast<uintptr_t>(last.texture->texels) + 64, arenas_.texture.range().end);
-  EXPECT_EQ(reinterpret_cast<uintptr_t>(last.vertices + 3), arenas_.vertices.range().end);
+  EXPECT_EQ(texels_of(last) + 64, arenas_.texture.range().end);
+  EXPECT_EQ(reinterpret_cast<uintptr_t>(last.polygons[0].vertices + 3),
+            arenas_.vertices.range().end);
   const Call first = placed(false).copy_in();
   EXPECT_EQ(reinterpret_cast<uintptr_t>(first.target->pixels), arenas_.target.range().begin);
-  EXPECT_EQ(reinterpret_cast<uintptr_t>(first.texture->texels), arenas_.texture.range().begin);
+  EXPECT_EQ(texels_of(first), arenas_.texture.range().begin);
 }
 
 TEST_F(PlacementTest, CopiesInAndTheTargetOut) {
@@ -43,8 +55,8 @@ TEST_F(PlacementTest, CopiesInAndTheTargetOut) {
   const Call call = placement.copy_in();
   auto* seen = static_cast<uint32_t*>(call.target->pixels);
   EXPECT_EQ(seen[0], 11u);
-  EXPECT_EQ(*static_cast<const uint32_t*>(call.texture->texels), 7u);
-  EXPECT_EQ(call.vertices[1].x, 256);
+  EXPECT_EQ(*static_cast<const uint32_t*>(call.polygons[0].texture->texels), 7u);
+  EXPECT_EQ(call.polygons[0].vertices[1].x, 256);
   EXPECT_EQ(call.clip, nullptr);
   EXPECT_NE(call.options, nullptr);
   seen[39] = 12;
@@ -64,7 +76,7 @@ TEST_F(PlacementTest, OfABottomRowFirstStaysSo) {
 TEST_F(PlacementTest, OfMemoryThatIsSharedStaysShared) {
   texture_.texels = pixels_.data() + 8;
   const Call call = placed(true).copy_in();
-  EXPECT_EQ(static_cast<const uint32_t*>(call.texture->texels),
+  EXPECT_EQ(static_cast<const uint32_t*>(call.polygons[0].texture->texels),
             static_cast<const uint32_t*>(call.target->pixels) + 8);
 }
 
@@ -104,6 +116,86 @@ TEST_F(PlacementTest, NamesPlaces) {
   EXPECT_EQ(placement.place_of(texture.end - 4), "in the texture, at texel (3, 3)");
   EXPECT_EQ(placement.place_of(arenas_.vertices.range().end), "just after the end of the vertices");
   EXPECT_EQ(placement.place_of(16), "");
+}
+
+TEST_F(PlacementTest, OfManyHasEachTextureOnceAndTwoAtGuards) {
+  std::vector<uint32_t> others(9, 8);
+  const selvage_texture other = {others.data(), 3, 3, 12, SELVAGE_RGBA8888, 0, nullptr};
+  const selvage_polygon polygons[] = {{vertices_, 3, &texture_},
+                                      {vertices_, 2, &other},
+                                      {nullptr, 0, nullptr},
+                                      {vertices_, 3, &texture_}};
+  const Placement placement(
+      arenas_,
+      {.function = Function::kDrawMany, .target = &target_, .polygons = polygons, .count = 4},
+      prepared_, true);
+  const Call call = placement.copy_in();
+  EXPECT_EQ(reinterpret_cast<uintptr_t>(call.polygons + 4), arenas_.polygons.range().end);
+  EXPECT_EQ(texels_of(call) + 64, arenas_.texture.range().end);
+  EXPECT_EQ(texels_of(call, 1) + 36, arenas_.other_textures.range().end);
+  EXPECT_EQ(call.polygons[3].texture, call.polygons[0].texture);
+  EXPECT_EQ(call.polygons[2].texture, nullptr);
+  EXPECT_EQ(call.polygons[2].vertices, nullptr);
+  EXPECT_EQ(call.polygons[0].vertices[1].x, 256);
+  EXPECT_EQ(call.polygons[1].count, 2u);
+  EXPECT_EQ(reinterpret_cast<uintptr_t>(call.polygons[0].vertices + 3),
+            arenas_.vertices.range().end);
+  EXPECT_EQ(placement.place_of(arenas_.other_textures.range().end),
+            "just after the end of the texture, at texel (0, 3)");
+  EXPECT_EQ(placement.place_of(arenas_.polygons.range().end),
+            "in the list of polygons, or beside it");
+}
+
+TEST_F(PlacementTest, OfMoreThanThereIsRoomForIsNotClaimed) {
+  const std::vector<selvage_polygon> polygons(10'000, polygon_);
+  EXPECT_THROW(
+      Placement(arenas_, {.polygons = polygons.data(), .count = polygons.size()}, prepared_, true),
+      spec::NotClaimed);
+}
+
+TEST_F(PlacementTest, OfWhatWasPreparedStaysWhereItIs) {
+  alignas(64) uint32_t block[64] = {};
+  const Range from{reinterpret_cast<uintptr_t>(block), reinterpret_cast<uintptr_t>(block + 64)};
+  prepared_.push_back({from, arenas_.prepared[1].range().begin});
+  texture_.texels = block + 16;
+  texture_.prepared = block + 32;
+  const Call call = placed(true).copy_in();
+  EXPECT_EQ(texels_of(call), arenas_.prepared[1].range().begin + 64);
+  EXPECT_EQ(reinterpret_cast<uintptr_t>(call.polygons[0].texture->prepared),
+            arenas_.prepared[1].range().begin + 128);
+  EXPECT_EQ(placed(true).place_of(arenas_.prepared[1].range().begin + 256),
+            "just after the end of the prepared texture, at texel (0, 12)");
+}
+
+TEST_F(PlacementTest, OfTilesIsWholeTiles) {
+  texture_.layout = SELVAGE_LAYOUT_TILES;
+  texture_.pitch = 64;
+  alignas(64) uint32_t tiles[32] = {};
+  tiles[31] = 5;
+  texture_.texels = tiles;
+  texture_.height = 5;
+  const Call call = placed(true).copy_in();
+  EXPECT_EQ(texels_of(call) + 128, arenas_.texture.range().end);
+  EXPECT_EQ(reinterpret_cast<const uint32_t*>(texels_of(call))[31], 5u);
+  texture_.pitch = -64;  // which tiles cannot have
+  EXPECT_EQ(texels_of(placed(true).copy_in()), arenas_.texture.range().end);
+}
+
+TEST_F(PlacementTest, BringsAnswersBack) {
+  selvage_choice choice{-1, -1, -1};
+  const Placement placement(arenas_,
+                            {.function = Function::kChoose,
+                             .target = &target_,
+                             .polygons = &polygon_,
+                             .count = 1,
+                             .choice = &choice},
+                            prepared_, true);
+  const Call call = placement.copy_in();
+  EXPECT_EQ(reinterpret_cast<uintptr_t>(call.choice + 1), arenas_.results.range().end);
+  EXPECT_EQ(call.choice->bound, -1);
+  call.choice->bound = 3;
+  placement.copy_out();
+  EXPECT_EQ(choice.bound, 3);
 }
 
 }  // namespace
