@@ -21,8 +21,8 @@ struct Columns {
 // segment_px is 0: |(uq)' q - uq q'| |q'| N^2 / (4 q_min^3). The line covers a pixel.
 [[nodiscard]] Rational chord_bound(const ScanLine& line, int32_t segment_px);
 
-// What 16.16 lanes may be off besides, in 1/65536 texel: 4 + (2 max(r, 4096) + 4 + 2 n) / 65536, for
-// r the ratio of the greatest q to the least and n the steps from the first pixel to the last.
+// What 16.16 lanes may be off besides, in 1/65536 texel: 4 + (2 max(r, 4096) + 4 + 2 n) / 65536,
+// for r the ratio of the greatest q to the least and n the steps from the first pixel to the last.
 [[nodiscard]] Rational rounding_bound_fx16(const ScanLine& line);
 
 }  // namespace selvage::spec
