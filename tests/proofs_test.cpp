@@ -140,7 +140,7 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
         {"STEP_ERROR", number(kStepError_fx32), "0.99"}}},
       {"chord_bound",
        {{"RATIO_SLACK", number(kRatioSlack), "0x1p0"},
-        {"CHORD_SLACK", number(kChordSlack), number(1 - 0x1p-51)}}},
+        {"CHORD_SLACK", number(kChordSlack), number(1 - 0x1p-25)}}},
       {"plane_estimate",
        {{"FRACTION", number(kTexelFraction)},
         {"SUBPIXEL_BITS", number(kSubpixelBits)},
