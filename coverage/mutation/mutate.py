@@ -18,7 +18,9 @@ TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))
 ROOMS = ["CMakeLists.txt", "src", "spec", "tests", "coverage"]
 BESIDE = ["src/snap.cpp", "src/fit.cpp"]  # mutated too, besides src/mapper
 NOT_BUILT = ["src/mapper/no_vector_kernel.cpp"]
-FIRST = 1  # the number of the first mutant
+# The first number of a file is a multiple of this (and above 0), so that few others' numbers change
+# with one file and few are compiled anew.
+ROUND = 128
 # Debian names its file so.
 clang.Config.set_library_file("/usr/lib/llvm-19/lib/libclang-19.so.1")
 TEMPLATE_CALL = re.compile(r"\b[A-Za-z_]\w*<([^<>;(){}]*)>\(")
@@ -120,6 +122,14 @@ def switched(source, numbered):
     return '#include "mapper/mutants.h"\n' + text
 
 
+def digest(*words):
+    return hashlib.sha256(" | ".join(map(str, words)).encode()).hexdigest()
+
+
+def words_of(mutant):
+    return [mutant[k] for k in ("file", "function", "text", "original", "mutated", "occurrence")]
+
+
 def count_occurrences(mutants):
     """Tells mutants apart that read the same: the first, second ... from the left."""
     seen = Counter()
@@ -127,15 +137,20 @@ def count_occurrences(mutants):
         same = tuple(mutant[k] for k in ("file", "function", "text", "original", "mutated"))
         seen[same] += 1
         mutant["occurrence"] = seen[same]
+        mutant["name"] = digest(*words_of(mutant))[:16]
 
 
 def sampled(mutants, count, seed):
     """As if at random, and so that a change of the sources changes little of the sample."""
-    def place(mutant):
-        words = [seed] + [mutant[k] for k in ("file", "function", "text", "original", "mutated",
-                                              "occurrence")]
-        return hashlib.sha256(" | ".join(map(str, words)).encode()).hexdigest()
-    return sorted(sorted(mutants, key=place)[:count], key=lambda m: m["id"])
+    first = sorted(mutants, key=lambda m: digest(seed, *words_of(m)))[:count]
+    return sorted(first, key=lambda m: m["id"])
+
+
+def listed(mutants, sources):
+    """For the program: number, number of the site, name, hash of the file's text; the path."""
+    texts = {path: digest(source.text)[:16] for path, source in sources.items()}
+    return "".join(f"{m['id']} {m['site']} {m['name']} {texts[m['file']]} {m['file']}\n"
+                   for m in mutants)
 
 
 def main(build, sample, seed):
@@ -149,8 +164,10 @@ def main(build, sample, seed):
     in_shifts(sites)
     in_template_arguments(sites)
     sites.sort(key=lambda s: (s.source.path, s.start, -s.end, s.kind))
-    mutants, fixed, per_file, number = [], [], {path: [] for path in sources}, FIRST
+    mutants, fixed, per_file, number = [], [], {path: [] for path in sources}, 1
     for site in sites:
+        if not per_file[site.source.path] and not site.fixed:
+            number += -number % ROUND
         line, column = site.source.place(site.start)
         place = {"file": site.source.path, "line": line, "column": column,
                  "function": site.function, "text": site.source.line(site.start).replace("hwy_", "HWY_")}
@@ -173,8 +190,7 @@ def main(build, sample, seed):
     mirror(f"{build}/tree", mutated)
     write_if_changed(f"{build}/mutants.json",
                      json.dumps({"mutants": mutants, "fixed": fixed}, indent=1))
-    write_if_changed(f"{build}/sites.txt",
-                     "".join(f"{m['id']} {m['site']}\n" for m in chosen))
+    write_if_changed(f"{build}/sites.txt", listed(chosen, sources))
     print(f"{len(mutants)} mutants at {sum(map(len, per_file.values()))} sites; "
           f"{len(fixed)} sites that the compiler evaluates")
 

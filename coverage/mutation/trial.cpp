@@ -143,12 +143,23 @@ Trials::Trials(std::vector<Item> items, double most_s)
   std::iota(order_.begin(), order_.end(), size_t{0});
 }
 
-Outcome Trials::of(const Mutant& mutant) {
+void Trials::put_first(size_t item) {
+  const auto at = std::ranges::find(order_, item);
+  std::rotate(order_.begin(), at, at + 1);
+}
+
+Outcome Trials::of(const Mutant& mutant, const Outcome* killed_by) {
   const auto site = static_cast<size_t>(mutant.site);
   if (std::ranges::none_of(items_, [&](const Item& item) { return item.reaches[site]; })) {
     return {"not reached"};
   }
   if (mutants::applies[mutant.number] == 0) return {"does not apply"};
+  if (killed_by != nullptr) {
+    const auto by = std::ranges::find_if(items_, [&](const Item& item) {
+      return item.killer == killed_by->killer && item.on == killed_by->on;
+    });
+    if (by != items_.end()) put_first(static_cast<size_t>(by - items_.begin()));
+  }
   Progress* const progress = shared<Progress>();
   *progress = {};
   const double most_s = most_s_;
@@ -157,8 +168,7 @@ Outcome Trials::of(const Mutant& mutant) {
   outcome.tried = progress->tried;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return outcome;
   const size_t last = progress->last;
-  const auto at = std::ranges::find(order_, last);
-  std::rotate(order_.begin(), at, at + 1);
+  put_first(last);
   outcome.killer = items_[last].killer;
   outcome.on = items_[last].on;
   if (WIFEXITED(status)) {
