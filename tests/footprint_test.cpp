@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 #include "spec/filter.h"
@@ -100,6 +102,33 @@ TEST(Footprint, IsExactWhereDoublesCannotDecide) {
       EXPECT_NE(sides, (BoxSides{side_fx8 + beyond, side_fx8 + 1}));
       EXPECT_NE(sides, (BoxSides{side_fx8 + 1 - beyond, side_fx8}));
     }
+  }
+}
+
+// Sides that are whole, with terms of either sign in either direction, which cancel or add up.
+TEST(Footprint, IsExactWhereTermsOfEitherSignMakeAWholeSide) {
+  spec::Random random(11);
+  for (int i = 0; i < 20000; ++i) {
+    const auto term = [&] { return random.in(-(1 << 20), (1 << 20) + 1); };
+    const int32_t width_px = random.in(1, 30), px = random.in(0, width_px), q = random.in(1, 40);
+    // u = (across x + down y) / 256 and likewise v, in 1/65536 texel of 1/256 px; both edges
+    // upright.
+    const int64_t across = term(), down = term(), across_v = term(), down_v = term();
+    const int64_t height = random.in(1, 5000), x_px = random.in(-9, 9);
+    const auto at = [&](int64_t at_px) {
+      const int64_t x = (x_px + at_px) * 256;
+      return EdgePoint{height, x * height, int128{across} * x * q * height,
+                       int128{across_v} * x * q * height, q * height};
+    };
+    const EdgeChange change{0, down * height * q, down_v * height * q, 0};
+    const BoxSides sides =
+        Footprint(at(0), change, at(width_px), change).at(static_cast<int32_t>(x_px) + px);
+    const auto side = [](int64_t a, int64_t b) {
+      return static_cast<int32_t>(
+          std::clamp<int64_t>(std::abs(a) + std::abs(b), kLeastSide_fx8, kMostSide_fx8));
+    };
+    ASSERT_EQ(sides, (BoxSides{side(across, down), side(across_v, down_v)}))
+        << i << ": " << across << " " << down << " " << across_v << " " << down_v;
   }
 }
 

@@ -105,6 +105,16 @@ INSTANTIATE_TEST_SUITE_P(Block, NearTiesOf, testing::Range(uint64_t{0}, uint64_t
   return {at(0, first_q), at(width_px, last_q)};
 }
 
+// A longer piece might be steeper, if the denominator were steeper still: by the offsets of its
+// ends from the lesser end of the span.
+void expect_as_long_as_may_be(const SpanMap& map, const Span& span, const Span& piece) {
+  const bool grows = map.denominator_step() > 0;
+  const int32_t first = grows ? piece.left_px - span.left_px : span.right_px - piece.right_px;
+  const int32_t end = first + piece.width_px();
+  if (end == span.width_px()) return;
+  EXPECT_EQ(end, first == 0 ? 1 : first * kGentleRatio + 1);
+}
+
 TEST(NearTies, AreFewInPiecesOfSteepSpans) {
   for (const int32_t width_px : {1, 2, 3, 1024, 1025, 1026, 40000, 65536}) {
     for (const bool grows : {false, true}) {
@@ -117,6 +127,7 @@ TEST(NearTies, AreFewInPiecesOfSteepSpans) {
         EXPECT_EQ(grows ? piece.right_px : span.right_px - piece.left_px,
                   span.left_px * grows + pixels);
         EXPECT_LE(ProjectiveLanes(map, piece).ratio(), kGentleRatio * (1 + 1e-9));
+        expect_as_long_as_may_be(map, span, piece);
       });
       EXPECT_EQ(pixels, width_px);
       EXPECT_LE(pieces, kMostPieces);
