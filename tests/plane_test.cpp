@@ -148,5 +148,28 @@ TEST(Plane, IsExactWhereCoordinatesAreDyadic) {
   }
 }
 
+// A unit for the start and one for each step to the furthest pixel (spec/proofs/plane_lanes.g), and
+// no more than two to spare.
+TEST(Plane, MarginHasAUnitForTheStartAndForEachStep) {
+  const std::vector<selvage_vertex> triangle = {
+      {0, 0, 0, 7, 1}, {20000, 300, 70000, -5, 1}, {900, 30000, 12345, 999, 1}};
+  for (const selvage_rect visible : {selvage_rect{0, 0, 4096, 4096},
+                                     {10, 5, 11, 6},
+                                     {3, 50, 40, 60},
+                                     {-100, -100, 30, 20},
+                                     {70, 100, 4096, 4096}}) {
+    const auto plane = plane_of(triangle, visible);
+    ASSERT_TRUE(plane);
+    const int32_t left = std::max(visible.left, 0), top = std::max(visible.top, 0);
+    const int32_t columns = std::min(visible.right, (20000 + 127) >> 8) - left;
+    const int32_t rows = std::min(visible.bottom, (30000 + 127) >> 8) - top;
+    const auto margin = static_cast<int32_t>(plane->lanes().margin_fx32);
+    EXPECT_GE(margin, 1 + (columns - 1) + (rows - 1));
+    EXPECT_LE(margin, 1 + columns + rows);
+    EXPECT_EQ(plane->lanes().first_px, left);
+    EXPECT_EQ(plane->lanes().first_row, top);
+  }
+}
+
 }  // namespace
 }  // namespace selvage::mapper

@@ -24,6 +24,8 @@ ROUND = 128
 # Debian names its file so.
 clang.Config.set_library_file("/usr/lib/llvm-19/lib/libclang-19.so.1")
 TEMPLATE_CALL = re.compile(r"\b[A-Za-z_]\w*<([^<>;(){}]*)>\(")
+OTHER_TARGETS = re.compile(r"^#if HWY_TARGET == HWY_(?:SSE4|AVX2|AVX3)\b(?:(?!^#endif).)*?^#else\n"
+                           r"(.*?)^#endif", re.MULTILINE | re.DOTALL)
 MACROS = re.compile(r"\bHWY_(MIN|MAX|LIKELY|UNLIKELY)\b(?=\()")
 
 
@@ -75,6 +77,14 @@ def in_template_arguments(sites):
         inside = any(start <= site.start and site.end <= end for start, end in ranges[path])
         if inside and not site.fixed:
             site.fixed = "a template's argument"
+
+
+def of_other_processors(sites):
+    """What stands under #else of a condition on x86-64's SIMD targets is not compiled here."""
+    for site in sites:
+        for match in OTHER_TARGETS.finditer(site.source.text):
+            if match.start(1) <= site.start < match.end(1) and not site.fixed:
+                site.fixed = "for processors other than x86-64 (tests/cross/run)"
 
 
 def write_if_changed(path, text):
@@ -163,6 +173,7 @@ def main(build, sample, seed):
     sites = find(sources)
     in_shifts(sites)
     in_template_arguments(sites)
+    of_other_processors(sites)
     sites.sort(key=lambda s: (s.source.path, s.start, -s.end, s.kind))
     mutants, fixed, per_file, number = [], [], {path: [] for path in sources}, 1
     for site in sites:
