@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -23,7 +24,6 @@ namespace selvage::mutation {
 namespace {
 
 inline constexpr double kLeastLimit_s = 1, kLimitPerCost = 20;
-inline constexpr double kCostly_s = 0.1;
 inline constexpr rlim_t kMostMemory_bytes = rlim_t{4} << 30;
 inline constexpr int kStatusKilled = 42;
 
@@ -134,7 +134,7 @@ std::vector<std::string> record(std::vector<Item>* items, double most_s) {
     if (is_broken) broken.push_back(item.killer + " " + item.on);
     return false;
   });
-  std::ranges::stable_partition(*items, [](const Item& item) { return item.cost_s < kCostly_s; });
+  std::ranges::stable_sort(*items, {}, [](const Item& item) { return std::ilogb(item.cost_s); });
   return broken;
 }
 
