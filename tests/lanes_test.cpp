@@ -140,5 +140,16 @@ TEST(Lanes, HaveTheMarginsOfTheProofs) {
   }
 }
 
+// A quotient that is whole, by divisors whose reciprocals are rounded.
+TEST(Lanes, StartAtAWholeUnitWhateverTheDivisor) {
+  for (int64_t q = 1; q < 3000; ++q) {
+    const EdgePoint left{1, kHalfPixel - 1, 0, 0, q};
+    const EdgePoint right{1, kHalfPixel + 65535, int128{q}, -int128{q}, q};
+    const AffineLanes lanes(SpanMap(left, right), Span{0, 0, 1});
+    ASSERT_EQ(lanes.at(0).u_fx32, 1) << q;
+    ASSERT_EQ(lanes.at(0).v_fx32, -1) << q;
+  }
+}
+
 }  // namespace
 }  // namespace selvage::mapper

@@ -15,13 +15,13 @@
 namespace selvage::mapper {
 namespace {
 
-inline constexpr int32_t kWidth_px = 150, kHeight_px = 6, kTexture_texel = 32;
+inline constexpr int32_t kWidth_px = 300, kHeight_px = 6, kTexture_texel = 32;
 inline constexpr int32_t kFar_px = 32766;
 
 // u = x / `slow` + off where nothing is nudged, v as u or across.
 [[nodiscard]] std::vector<selvage_vertex> far_quad(spec::Random& random) {
   // Denominators of all sizes: areas from small to the largest, any q.
-  const int32_t far_px = random.percent(50) ? kFar_px : kWidth_px << random.in(0, 8);
+  const int32_t far_px = random.percent(50) ? kFar_px : kWidth_px << random.in(0, 7);
   const int32_t far_fx8 = far_px * kSubpixels, far_fx16 = far_px << kTexelFraction;
   const int32_t off_fx16 = random.pick({0, 1 << 15, 3 << 14, (1 << 15) + (1 << 8)});
   const int32_t slow = random.pick({1, 1, 2, 3, 6});

@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "spec/exact.h"
 #include "spec/generate.h"
+#include "spec/random.h"
 #include "tests/span_support.h"
 
 namespace selvage::mapper {
@@ -169,6 +172,51 @@ TEST(Plane, MarginHasAUnitForTheStartAndForEachStep) {
     EXPECT_EQ(plane->lanes().first_px, left);
     EXPECT_EQ(plane->lanes().first_row, top);
   }
+}
+
+[[nodiscard]] int64_t floor_of(int128 n, int128 d) {
+  return static_cast<int64_t>(n / d - (n % d < 0 ? 1 : 0));
+}
+
+// Slivers on which estimates in double are several units off, and gradients that are whole.
+TEST(Plane, StartsAndStepsAreFloorsHoweverSteep) {
+  spec::Random random(12);
+  int planes = 0, steep = 0;
+  for (int i = 0; i < 30000; ++i) {
+    const int32_t far = 1 << random.in(1, 13), furthest = 1 << random.in(1, 31);
+    const int32_t unit = random.pick({1, 1, 256});
+    std::vector<selvage_vertex> triangle;
+    for (int k = 0; k < 3; ++k) {
+      const int32_t x = random.in(-far, far), y = random.in(-far, far);
+      const bool whole = unit != 1;
+      const int32_t u = whole ? x * unit : random.in(-furthest, furthest);
+      triangle.push_back({x, y, u, random.in(-furthest, furthest), 1});
+    }
+    Polygon polygon;
+    if (examine(triangle, &polygon) != SELVAGE_OK) continue;
+    const auto plane = Plane::of(polygon, {-32768, -32768, 32768, 32768});
+    if (!plane) continue;
+    ++planes;
+    const PlaneFrame frame = *PlaneFrame::of(triangle);
+    const selvage_vertex& origin = frame.origin();
+    const AffineField& lanes = plane->lanes();
+    const int64_t dx = centre_fx8(lanes.first_px) - int64_t{origin.x};
+    const int64_t dy = centre_fx8(lanes.first_row) - int64_t{origin.y};
+    for (const auto& [texel, lane] : {std::pair(&selvage_vertex::u, &Lane::u_fx32),
+                                      std::pair(&selvage_vertex::v, &Lane::v_fx32)}) {
+      const auto [a, b] = frame.gradient<int64_t>(int64_t{frame.second().*texel} - origin.*texel,
+                                                  int64_t{frame.third().*texel} - origin.*texel);
+      const int64_t d = frame.doubled_area();
+      ASSERT_EQ(lanes.step_x.*lane, floor_of(int128{a} << 24, d)) << i;
+      ASSERT_EQ(lanes.step_y.*lane, floor_of(int128{b} << 24, d)) << i;
+      ASSERT_EQ(lanes.start.*lane, (int64_t{origin.*texel} << 16) +
+                                       floor_of((int128{a} * dx + int128{b} * dy) << 16, d))
+          << i;
+      steep += std::abs(lanes.step_x.*lane) > int64_t{1} << 50 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(planes, 10000);
+  EXPECT_GT(steep, 100);
 }
 
 }  // namespace
