@@ -96,7 +96,7 @@ def write_json(path, value):
         json.dump(value, file, indent=1)
 
 
-def main(build, out, floor, revision):
+def main(build, out, floor, revision, budget):
     with open(f"{build}/mutants.json", encoding="utf-8") as file:
         listed = json.load(file)
     outcomes = read_outcomes(f"{build}/outcomes.txt")
@@ -119,7 +119,7 @@ def main(build, out, floor, revision):
     score = 100 * dead / counted if counted else 0
     summary = {"score_percent": round(score, 2), "tried": len(tried), "killed": dead,
                "equivalent": len(equivalent), "survivors": len(survivors), "whole": whole,
-               "revision": revision}
+               "revision": revision, "budget": budget}
     write_json(f"{out}/mutation_score.json", summary)
     write_json(f"{out}/mutants.json", summary | {"mutants": [m for m in mutants if "outcome" in m],
                                                  "not_switched": listed["fixed"]})
@@ -136,4 +136,5 @@ def main(build, out, floor, revision):
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:3], floor=float(sys.argv[3]), revision=sys.argv[4]))
+    sys.exit(main(*sys.argv[1:3], floor=float(sys.argv[3]), revision=sys.argv[4],
+                  budget=sys.argv[5]))
