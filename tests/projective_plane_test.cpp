@@ -197,13 +197,13 @@ struct Reach {
 };
 [[nodiscard]] Reach reach_of(const ProjectivePlane& plane, const std::vector<selvage_vertex>& of,
                              const selvage_rect& part) {
-  double least_q = SELVAGE_Q_MAX, furthest_texel = 0;
+  double least_q = double{SELVAGE_Q_MAX}, furthest_texel = 0;
   for (const selvage_vertex& v : of) {
     least_q = std::min<double>(least_q, v.q);
     furthest_texel = std::max({furthest_texel, std::abs(v.u / 65536.0), std::abs(v.v / 65536.0)});
   }
   const double least =
-      least_q * static_cast<double>(PlaneFrame::of(of)->doubled_area()) * SELVAGE_SUBTEXELS;
+      least_q * static_cast<double>(PlaneFrame::of(of)->doubled_area()) * double{SELVAGE_SUBTEXELS};
   const auto most = [&](const auto& at, int128 step) {
     const int128 start = at(part.left, part.top), down = at(part.left, part.top + 1) - start;
     return (magnitude_of(start) + (part.right - part.left) * magnitude_of(step) +

@@ -27,8 +27,8 @@ struct Outcome {
 };
 
 // Runs every item once with no mutant, each in a process of its own, noting what it reaches and
-// costs; removes those that cost more than most_s, and puts the cheap ones first. Names those that are broken although nothing is
-// mutated.
+// costs; removes those that cost more than most_s, and puts the cheap ones first. Names those that
+// are broken although nothing is mutated.
 [[nodiscard]] std::vector<std::string> record(std::vector<Item>* items, double most_s);
 
 // Mutants one after another. The item that killed the last one comes first for the next: mutants
