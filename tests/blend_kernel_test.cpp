@@ -3,10 +3,8 @@
 
 #include <array>
 #include <cstdio>
-#include <random>
 #include <vector>
 
-#include "mapper/interior.h"
 #include "mapper/kernel.h"
 #include "mapper/layout.h"
 
@@ -116,55 +114,6 @@ TEST(BlendKernel, MeanOfFourIsByItsOwnFormula) {
       }
     }
   });
-}
-
-// ---- The interior
-// --------------------------------------------------------------------------------
-
-[[nodiscard]] bool is_inside(int64_t lane_fx32, int32_t size_texel, uint32_t margin_fx32) {
-  const int64_t from_first_centre = lane_fx32 - (int64_t{1} << (kLaneFraction - 1));
-  return from_first_centre >= 0 && from_first_centre + margin_fx32 <= int64_t{size_texel - 1}
-                                                                          << kLaneFraction;
-}
-
-TEST(Interior, HoldsOnlyWhatIsInsideAndLacksLittle) {
-  constexpr uint64_t kSeed = 1;
-  std::mt19937_64 random(kSeed);
-  const auto between = [&](int64_t low, int64_t high) {
-    return low + static_cast<int64_t>(random() % static_cast<uint64_t>(high - low + 1));
-  };
-  constexpr int64_t kOne = int64_t{1} << kLaneFraction;
-  for (int32_t i = 0; i < 20000; ++i) {
-    const auto width = static_cast<int32_t>(between(1, 300));
-    const auto height = static_cast<int32_t>(between(1, 300));
-    const int64_t steepest = kOne >> between(0, 32);
-    AffineField field{};
-    field.start = {between(-100 * kOne, 400 * kOne), between(-100 * kOne, 400 * kOne)};
-    field.step_x = {between(-steepest, steepest), between(-1, 1) * between(0, steepest)};
-    field.margin_fx32 = static_cast<uint32_t>(between(1, 4096));
-    const Span span{0, 0, static_cast<int32_t>(between(1, 2000))};
-    selvage_texture texture{};
-    texture.width = width;
-    texture.height = height;
-    const Span inner = Interior(field, texture).of(span);
-    ASSERT_LE(span.left_px, inner.left_px) << "seed " << kSeed << ", case " << i;
-    ASSERT_LE(inner.left_px, inner.right_px) << "seed " << kSeed << ", case " << i;
-    ASSERT_LE(inner.right_px, span.right_px) << "seed " << kSeed << ", case " << i;
-    int32_t inside = 0;
-    for (int32_t px = 0; px < span.right_px; ++px) {
-      const Lane lane = field.at(px, 0);
-      const bool is = is_inside(lane.u_fx32, width, field.margin_fx32) &&
-                      is_inside(lane.v_fx32, height, field.margin_fx32);
-      inside += is ? 1 : 0;
-      if (inner.left_px <= px && px < inner.right_px) {
-        ASSERT_TRUE(is) << "pixel " << px << ", seed " << kSeed << ", case " << i;
-      }
-    }
-    constexpr int32_t kLacks_px = 6;  // three at each end
-    ASSERT_LE(inside - inner.width_px(), kLacks_px) << "seed " << kSeed << ", case " << i;
-    texture.layout = SELVAGE_LAYOUT_TILES;
-    ASSERT_TRUE(Interior(field, texture).of(span).empty());
-  }
 }
 
 }  // namespace

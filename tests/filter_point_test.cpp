@@ -61,5 +61,21 @@ TEST(FilterPoint, IsExactWhereLanesTellNothing) {
   }
 }
 
+// The least coordinate and the greatest, from one too low by a step and from their own.
+TEST(FilterPoint, IsDecidedAtTheEndsOfTheRange) {
+  constexpr int32_t most_fx8 = -kLeastPoint_fx8 - 1;
+  for (const int128 d : {int128{1} << 16, int128{12345} << 16, int128{1} << 110}) {
+    const int128 step = d >> kGridBits;
+    for (const int32_t point_fx8 :
+         {kLeastPoint_fx8, kLeastPoint_fx8 + 1, -1, 0, 1, most_fx8 - 1, most_fx8}) {
+      const int128 least = step * point_fx8, last = least + step - 1;
+      for (const int32_t low_by : {0, 1, 2, 3}) {
+        ASSERT_EQ(decide_fx8(least, d, point_fx8 - low_by), point_fx8);
+        ASSERT_EQ(decide_fx8(last, d, point_fx8 - low_by), point_fx8);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace selvage::mapper

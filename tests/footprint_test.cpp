@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <vector>
 
 #include "spec/filter.h"
@@ -100,6 +102,60 @@ TEST(Footprint, IsExactWhereDoublesCannotDecide) {
       EXPECT_NE(sides, (BoxSides{side_fx8 + beyond, side_fx8 + 1}));
       EXPECT_NE(sides, (BoxSides{side_fx8 + 1 - beyond, side_fx8}));
     }
+  }
+}
+
+// Sides that are whole, with terms of either sign in either direction, which cancel or add up.
+TEST(Footprint, IsExactWhereTermsOfEitherSignMakeAWholeSide) {
+  spec::Random random(11);
+  for (int i = 0; i < 20000; ++i) {
+    const auto term = [&] { return random.in(-(1 << 20), (1 << 20) + 1); };
+    const int32_t width_px = random.in(1, 30), px = random.in(0, width_px), q = random.in(1, 40);
+    // u = (across x + down y) / 256 and likewise v, in 1/65536 texel of 1/256 px; both edges
+    // upright.
+    const int64_t across = term(), down = term(), across_v = term(), down_v = term();
+    const int64_t height = random.in(1, 5000), x_px = random.in(-9, 9);
+    const auto at = [&](int64_t at_px) {
+      const int64_t x = (x_px + at_px) * 256;
+      return EdgePoint{height, x * height, int128{across} * x * q * height,
+                       int128{across_v} * x * q * height, q * height};
+    };
+    const EdgeChange change{0, down * height * q, down_v * height * q, 0};
+    const BoxSides sides =
+        Footprint(at(0), change, at(width_px), change).at(static_cast<int32_t>(x_px) + px);
+    const auto side = [](int64_t a, int64_t b) {
+      return static_cast<int32_t>(
+          std::clamp<int64_t>(std::abs(a) + std::abs(b), kLeastSide_fx8, kMostSide_fx8));
+    };
+    ASSERT_EQ(sides, (BoxSides{side(across, down), side(across_v, down_v)}))
+        << i << ": " << across << " " << down << " " << across_v << " " << down_v;
+  }
+}
+
+// Sides that are whole where depth varies along x and y: u = c + (s (x - x0) + t (y - y0)) q0 / q,
+// whose changes at (x0, y0) are s and t while the terms of both are as large as c makes them.
+TEST(Footprint, IsExactWhereTermsInPerspectiveCancelToAWholeSide) {
+  spec::Random random(13);
+  constexpr int64_t kMost_px = 30;
+  for (int i = 0; i < 20000; ++i) {
+    const auto far = [&](int bits) { return random.in(-(1 << bits), (1 << bits) + 1); };
+    const auto px = static_cast<int32_t>(random.in(0, kMost_px)), side_bits = random.in(1, 20);
+    const int64_t s = far(side_bits), t = far(side_bits), c = far(random.in(1, 30));
+    const int64_t steep = far(random.in(1, 10)), steep_y = far(random.in(1, 10));
+    const int64_t q0 = std::abs(steep) * kMost_px * 256 + random.in(1, 1 << 20);
+    const int64_t height = random.in(1, 3000), x0 = centre_fx8(px);
+    const auto at = [&](int64_t x) {
+      const int64_t q = q0 + steep * (x - x0);
+      const int128 uq = int128{c} * q + int128{s} * (x - x0) * q0;
+      return EdgePoint{height, x * height, uq * height, -uq * height, q * height};
+    };
+    const int64_t uq_change = (c * steep_y + t * q0) * height;
+    const EdgeChange change{0, uq_change, -uq_change, steep_y * height};
+    const BoxSides sides = Footprint(at(0), change, at(kMost_px * 256), change).at(px);
+    const auto wanted = static_cast<int32_t>(
+        std::clamp<int64_t>(std::abs(s) + std::abs(t), kLeastSide_fx8, kMostSide_fx8));
+    ASSERT_EQ(sides, (BoxSides{wanted, wanted}))
+        << i << ": " << s << " " << t << " " << c << " " << steep << " " << steep_y << " " << q0;
   }
 }
 

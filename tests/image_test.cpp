@@ -101,5 +101,34 @@ TEST(Clip, IsCutToTheTarget) {
   EXPECT_TRUE(same(visible_rect(target, &inside), inside));
 }
 
+// One column of bytes that runs upwards: its memory begins pitch by pitch before its first row.
+TEST(Image, OfOneColumnUpwardsBeginsAtItsLastRow) {
+  const selvage_image upwards = image(100, 1, 8, -1, SELVAGE_INDEX8);
+  EXPECT_EQ(target_status(upwards), SELVAGE_OK);
+  EXPECT_EQ(memory_of(upwards).begin, reinterpret_cast<uintptr_t>(memory.data()) + 93);
+  EXPECT_EQ(memory_of(upwards).end, reinterpret_cast<uintptr_t>(memory.data()) + 101);
+  EXPECT_EQ(check_pair(upwards, texture(94, 1, 1, 1, SELVAGE_INDEX8)), SELVAGE_ERROR_OVERLAP);
+}
+
+// As many values as no memory holds: up to the last whole one, and not around its end.
+TEST(Image, OfTooManyValuesEndsWithTheMemory) {
+  const auto begin = reinterpret_cast<uintptr_t>(memory.data());
+  EXPECT_EQ(memory_of(memory.data(), SIZE_MAX, 1).end, UINTPTR_MAX);
+  EXPECT_EQ(memory_of(memory.data(), SIZE_MAX, 20).end, begin + (UINTPTR_MAX - begin) / 20 * 20);
+  EXPECT_EQ(memory_of(memory.data(), 7, 20).end, begin + 140);
+}
+
+TEST(Image, IsInTilesAsManyAsHoldIt) {
+  for (int32_t texels = 1; texels <= 13; ++texels) {
+    const int64_t tiles = texels <= 4 ? 1 : texels <= 8 ? 2 : texels <= 12 ? 3 : 4;
+    const RowsOfBytes size =
+        rows_of_bytes(SELVAGE_LAYOUT_TILES, SELVAGE_RGBA8888, texels, 14 - texels);
+    EXPECT_EQ(size.row_bytes, tiles * 64) << texels;
+    const RowsOfBytes turned =
+        rows_of_bytes(SELVAGE_LAYOUT_TILES, SELVAGE_RGBA8888, 14 - texels, texels);
+    EXPECT_EQ(turned.rows, tiles) << texels;
+  }
+}
+
 }  // namespace
 }  // namespace selvage::mapper

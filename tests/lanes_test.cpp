@@ -3,10 +3,19 @@
 #include <gtest/gtest.h>
 
 #include "spec/exact.h"
+#include "spec/random.h"
 #include "tests/span_support.h"
 
 namespace selvage::mapper {
 namespace {
+
+// Of u_fx16 + beside / parts, in 1/2^32 texel.
+[[nodiscard]] int64_t expected_floor_fx32(int32_t u_fx16, int beside, int64_t parts) {
+  const int64_t whole_fx32 = int64_t{u_fx16} << kTexelFraction;
+  const int64_t more_fx32 = (int64_t{1} << kTexelFraction) / parts;
+  const bool exact = (int64_t{1} << kTexelFraction) % parts == 0;
+  return beside < 0 ? whole_fx32 - more_fx32 - (exact ? 0 : 1) : whole_fx32 + beside * more_fx32;
+}
 
 // The law of the filter: lane <= true value < lane + margin.
 void expect_lawful(int64_t lane_fx32, uint32_t margin_fx32, const spec::Rational& exact_texel,
@@ -94,6 +103,51 @@ TEST(Lanes, HoldOverTheWholeRange) {
       if (q == 1) expect_lawful_lanes<AffineLanes>(c, map, span);
       expect_lawful_lanes<ProjectiveLanes>(c, map, span);
     }
+  }
+}
+
+// Coordinates at a unit of 1/65536 texel, and less beside it than doubles tell: the floors of
+// quotients whose estimates are rounded to either side.
+TEST(Lanes, StartAtTheFloorOfWhatIsAtOrBesideAUnit) {
+  spec::Random random(3);
+  for (int i = 0; i < 20000; ++i) {
+    const int64_t height = random.in(1, 1 << random.in(1, 24));
+    const int64_t wide = random.in(1, 1 << random.in(1, 24)), q = random.pick({1, 1, 3, 1 << 24});
+    const int32_t u_fx16 =
+        random.pick({0, 1, -1, -2, random.in(-65536, 65537), random.in(INT32_MIN + 1, INT32_MAX)});
+    const int beside = random.in(-1, 2);
+    const int64_t centre = kHalfPixel * height;  // of pixel 0; the left edge is just left of it
+    const EdgePoint left{height, centre - 1, int128{u_fx16} * height * q, 0, height * q};
+    EdgePoint right = left;
+    right.x = centre + wide * height;
+    right.uq = int128{u_fx16 + beside} * height * q;
+    const AffineLanes lanes(SpanMap(left, right), Span{0, 0, 1});
+    ASSERT_EQ(lanes.at(0).u_fx32, expected_floor_fx32(u_fx16, beside, wide * height + 1)) << i;
+    ASSERT_EQ(lanes.at(0).v_fx32, 0);
+  }
+}
+
+// By proof half of it is enough (spec/proofs/projective_lanes.g); and a unit more is decided
+// slowly.
+TEST(Lanes, HaveTheMarginsOfTheProofs) {
+  const auto at = [](int64_t x, int64_t q) { return EdgePoint{256, x * 256, 0, 0, q * 256}; };
+  for (const int64_t q : {1, 2, 7, 1000, int32_t{SELVAGE_Q_MAX}}) {
+    const SpanMap map(at(kHalfPixel, 1), at(kHalfPixel + 256 * 9, q));
+    const ProjectiveLanes lanes(map, Span{0, 0, 10});
+    EXPECT_EQ(lanes.ratio(), static_cast<double>(q));
+    EXPECT_EQ(lanes.error_fx32(), q + kProjectiveTruncations_fx32);
+    EXPECT_EQ(lanes.margin_fx32(), 2U * static_cast<uint32_t>(lanes.error_fx32()));
+  }
+}
+
+// A quotient that is whole, by divisors whose reciprocals are rounded.
+TEST(Lanes, StartAtAWholeUnitWhateverTheDivisor) {
+  for (int64_t q = 1; q < 3000; ++q) {
+    const EdgePoint left{1, kHalfPixel - 1, 0, 0, q};
+    const EdgePoint right{1, kHalfPixel + 65535, int128{q}, -int128{q}, q};
+    const AffineLanes lanes(SpanMap(left, right), Span{0, 0, 1});
+    ASSERT_EQ(lanes.at(0).u_fx32, 1) << q;
+    ASSERT_EQ(lanes.at(0).v_fx32, -1) << q;
   }
 }
 

@@ -15,21 +15,24 @@
 namespace selvage::mapper {
 namespace {
 
-inline constexpr int32_t kWidth_px = 150, kHeight_px = 6, kTexture_texel = 32;
-inline constexpr int32_t kFar_px = 32766, kFar_fx16 = kFar_px << kTexelFraction;
+inline constexpr int32_t kWidth_px = 300, kHeight_px = 6, kTexture_texel = 32;
+inline constexpr int32_t kFar_px = 32766;
 
 // u = x / `slow` + off where nothing is nudged, v as u or across.
 [[nodiscard]] std::vector<selvage_vertex> far_quad(spec::Random& random) {
-  constexpr int32_t far_fx8 = kFar_px * kSubpixels;
+  // Denominators of all sizes: areas from small to the largest, any q.
+  const int32_t far_px = random.percent(50) ? kFar_px : kWidth_px << random.in(0, 7);
+  const int32_t far_fx8 = far_px * kSubpixels, far_fx16 = far_px << kTexelFraction;
   const int32_t off_fx16 = random.pick({0, 1 << 15, 3 << 14, (1 << 15) + (1 << 8)});
-  const int32_t slow = random.pick({1, 1, 2, 3, 6}), top_q = random.pick({1, 1 << 23, 1 << 24});
+  const int32_t slow = random.pick({1, 1, 2, 3, 6});
+  const int32_t top_q = random.pick({1, 1 << 23, 1 << 24, 1 << random.in(0, 25)});
   const int32_t bottom_q = random.pick({top_q, top_q, 1 << 24});
   const bool across = random.percent(50);
   const auto nudge = [&] { return random.percent(40) ? random.in(-2, 3) : 0; };
   std::vector<selvage_vertex> quad;
   for (const auto& [right, below] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
-    const int32_t u_fx16 = off_fx16 + right * (kFar_fx16 / slow) + nudge();
-    const int32_t v_fx16 = off_fx16 + (across ? below : right) * (kFar_fx16 / slow) + nudge();
+    const int32_t u_fx16 = off_fx16 + right * (far_fx16 / slow) + nudge();
+    const int32_t v_fx16 = off_fx16 + (across ? below : right) * (far_fx16 / slow) + nudge();
     const int32_t q = (below != 0 ? bottom_q : top_q) + (random.percent(10) ? 1 : 0);
     quad.push_back({right * far_fx8, below * far_fx8 - (right & below & random.in(0, 2)), u_fx16,
                     v_fx16, std::min<int32_t>(q, SELVAGE_Q_MAX)});
@@ -92,8 +95,8 @@ TEST_P(NearTiesOf, AllPixelsAreDecidedAlikeByAllKernels) {
 
 INSTANTIATE_TEST_SUITE_P(Block, NearTiesOf, testing::Range(uint64_t{0}, uint64_t{15}));
 
-// q from 1 to 2^24 and back, over `width_px` columns whose first centre has 1.
-[[nodiscard]] SpanMap steep(int32_t width_px, bool grows) {
+// q from the least to 2^24 and back, over `width_px` columns whose first centre has the least.
+[[nodiscard]] SpanMap steep(int32_t width_px, bool grows, int32_t least_q = 1) {
   const auto at = [&](int32_t x_px, int32_t q) {
     return EdgePoint{.height = 256,
                      .x = (int64_t{x_px} * kSubpixels + kHalfPixel) * 256,
@@ -101,8 +104,19 @@ INSTANTIATE_TEST_SUITE_P(Block, NearTiesOf, testing::Range(uint64_t{0}, uint64_t
                      .vq = int128{7 - x_px} * 30000 * q * 256,
                      .q = int64_t{q} * 256};
   };
-  const int32_t first_q = grows ? 1 : SELVAGE_Q_MAX, last_q = grows ? SELVAGE_Q_MAX : 1;
+  const int32_t first_q = grows ? least_q : SELVAGE_Q_MAX;
+  const int32_t last_q = grows ? SELVAGE_Q_MAX : least_q;
   return {at(0, first_q), at(width_px, last_q)};
+}
+
+// A longer piece might be steeper, if the denominator were steeper still: by the offsets of its
+// ends from the lesser end of the span.
+void expect_as_long_as_may_be(const SpanMap& map, const Span& span, const Span& piece) {
+  const bool grows = map.denominator_step() > 0;
+  const int32_t first = grows ? piece.left_px - span.left_px : span.right_px - piece.right_px;
+  const int32_t end = first + piece.width_px();
+  if (end == span.width_px()) return;
+  EXPECT_EQ(end, first == 0 ? 1 : first * kGentleRatio + 1);
 }
 
 TEST(NearTies, AreFewInPiecesOfSteepSpans) {
@@ -117,6 +131,7 @@ TEST(NearTies, AreFewInPiecesOfSteepSpans) {
         EXPECT_EQ(grows ? piece.right_px : span.right_px - piece.left_px,
                   span.left_px * grows + pixels);
         EXPECT_LE(ProjectiveLanes(map, piece).ratio(), kGentleRatio * (1 + 1e-9));
+        expect_as_long_as_may_be(map, span, piece);
       });
       EXPECT_EQ(pixels, width_px);
       EXPECT_LE(pieces, kMostPieces);
@@ -125,11 +140,11 @@ TEST(NearTies, AreFewInPiecesOfSteepSpans) {
 }
 
 // A kernel takes steep spans whole, too.
-TEST(NearTies, MayBeAllPixelsOfASpan) {
-  const SpanMap map = steep(kWidth_px, true);
+void expect_alike_over_a_steep_span(int32_t least_q) {
+  const SpanMap map = steep(kWidth_px, true, least_q);
   const Span whole{0, 0, kWidth_px};
   const ProjectiveLanes lanes(map, whole);
-  ASSERT_GE(lanes.margin_fx32(), 1U << 24);
+  ASSERT_GE(lanes.margin_fx32(), (1U << 24) / static_cast<uint32_t>(least_q));
   std::vector<uint32_t> texels(64 * 64);
   for (size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<uint32_t>(i) * 2654435761U;
   for (const selvage_filter filter : {SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR}) {
@@ -143,9 +158,14 @@ TEST(NearTies, MayBeAllPixelsOfASpan) {
           SELVAGE_ADDRESS_WRAP};
       kernels_for({SELVAGE_PROFILE_EXACT, filter, SELVAGE_ADDRESS_WRAP, 0, kernel}, surface, {})
           .draw_projective({one_span(whole), lanes.field(whole), ExactMap(map)}, surface);
-      EXPECT_EQ(row, rows.front()) << "kernel " << kernel;
+      EXPECT_EQ(row, rows.front()) << "kernel " << kernel << ", least q " << least_q;
     }
   }
+}
+
+// Lanes lack two steps of the filters' grid, one and a little more, or less.
+TEST(NearTies, MayBeAllPixelsOfASpan) {
+  for (const int32_t least_q : {1, 2, 3, 4}) expect_alike_over_a_steep_span(least_q);
 }
 
 }  // namespace

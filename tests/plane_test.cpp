@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <utility>
 #include <vector>
 
 #include "spec/exact.h"
 #include "spec/generate.h"
+#include "spec/random.h"
 #include "tests/span_support.h"
 
 namespace selvage::mapper {
@@ -146,6 +149,74 @@ TEST(Plane, IsExactWhereCoordinatesAreDyadic) {
       ASSERT_EQ(lanes.at(i).v_fx32, int64_t{2 * row + 1} << kLaneFraction);
     }
   }
+}
+
+// A unit for the start and one for each step to the furthest pixel (spec/proofs/plane_lanes.g), and
+// no more than two to spare.
+TEST(Plane, MarginHasAUnitForTheStartAndForEachStep) {
+  const std::vector<selvage_vertex> triangle = {
+      {0, 0, 0, 7, 1}, {20000, 300, 70000, -5, 1}, {900, 30000, 12345, 999, 1}};
+  for (const selvage_rect visible : {selvage_rect{0, 0, 4096, 4096},
+                                     {10, 5, 11, 6},
+                                     {3, 50, 40, 60},
+                                     {-100, -100, 30, 20},
+                                     {70, 100, 4096, 4096}}) {
+    const auto plane = plane_of(triangle, visible);
+    ASSERT_TRUE(plane);
+    const int32_t left = std::max(visible.left, 0), top = std::max(visible.top, 0);
+    const int32_t columns = std::min(visible.right, (20000 + 127) >> 8) - left;
+    const int32_t rows = std::min(visible.bottom, (30000 + 127) >> 8) - top;
+    const auto margin = static_cast<int32_t>(plane->lanes().margin_fx32);
+    EXPECT_GE(margin, 1 + (columns - 1) + (rows - 1));
+    EXPECT_LE(margin, 1 + columns + rows);
+    EXPECT_EQ(plane->lanes().first_px, left);
+    EXPECT_EQ(plane->lanes().first_row, top);
+  }
+}
+
+[[nodiscard]] int64_t floor_of(int128 n, int128 d) {
+  return static_cast<int64_t>(n / d - (n % d < 0 ? 1 : 0));
+}
+
+// Slivers on which estimates in double are several units off, and gradients that are whole.
+TEST(Plane, StartsAndStepsAreFloorsHoweverSteep) {
+  spec::Random random(12);
+  int planes = 0, steep = 0;
+  for (int i = 0; i < 30000; ++i) {
+    const int32_t far = 1 << random.in(1, 13), furthest = 1 << random.in(1, 31);
+    const int32_t unit = random.pick({1, 1, 256});
+    std::vector<selvage_vertex> triangle;
+    for (int k = 0; k < 3; ++k) {
+      const int32_t x = random.in(-far, far), y = random.in(-far, far);
+      const bool whole = unit != 1;
+      const int32_t u = whole ? x * unit : random.in(-furthest, furthest);
+      triangle.push_back({x, y, u, random.in(-furthest, furthest), 1});
+    }
+    Polygon polygon;
+    if (examine(triangle, &polygon) != SELVAGE_OK) continue;
+    const auto plane = Plane::of(polygon, {-32768, -32768, 32768, 32768});
+    if (!plane) continue;
+    ++planes;
+    const PlaneFrame frame = *PlaneFrame::of(triangle);
+    const selvage_vertex& origin = frame.origin();
+    const AffineField& lanes = plane->lanes();
+    const int64_t dx = centre_fx8(lanes.first_px) - int64_t{origin.x};
+    const int64_t dy = centre_fx8(lanes.first_row) - int64_t{origin.y};
+    for (const auto& [texel, lane] : {std::pair(&selvage_vertex::u, &Lane::u_fx32),
+                                      std::pair(&selvage_vertex::v, &Lane::v_fx32)}) {
+      const auto [a, b] = frame.gradient<int64_t>(int64_t{frame.second().*texel} - origin.*texel,
+                                                  int64_t{frame.third().*texel} - origin.*texel);
+      const int64_t d = frame.doubled_area();
+      ASSERT_EQ(lanes.step_x.*lane, floor_of(int128{a} << 24, d)) << i;
+      ASSERT_EQ(lanes.step_y.*lane, floor_of(int128{b} << 24, d)) << i;
+      ASSERT_EQ(lanes.start.*lane, (int64_t{origin.*texel} << 16) +
+                                       floor_of((int128{a} * dx + int128{b} * dy) << 16, d))
+          << i;
+      steep += std::abs(lanes.step_x.*lane) > int64_t{1} << 50 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(planes, 10000);
+  EXPECT_GT(steep, 100);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -238,6 +239,90 @@ TEST(ProjectivePlane, StepsAreDifferences) {
     EXPECT_TRUE((next.*line).start - (row.*line).start == (row.*line).step);
     EXPECT_TRUE((next.*line).start == (row.*line).at(1));
   }
+}
+
+[[nodiscard]] double magnitude_of(int128 n) { return std::abs(static_cast<double>(n)); }
+
+// The reach of the proof (spec/proofs/projective_plane.g), from the exact numerators, over the
+// visible part of the polygon.
+struct Reach {
+  double reach, turn, steepest_fx32;
+};
+[[nodiscard]] Reach reach_of(const ProjectivePlane& plane, const std::vector<selvage_vertex>& of,
+                             const selvage_rect& part) {
+  double least_q = double{SELVAGE_Q_MAX}, furthest_texel = 0;
+  for (const selvage_vertex& v : of) {
+    least_q = std::min<double>(least_q, v.q);
+    furthest_texel = std::max({furthest_texel, std::abs(v.u / 65536.0), std::abs(v.v / 65536.0)});
+  }
+  const double least =
+      least_q * static_cast<double>(PlaneFrame::of(of)->doubled_area()) * double{SELVAGE_SUBTEXELS};
+  const auto most = [&](const auto& at, int128 step) {
+    const int128 start = at(part.left, part.top), down = at(part.left, part.top + 1) - start;
+    return (magnitude_of(start) + (part.right - part.left) * magnitude_of(step) +
+            (part.bottom - part.top) * magnitude_of(down)) /
+           least;
+  };
+  const auto u = [&](int32_t px, int32_t row) { return plane.u_numerator(px, row); };
+  const auto v = [&](int32_t px, int32_t row) { return plane.v_numerator(px, row); };
+  const auto d = [&](int32_t px, int32_t row) { return plane.denominator(px, row); };
+  const double texels =
+      std::max(most(u, plane.u_numerator_step()), most(v, plane.v_numerator_step()));
+  const double turn = magnitude_of(plane.denominator_step()) / least;
+  const double step =
+      std::max(magnitude_of(plane.u_numerator_step()), magnitude_of(plane.v_numerator_step())) /
+      least;
+  return {texels / 32768 + most(d, plane.denominator_step()), turn,
+          (step + furthest_texel * turn) * 4294967296.0};
+}
+
+TEST(ProjectivePlane, BoundsWhatTheProofBounds) {
+  spec::Random random(9);
+  int planes = 0;
+  for (int i = 0; i < 4000; ++i) {
+    std::vector<selvage_vertex> triangle;
+    const int32_t far = 1 << random.in(10, 18), furthest = 1 << random.in(4, 31);
+    for (int k = 0; k < 3; ++k) {
+      triangle.push_back({random.in(-far, far), random.in(-far, far),
+                          random.in(-furthest, furthest), random.in(-furthest, furthest),
+                          random.in(1, 1 << random.in(1, 24))});
+    }
+    Polygon polygon;
+    if (examine(triangle, &polygon) != SELVAGE_OK) continue;
+    const int32_t left = random.in(-300, 300), top = random.in(-300, 300);
+    const selvage_rect visible{left, top, left + random.in(1, 600), top + random.in(1, 600)};
+    const selvage_rect part{std::max(left, polygon.left_px), std::max(top, polygon.top_row),
+                            std::min(visible.right, polygon.right_px),
+                            std::min(visible.bottom, polygon.bottom_row)};
+    if (part.left >= part.right || part.top >= part.bottom) continue;
+    const auto plane = ProjectivePlane::of(polygon, visible);
+    if (!plane) continue;
+    ++planes;
+    const ProjectiveField& lanes = plane->lanes();
+    const Reach wanted = reach_of(*plane, triangle, part);
+    constexpr double kRounded = 1e-9;
+    const auto error = static_cast<double>(lanes.error_fx32 - kProjectiveTruncations_fx32);
+    ASSERT_GE(error, std::floor(wanted.reach * (1 - kRounded))) << i;
+    ASSERT_LE(error, std::floor(wanted.reach * (1 + kRounded))) << i;
+    ASSERT_LE(wanted.reach, kMostReach * (1 + kRounded)) << i;
+    ASSERT_NEAR(lanes.turn, wanted.turn, kRounded * wanted.turn) << i;
+    ASSERT_NEAR(lanes.steepest_fx32, wanted.steepest_fx32, kRounded * wanted.steepest_fx32) << i;
+    ASSERT_EQ(lanes.first_px, part.left);
+    ASSERT_EQ(lanes.first_row, part.top);
+  }
+  EXPECT_GT(planes, 400);
+}
+
+// The second vertex is where the first one is, with a texture vertex of its own.
+TEST(ProjectivePlane, IsNotOfARepeatedVertexWithOtherCoordinates) {
+  std::vector<selvage_vertex> vertices = {
+      {0, 0, 0, 0, 1}, {0, 0, 0, 0, 1}, {9000, 100, 60000, 5, 2}, {300, 8000, 7, 90000, 3}};
+  EXPECT_TRUE(plane_of(vertices));
+  vertices[1].u = 1;
+  EXPECT_FALSE(plane_of(vertices));
+  vertices[1] = vertices[0];
+  vertices[1].q = 2;
+  EXPECT_FALSE(plane_of(vertices));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 #include "spec/random.h"
 #include "tests/kernel_support.h"
@@ -84,6 +85,33 @@ struct Slope {
 }
 
 // Every kernel draws what the scalar one draws.
+// A small upright rectangle whose first pixel's centre shows the very corner of a texel, from where
+// u and v rise or fall by less than a texel a pixel: a window that is too small by a texel on the
+// side that they leave lacks it.
+[[nodiscard]] spec::Case from_a_texels_corner(uint64_t seed) {
+  constexpr int32_t kTexel = SELVAGE_SUBTEXELS, kPixel = SELVAGE_SUBPIXELS;
+  spec::Case c = any_case(seed);
+  spec::Random random(seed);
+  const int32_t width_px = random.in(1, 33), height_px = random.in(1, 20);
+  const int32_t left_px = random.in(0, 8), top_px = random.in(0, 8);
+  // In 1/16 texel a pixel, so that coordinates are exact.
+  const auto slope = [&] { return random.percent(30) ? 0 : random.in(-16, 17); };
+  const int32_t ux = slope(), uy = slope(), vx = slope(), vy = slope();
+  const int32_t s = random.in(-20, c.texture_width_texel + 20);
+  const int32_t t = random.in(-20, c.texture_height_texel + 20);
+  c.vertices.clear();
+  for (const auto& [right, below] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+    const int32_t x = right * width_px * kPixel, y = below * height_px * kPixel;
+    // From the first pixel's centre, half a pixel to the right and below.
+    const int32_t dx = x - kPixel / 2, dy = y - kPixel / 2;
+    constexpr int32_t kUnit = kTexel / 16 / kPixel;
+    c.vertices.push_back({x + left_px * kPixel, y + top_px * kPixel,
+                          s * kTexel + (dx * ux + dy * uy) * kUnit,
+                          t * kTexel + (dx * vx + dy * vy) * kUnit, 1});
+  }
+  return c;
+}
+
 void expect_alike(const spec::Case& c, uint64_t seed) {
   const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR);
   for (const selvage_kernel kernel : usable_kernels()) {
@@ -106,6 +134,13 @@ TEST_P(Window, EveryKernelDrawsTexelsRaisedBeyondIt) {
   constexpr uint64_t kSeeds = 100;
   for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
     ASSERT_NO_FATAL_FAILURE(expect_alike(raised_beyond_windows(seed), seed));
+  }
+}
+
+TEST_P(Window, EveryKernelDrawsFromATexelsCorner) {
+  constexpr uint64_t kSeeds = 200;
+  for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
+    ASSERT_NO_FATAL_FAILURE(expect_alike(from_a_texels_corner(seed), seed));
   }
 }
 

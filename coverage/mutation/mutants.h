@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <initializer_list>
 #include <type_traits>
 #include <utility>
 
@@ -87,6 +88,14 @@ template <int kFirst, class Original, class... Others, class A, class B>
 [[nodiscard]] constexpr auto binary(A a, B b) {
   using Result = decltype(Original::of(a, b));
   return pick<Result, kFirst, Original, A, B, Others...>(chosen<kFirst>(), a, b);
+}
+
+// OP({a, b, ...}), from left to right
+template <int kFirst, class Original, class... Others, class A>
+[[nodiscard]] constexpr A binary(std::initializer_list<A> values) {
+  A result = *values.begin();
+  for (const A& value : values) result = binary<kFirst, Original, Others...>(result, value);
+  return result;
 }
 
 // a OP= b

@@ -18,10 +18,14 @@ TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))
 ROOMS = ["CMakeLists.txt", "src", "spec", "tests", "coverage"]
 BESIDE = ["src/snap.cpp", "src/fit.cpp"]  # mutated too, besides src/mapper
 NOT_BUILT = ["src/mapper/no_vector_kernel.cpp"]
-FIRST = 1  # the number of the first mutant
+# The first number of a file is a multiple of this (and above 0), so that few others' numbers change
+# with one file and few are compiled anew.
+ROUND = 128
 # Debian names its file so.
 clang.Config.set_library_file("/usr/lib/llvm-19/lib/libclang-19.so.1")
 TEMPLATE_CALL = re.compile(r"\b[A-Za-z_]\w*<([^<>;(){}]*)>\(")
+OTHER_TARGETS = re.compile(r"^#if HWY_TARGET == HWY_(?:SSE4|AVX2|AVX3)\b(?:(?!^#endif).)*?^#else\n"
+                           r"(.*?)^#endif", re.MULTILINE | re.DOTALL)
 MACROS = re.compile(r"\bHWY_(MIN|MAX|LIKELY|UNLIKELY)\b(?=\()")
 
 
@@ -75,6 +79,14 @@ def in_template_arguments(sites):
             site.fixed = "a template's argument"
 
 
+def of_other_processors(sites):
+    """What stands under #else of a condition on x86-64's SIMD targets is not compiled here."""
+    for site in sites:
+        for match in OTHER_TARGETS.finditer(site.source.text):
+            if match.start(1) <= site.start < match.end(1) and not site.fixed:
+                site.fixed = "for processors other than x86-64 (tests/cross/run)"
+
+
 def write_if_changed(path, text):
     os.makedirs(os.path.dirname(path), exist_ok=True)
     if os.path.exists(path):
@@ -120,6 +132,14 @@ def switched(source, numbered):
     return '#include "mapper/mutants.h"\n' + text
 
 
+def digest(*words):
+    return hashlib.sha256(" | ".join(map(str, words)).encode()).hexdigest()
+
+
+def words_of(mutant):
+    return [mutant[k] for k in ("file", "function", "text", "original", "mutated", "occurrence")]
+
+
 def count_occurrences(mutants):
     """Tells mutants apart that read the same: the first, second ... from the left."""
     seen = Counter()
@@ -127,15 +147,20 @@ def count_occurrences(mutants):
         same = tuple(mutant[k] for k in ("file", "function", "text", "original", "mutated"))
         seen[same] += 1
         mutant["occurrence"] = seen[same]
+        mutant["name"] = digest(*words_of(mutant))[:16]
 
 
 def sampled(mutants, count, seed):
     """As if at random, and so that a change of the sources changes little of the sample."""
-    def place(mutant):
-        words = [seed] + [mutant[k] for k in ("file", "function", "text", "original", "mutated",
-                                              "occurrence")]
-        return hashlib.sha256(" | ".join(map(str, words)).encode()).hexdigest()
-    return sorted(sorted(mutants, key=place)[:count], key=lambda m: m["id"])
+    first = sorted(mutants, key=lambda m: digest(seed, *words_of(m)))[:count]
+    return sorted(first, key=lambda m: m["id"])
+
+
+def listed(mutants, sources):
+    """For the program: number, number of the site, name, hash of the file's text; the path."""
+    texts = {path: digest(source.text)[:16] for path, source in sources.items()}
+    return "".join(f"{m['id']} {m['site']} {m['name']} {texts[m['file']]} {m['file']}\n"
+                   for m in mutants)
 
 
 def main(build, sample, seed):
@@ -148,9 +173,12 @@ def main(build, sample, seed):
     sites = find(sources)
     in_shifts(sites)
     in_template_arguments(sites)
+    of_other_processors(sites)
     sites.sort(key=lambda s: (s.source.path, s.start, -s.end, s.kind))
-    mutants, fixed, per_file, number = [], [], {path: [] for path in sources}, FIRST
+    mutants, fixed, per_file, number = [], [], {path: [] for path in sources}, 1
     for site in sites:
+        if not per_file[site.source.path] and not site.fixed:
+            number += -number % ROUND
         line, column = site.source.place(site.start)
         place = {"file": site.source.path, "line": line, "column": column,
                  "function": site.function, "text": site.source.line(site.start).replace("hwy_", "HWY_")}
@@ -173,8 +201,7 @@ def main(build, sample, seed):
     mirror(f"{build}/tree", mutated)
     write_if_changed(f"{build}/mutants.json",
                      json.dumps({"mutants": mutants, "fixed": fixed}, indent=1))
-    write_if_changed(f"{build}/sites.txt",
-                     "".join(f"{m['id']} {m['site']}\n" for m in chosen))
+    write_if_changed(f"{build}/sites.txt", listed(chosen, sources))
     print(f"{len(mutants)} mutants at {sum(map(len, per_file.values()))} sites; "
           f"{len(fixed)} sites that the compiler evaluates")
 

@@ -36,11 +36,13 @@ def page(summary, tried, survivors, equivalent):
         row([place(m), changed(m), m["outcome"]]) for m in survivors)
     reasons = row(["place", "what was changed", "why nothing can notice it"], "th") + "".join(
         row([place(m), changed(m), escape(m["reason"])]) for m in equivalent)
-    whole = "all mutants" if summary["whole"] else "a sample of the mutants"
+    whole = "all mutants" if summary["whole"] else "some of the mutants"
     return (f"<!doctype html>\n<html lang=en><head><meta charset=utf-8><title>Mutants</title>\n"
             f"<style>{STYLE}</style></head><body>\n<h1>Mutants of the mapper</h1>\n"
             f"<p>{summary['score_percent']:.2f} %: {summary['killed']} of "
             f"{summary['killed'] + summary['survivors']} that are not recorded as equivalent are "
-            f"noticed by the laws or the tests; {whole}, of {escape(summary['revision'])}.</p>\n"
+            f"noticed by the laws or the tests; {whole}, of {escape(summary['revision'])}, tried with "
+            f"{escape(summary['budget'])}. {summary['equivalent']} more are recorded as "
+            f"equivalent.</p>\n"
             f"<table>{files}</table>\n<h2>Survivors</h2>\n<table>{living}</table>\n"
             f"<h2>Recorded as equivalent</h2>\n<table>{reasons}</table>\n</body></html>\n")

@@ -56,7 +56,6 @@ def fail(message):
 def read_outcomes(path):
     outcomes = {}
     with open(path, encoding="utf-8") as file:
-        next(file)
         for line in file:
             number, what, killer, on, tried = line.rstrip("\n").split("\t")
             outcomes[int(number)] = {"outcome": what, "by": killer, "on": on, "tried": int(tried)}
@@ -97,13 +96,14 @@ def write_json(path, value):
         json.dump(value, file, indent=1)
 
 
-def main(build, results, out, whole, floor, revision):
+def main(build, out, floor, revision, budget):
     with open(f"{build}/mutants.json", encoding="utf-8") as file:
         listed = json.load(file)
-    outcomes = read_outcomes(results)
+    outcomes = read_outcomes(f"{build}/outcomes.txt")
     equivalents = Equivalents("coverage/equivalent.txt")
     mutants = [m | outcomes.get(m["id"], {}) for m in listed["mutants"]]
     tried = [m for m in mutants if m.get("outcome") in DEAD | ALIVE]
+    whole = len(outcomes) == len(mutants)
     equivalent, survivors = [], []
     for m in tried:
         if m["outcome"] in ALIVE:
@@ -119,7 +119,7 @@ def main(build, results, out, whole, floor, revision):
     score = 100 * dead / counted if counted else 0
     summary = {"score_percent": round(score, 2), "tried": len(tried), "killed": dead,
                "equivalent": len(equivalent), "survivors": len(survivors), "whole": whole,
-               "revision": revision}
+               "revision": revision, "budget": budget}
     write_json(f"{out}/mutation_score.json", summary)
     write_json(f"{out}/mutants.json", summary | {"mutants": [m for m in mutants if "outcome" in m],
                                                  "not_switched": listed["fixed"]})
@@ -136,5 +136,5 @@ def main(build, results, out, whole, floor, revision):
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:4], whole=sys.argv[4] == "whole", floor=float(sys.argv[5]),
-                  revision=sys.argv[6]))
+    sys.exit(main(*sys.argv[1:3], floor=float(sys.argv[3]), revision=sys.argv[4],
+                  budget=sys.argv[5]))

@@ -7,8 +7,10 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-from mutate import count_occurrences, find, in_shifts, in_template_arguments, sampled
+from mutate import (count_occurrences, find, in_shifts, in_template_arguments,
+                    of_other_processors, sampled)
 from rewrite import rewritten
+from sites import Site
 from tokens import Source
 
 TEXT = """\
@@ -76,6 +78,15 @@ class Mutate(unittest.TestCase):
                        ("kMost == 8", "in a static_assert"), ("kMost + 1", "the bound of an array"),
                        ("4", "a case label"), ("3", "a template's argument")]:
             self.assertIn(wanted, told)
+
+    def test_what_other_processors_run_is_listed(self):
+        text = ("#if HWY_TARGET == HWY_SSE4\nint here(int a) { return a + 1; }\n#else\n"
+                "int there(int a) { return a - 1; }\n#endif\nint any(int a) { return a * 3; }\n")
+        source = Source("small.cpp", text)
+        sites = [Site(source, "constant", text.index(c), text.index(c) + 1, None, [], "")
+                 for c in "+-*"]
+        of_other_processors(sites)
+        self.assertEqual([bool(s.fixed) for s in sites], [False, True, False])
 
     def test_a_sample_is_of_the_texts(self):
         def mutants(first):

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
@@ -23,7 +24,6 @@ namespace selvage::mutation {
 namespace {
 
 inline constexpr double kLeastLimit_s = 1, kLimitPerCost = 20;
-inline constexpr double kCostly_s = 0.1;
 inline constexpr rlim_t kMostMemory_bytes = rlim_t{4} << 30;
 inline constexpr int kStatusKilled = 42;
 
@@ -134,7 +134,7 @@ std::vector<std::string> record(std::vector<Item>* items, double most_s) {
     if (is_broken) broken.push_back(item.killer + " " + item.on);
     return false;
   });
-  std::ranges::stable_partition(*items, [](const Item& item) { return item.cost_s < kCostly_s; });
+  std::ranges::stable_sort(*items, {}, [](const Item& item) { return std::ilogb(item.cost_s); });
   return broken;
 }
 
@@ -143,12 +143,23 @@ Trials::Trials(std::vector<Item> items, double most_s)
   std::iota(order_.begin(), order_.end(), size_t{0});
 }
 
-Outcome Trials::of(const Mutant& mutant) {
+void Trials::put_first(size_t item) {
+  const auto at = std::ranges::find(order_, item);
+  std::rotate(order_.begin(), at, at + 1);
+}
+
+Outcome Trials::of(const Mutant& mutant, const Outcome* killed_by) {
   const auto site = static_cast<size_t>(mutant.site);
   if (std::ranges::none_of(items_, [&](const Item& item) { return item.reaches[site]; })) {
     return {"not reached"};
   }
   if (mutants::applies[mutant.number] == 0) return {"does not apply"};
+  if (killed_by != nullptr) {
+    const auto by = std::ranges::find_if(items_, [&](const Item& item) {
+      return item.killer == killed_by->killer && item.on == killed_by->on;
+    });
+    if (by != items_.end()) put_first(static_cast<size_t>(by - items_.begin()));
+  }
   Progress* const progress = shared<Progress>();
   *progress = {};
   const double most_s = most_s_;
@@ -157,8 +168,7 @@ Outcome Trials::of(const Mutant& mutant) {
   outcome.tried = progress->tried;
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return outcome;
   const size_t last = progress->last;
-  const auto at = std::ranges::find(order_, last);
-  std::rotate(order_.begin(), at, at + 1);
+  put_first(last);
   outcome.killer = items_[last].killer;
   outcome.on = items_[last].on;
   if (WIFEXITED(status)) {

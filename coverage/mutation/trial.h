@@ -11,6 +11,8 @@ namespace selvage::mutation {
 
 struct Mutant {
   int number = 0, site = 0;  // site: the number of its first alternative
+  std::string name, text;    // made of what is changed to what; of its file's text
+  std::string path;
 };
 
 struct Outcome {
@@ -19,11 +21,14 @@ struct Outcome {
   std::string what;
   std::string killer{}, on{};  // of the last item that ran
   size_t tried = 0;            // items
+
+  [[nodiscard]] bool lived() const { return what == "survived" || what == "not reached"; }
+  [[nodiscard]] bool was_tried() const { return what != "does not apply"; }
 };
 
 // Runs every item once with no mutant, each in a process of its own, noting what it reaches and
-// costs; removes those that cost more than most_s. Names those that are broken although nothing is
-// mutated.
+// costs; removes those that cost more than most_s, and puts the cheap ones first. Names those that
+// are broken although nothing is mutated.
 [[nodiscard]] std::vector<std::string> record(std::vector<Item>* items, double most_s);
 
 // Mutants one after another. The item that killed the last one comes first for the next: mutants
@@ -33,9 +38,12 @@ class Trials {
   // The items after record(). A mutant that lives for so much processor time survives.
   Trials(std::vector<Item> items, double most_s);
 
-  [[nodiscard]] Outcome of(const Mutant& mutant);
+  // `killed_by`: what did so in an earlier run, which is tried first; or nothing.
+  [[nodiscard]] Outcome of(const Mutant& mutant, const Outcome* killed_by);
 
  private:
+  void put_first(size_t item);
+
   std::vector<Item> items_;
   std::vector<size_t> order_;  // in which they are tried
   double most_s_;

@@ -19,12 +19,12 @@ void InteriorOfLine::narrow(int64_t lane_fx32, Columns* columns) const {
 
 Interior::Interior(const AffineField& field, const selvage_texture& texture)
     : field_(field),
-      rows_(texture.layout == SELVAGE_LAYOUT_ROWS),
+      has_pairs_(texture.layout == SELVAGE_LAYOUT_ROWS && texture.width > 1 && texture.height > 1),
       u_(field.step_x.u_fx32, texture.width, field.margin_fx32),
       v_(field.step_x.v_fx32, texture.height, field.margin_fx32) {}
 
 Span Interior::of(const Span& span) const {
-  if (!rows_) return {span.row, span.left_px, span.left_px};
+  if (!has_pairs_) return {span.row, span.left_px, span.left_px};
   constexpr int64_t kHalf_fx32 = int64_t{1} << (kLaneFraction - 1);
   const Lane lane = field_.at(span.left_px, span.row);
   Columns columns{0, static_cast<double>(span.width_px())};

@@ -38,7 +38,7 @@ class Interior {
 
  private:
   AffineField field_;
-  bool rows_;
+  bool has_pairs_;  // of texels side by side, and of rows
   InteriorOfLine u_, v_;
 };
 

@@ -1,0 +1,103 @@
+// What vectors are given to draw, and what their lanes are lowered by: the limits that the proofs
+// assume (spec/proofs/anchored_lanes.g), met and passed by as little as can be.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "mapper/vector_kernel.h"
+#include "tests/kernel_support.h"
+
+namespace selvage::mapper {
+namespace {
+
+// A vector of the most lanes walks so many steps.
+inline constexpr double kSteps = 15;
+inline constexpr double kFx32PerFx16 = 65536;
+
+[[nodiscard]] ProjectiveField field_of(double turn, double walk_fx16, int64_t error_fx32 = 3) {
+  ProjectiveField field{};
+  field.error_fx32 = error_fx32;
+  field.turn = turn;
+  field.steepest_fx32 = walk_fx16 * kFx32PerFx16 / kSteps;
+  return field;
+}
+
+TEST(VectorLimits, AnchorsTurnByHalfAndWalkAsFarAsFloatsAreWholeAtMost) {
+  const double most_turn = kMostTurn / kSteps, beyond = 1 + 0x1p-40;
+  EXPECT_TRUE(are_anchored(field_of(most_turn, kMostWalk_fx16)));
+  EXPECT_FALSE(are_anchored(field_of(most_turn * beyond, 1)));
+  EXPECT_FALSE(are_anchored(field_of(0, kMostWalk_fx16 * beyond)));
+  EXPECT_FALSE(are_anchored(field_of(HUGE_VAL, 1)));
+  EXPECT_FALSE(are_anchored(field_of(0, HUGE_VAL)));
+  EXPECT_TRUE(are_anchored(field_of(0, 0)));
+}
+
+TEST(VectorLimits, AnchorsAreLoweredByTheProofsBound) {
+  for (const int64_t error_fx32 : {2, 3, 65538}) {
+    for (const double walk_fx16 : {0.0, 1.0, 65536.0, kMostWalk_fx16}) {
+      const double anchor_fx16 = 2.0 * static_cast<double>(error_fx32) / kFx32PerFx16;
+      const double wanted =
+          anchor_fx16 + kAnchoredRoundings * walk_fx16 / 16777216 + kAnchoredSlack_fx16;
+      EXPECT_DOUBLE_EQ(anchored_error_fx16(field_of(0, walk_fx16, error_fx32)), wanted);
+    }
+  }
+}
+
+TEST(VectorLimits, LanesMayBeLowByATexel) {
+  Polygon polygon{};
+  polygon.least_texel_fx16 = std::numeric_limits<int32_t>::min() + 65536;
+  EXPECT_TRUE(lanes_fit(polygon));
+  --polygon.least_texel_fx16;
+  EXPECT_FALSE(lanes_fit(polygon));
+  polygon.least_texel_fx16 = std::numeric_limits<int32_t>::min();
+  EXPECT_FALSE(lanes_fit(polygon));
+}
+
+TEST(VectorLimits, PlacesFit32Bits) {
+  constexpr int32_t kRows = 1000;
+  constexpr ptrdiff_t kMost_texel = INT32_MAX / kRows;
+  Surface surface{};
+  surface.texture = {nullptr, 4, kRows, 4 * kMost_texel, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS,
+                     nullptr};
+  const Polygon polygon{};
+  EXPECT_TRUE(fits_vectors(surface, polygon));
+  surface.texture.pitch = -surface.texture.pitch;
+  EXPECT_TRUE(fits_vectors(surface, polygon));
+  surface.texture.pitch -= 4;
+  EXPECT_FALSE(fits_vectors(surface, polygon));
+  surface.texture.pitch = -surface.texture.pitch;
+  EXPECT_FALSE(fits_vectors(surface, polygon));
+  Polygon too_low{};
+  too_low.least_texel_fx16 = std::numeric_limits<int32_t>::min();
+  surface.texture.pitch = 16;
+  EXPECT_TRUE(fits_vectors(surface, polygon));
+  EXPECT_FALSE(fits_vectors(surface, too_low));
+}
+
+// Who asks for a kernel gets it, and not another that draws the same.
+TEST(VectorLimits, EachKernelIsItsOwn) {
+  const std::array filters = {SELVAGE_FILTER_NEAREST, SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR};
+  for (const selvage_filter filter : filters) {
+    std::vector<const Kernels*> found = {&scalar_kernels(filter)};
+    for (const selvage_kernel kernel : usable_kernels()) {
+      if (kernel == SELVAGE_KERNEL_SCALAR) continue;
+      const Kernels* const kernels = vector_kernels(kernel, filter);
+      ASSERT_NE(kernels, nullptr) << "kernel " << kernel;
+      for (const Kernels* const other : found) {
+        EXPECT_NE(kernels->draw_affine, other->draw_affine) << "kernel " << kernel;
+        EXPECT_NE(kernels->draw_projective, other->draw_projective) << "kernel " << kernel;
+      }
+      found.push_back(kernels);
+    }
+  }
+  EXPECT_EQ(vector_kernels(SELVAGE_KERNEL_SCALAR, SELVAGE_FILTER_NEAREST), nullptr);
+#ifdef __x86_64__
+  EXPECT_EQ(vector_kernels(SELVAGE_KERNEL_NEON, SELVAGE_FILTER_NEAREST), nullptr);
+#endif
+}
+
+}  // namespace
+}  // namespace selvage::mapper
