@@ -193,7 +193,11 @@ void spoil_preparation(Calls* calls, const Case& c) {
   add("sums that are not behind the texels", SELVAGE_ERROR_TEXTURE_PREPARED,
       [](Arguments& a) { a.texture.prepared = &a; });
   add("sums a row too far behind the texels", SELVAGE_ERROR_TEXTURE_PREPARED, [](Arguments& a) {
-    a.texture.pitch = std::abs(a.texture.pitch);
+    if (a.texture.pitch < 0) {
+      const auto* const last_row = static_cast<const char*>(a.texture.texels);
+      a.texture.texels = last_row + a.texture.pitch * (ptrdiff_t{a.texture.height} - 1);
+      a.texture.pitch = -a.texture.pitch;
+    }
     a.texture.prepared = static_cast<const char*>(a.texture.texels) +
                          a.texture.pitch * (ptrdiff_t{a.texture.height} + 1);
   });
