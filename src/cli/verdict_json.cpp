@@ -5,6 +5,7 @@
 
 #include "cli/error.h"
 #include "selvage.h"
+#include "testbed/printable.h"
 
 namespace selvage::cli {
 namespace {
@@ -118,8 +119,8 @@ using nlohmann::ordered_json;
                     ", this program of " + selvage_version());
   }
   if (!values.contains("seed")) throw UserError("it is of a replay, which is of no parts");
-  VerifyRun run{.subject = values.at("subject"),
-                .profile = values.at("profile"),
+  VerifyRun run{.subject = testbed::printable(values.at("subject").get<std::string>()),
+                .profile = testbed::printable(values.at("profile").get<std::string>()),
                 .seed = values.at("seed"),
                 .verdicts = {}};
   run.cases = values.at("cases");
