@@ -45,6 +45,7 @@ TEST(Verdict, PassesWhereEveryLawHolds) {
   EXPECT_TRUE(passed(run_of({holding("COV"), holding("MAP")})));
   EXPECT_FALSE(passed(run_of({holding("COV"), violated("MAP")})));
   EXPECT_FALSE(passed(run_of({violated("MAP")}, true)));
+  EXPECT_FALSE(passed(run_of({}))) << "a verdict about nothing";
 }
 
 TEST(Verdict, CountsALawWithoutASayAsAFailure) {
