@@ -88,7 +88,7 @@ void Host::Keeper::end_worker() const {
 void Host::Keeper::have_worker() {
   if (state() == State::kIdle) return;
   control.end.signal = 0;
-  control.end.threw = control.end.is_address_known = false;
+  control.end.threw = control.end.was_sent = control.end.is_address_known = false;
   control.end.access = Access::kUnknown;
   set_state(control, State::kFork);
   if (next(State::kFork, kForkLimit) != State::kIdle) {
