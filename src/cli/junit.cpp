@@ -4,33 +4,32 @@
 #include <string_view>
 
 #include "selvage.h"
+#include "testbed/printable.h"
 
 namespace selvage::cli {
 namespace {
 
-// Characters that XML 1.0 cannot hold become question marks.
+// A character as XML has it.
+[[nodiscard]] std::string_view reference(std::string_view character) {
+  if (character == "&") return "&amp;";
+  if (character == "<") return "&lt;";
+  if (character == ">") return "&gt;";
+  if (character == "\"") return "&quot;";
+  return character;
+}
+
+// What may not be shown becomes U+FFFD, but for the ends of lines.
 [[nodiscard]] std::string escaped(std::string_view text) {
   std::string xml;
-  for (const char letter : text) {
-    switch (letter) {
-      case '&':
-        xml += "&amp;";
-        break;
-      case '<':
-        xml += "&lt;";
-        break;
-      case '>':
-        xml += "&gt;";
-        break;
-      case '"':
-        xml += "&quot;";
-        break;
-      case '\n':
-        xml += "&#10;";
-        break;
-      default:
-        xml += static_cast<unsigned char>(letter) < 0x20 || letter == 0x7F ? '?' : letter;
+  while (!text.empty()) {
+    const auto [bytes, is_printable] = testbed::first_character(text);
+    const std::string_view character = text.substr(0, bytes);
+    if (character == "\n") {
+      xml += "&#10;";
+    } else {
+      xml += is_printable ? reference(character) : testbed::kReplacement;
     }
+    text.remove_prefix(bytes);
   }
   return xml;
 }

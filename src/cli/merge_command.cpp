@@ -1,5 +1,6 @@
 #include "cli/merge_command.h"
 
+#include <map>
 #include <span>
 
 #include "cli/error.h"
@@ -43,9 +44,9 @@ void demand_one_run(const VerifyRun& first, const std::string& first_name, const
 
 void demand_all_shards(const std::vector<VerifyRun>& runs, const std::vector<std::string>& names) {
   const uint64_t count = runs.front().shard.count;
-  std::vector<std::string> seen(count);
+  std::map<uint64_t, std::string> seen;
   for (size_t i = 0; i < runs.size(); ++i) {
-    std::string& before = seen.at(runs[i].shard.index - 1);
+    std::string& before = seen[runs[i].shard.index];
     const std::string shard = std::to_string(runs[i].shard.index) + "/" + std::to_string(count);
     if (!before.empty()) {
       throw UserError("shard " + shard + " is there twice: '" + before + "' and '" + names[i] +
@@ -53,9 +54,10 @@ void demand_all_shards(const std::vector<VerifyRun>& runs, const std::vector<std
     }
     before = names[i];
   }
-  for (uint64_t i = 0; i < count; ++i) {
-    if (!seen[i].empty()) continue;
-    throw UserError("shard " + std::to_string(i + 1) + "/" + std::to_string(count) + " is missing");
+  uint64_t next = 1;  // at most one more than there are files, however many shards are said to be
+  while (seen.contains(next)) ++next;
+  if (next <= count) {
+    throw UserError("shard " + std::to_string(next) + "/" + std::to_string(count) + " is missing");
   }
 }
 
@@ -77,10 +79,10 @@ void add(spec::Hunted* total, const spec::Hunted& part) {
   Verdict total;
   total.found.law = runs.front().verdicts[law].found.law;
   total.known = runs.front().verdicts[law].known;  // every shard tries all of them
-  int64_t time_ns = 0;
+  uint64_t time_ns = 0;
   for (const VerifyRun& run : runs) {
     const Verdict& part = run.verdicts[law];
-    time_ns += part.time_ns;
+    time_ns += static_cast<uint64_t>(part.time_ns);
     if (is_before(part, total)) total = part;
     if (total.found.violation) continue;
     total.found.cases += part.found.cases;
@@ -89,7 +91,7 @@ void add(spec::Hunted* total, const spec::Hunted& part) {
     add(&total.found.hunted, part.found.hunted);
     for (const auto& [what, cases] : part.found.not_claimed) total.found.not_claimed[what] += cases;
   }
-  total.time_ns = time_ns;
+  total.time_ns = static_cast<int64_t>(time_ns);
   return total;
 }
 

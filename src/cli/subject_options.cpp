@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdio>
 #include <string_view>
 #include <utility>
 
 #include "cli/error.h"
 #include "cli/job.h"
 #include "cli/number.h"
+#include "testbed/printable.h"
 
 namespace selvage::cli {
 namespace {
@@ -148,12 +150,25 @@ void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
   return text;
 }
 
+// In the dollar quotes of POSIX.1-2024: a replay must find a file whose name cannot be shown.
+[[nodiscard]] std::string octal_word(std::string_view text) {
+  std::string quoted = "$'";
+  for (const char letter : text) {
+    char octal[8];
+    std::snprintf(octal, sizeof octal, "\\%03o", unsigned{static_cast<unsigned char>(letter)});
+    const bool is_plain = letter >= ' ' && letter <= '~' && letter != '\'' && letter != '\\';
+    quoted += is_plain ? std::string(1, letter) : octal;
+  }
+  return quoted + "'";
+}
+
 }  // namespace
 
 std::string shell_word(const std::string& text) {
   constexpr std::string_view kPlain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_-+=.,:/@%";
   if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
+  if (text != testbed::printable(text)) return octal_word(text);
   std::string quoted = "'";
   for (const char letter : text) quoted += letter == '\'' ? "'\\''" : std::string(1, letter);
   return quoted + "'";
@@ -181,7 +196,7 @@ ChosenSubject choose_subject(const SubjectOptions& options, const std::string& p
   if (!profile.empty()) {
     chosen.subject.profile = about("--profile", [&] { return parse_profile(profile); });
   }
-  if (!options.name.empty()) chosen.subject.name = options.name;
+  if (!options.name.empty()) chosen.subject.name = testbed::printable(options.name);
   read_claims(options, &chosen.subject.claims);
   return chosen;
 }

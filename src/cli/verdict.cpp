@@ -81,6 +81,7 @@ std::string_view found_by(const Verdict& verdict) {
 }
 
 bool passed(const VerifyRun& run) {
+  if (run.verdicts.empty()) return false;
   const auto is = [](std::string_view which) {
     return [which](const Verdict& verdict) { return outcome(verdict) == which; };
   };

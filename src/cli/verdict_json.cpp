@@ -1,15 +1,57 @@
 #include "cli/verdict_json.h"
 
+#include <concepts>
+#include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <utility>
 
 #include "cli/error.h"
 #include "selvage.h"
+#include "testbed/printable.h"
 
 namespace selvage::cli {
 namespace {
 
 using nlohmann::ordered_json;
+
+using Counts = std::map<std::string, uint64_t>;
+
+// What JSON can have in its place (a fraction, a sign, more digits) must not be converted.
+template <std::integral Integer = uint64_t>
+[[nodiscard]] Integer whole(const ordered_json& values, const std::string& key) {
+  const ordered_json& value = values.at(key);
+  if (value.is_number_unsigned()) {
+    if (const auto number = value.get<uint64_t>(); std::in_range<Integer>(number)) {
+      return static_cast<Integer>(number);
+    }
+  } else if (value.is_number_integer()) {
+    if (const auto number = value.get<int64_t>(); std::in_range<Integer>(number)) {
+      return static_cast<Integer>(number);
+    }
+  }
+  constexpr size_t kMostShownBytes = 40;
+  using Limits = std::numeric_limits<Integer>;
+  throw UserError("'" + key + "' is " + testbed::printable(value.dump(), kMostShownBytes) +
+                  "; a whole number from " + std::to_string(Limits::min()) + " to " +
+                  std::to_string(Limits::max()) + " is right");
+}
+
+[[nodiscard]] Counts read_counts(const ordered_json& values) {
+  Counts counts;
+  for (const auto& item : values.items()) counts[item.key()] = whole(values, item.key());
+  return counts;
+}
+
+[[nodiscard]] Shard read_shard(const ordered_json& values) {
+  const Shard shard{whole(values, "index"), whole(values, "of")};
+  if (shard.index >= 1 && shard.index <= shard.count) return shard;
+  const std::string of = "/" + std::to_string(shard.count);
+  throw UserError("there is no shard " + std::to_string(shard.index) + of +
+                  (shard.count > 0 ? "; 1" + of + " to " + std::to_string(shard.count) + of + " are"
+                                   : "; 1/N to N/N are"));
+}
 
 [[nodiscard]] ordered_json violation_json(const VerifyRun& run, const Verdict& verdict) {
   const spec::Violation& violation = *verdict.found.violation;
@@ -36,7 +78,7 @@ using nlohmann::ordered_json;
 }
 
 [[nodiscard]] spec::Hunted read_hunted(const ordered_json& values) {
-  spec::Hunted hunted{.cases = values.at("cases")};
+  spec::Hunted hunted{.cases = whole(values, "cases")};
   if (values.contains("best")) {
     hunted.best = {values["best"].at("share"), values["best"].at("closeness")};
   }
@@ -77,8 +119,9 @@ using nlohmann::ordered_json;
                             .drawn = values.at("drawn"),
                             .shown = read_case(values.at("shown_case"))};
   if (values.contains("pixel_px")) {
-    violation.x_px = values["pixel_px"].at(0);
-    violation.y_px = values["pixel_px"].at(1);
+    const ordered_json& pixel = values["pixel_px"];
+    violation.x_px = whole<int32_t>({{"x_px", pixel.at(0)}}, "x_px");
+    violation.y_px = whole<int32_t>({{"y_px", pixel.at(1)}}, "y_px");
   }
   return violation;
 }
@@ -89,22 +132,23 @@ using nlohmann::ordered_json;
   spec::LawVerdict& found = verdict.found;
   found.law = spec::find_law(name);
   if (found.law == nullptr) throw UserError("this program knows no law '" + name + "'");
-  found.cases = values.at("cases");
-  found.judged_px = values.at("judged_px");
-  verdict.time_ns = values.at("time_ns");
+  found.cases = whole(values, "cases");
+  found.judged_px = whole(values, "judged_px");
+  verdict.time_ns = whole<int64_t>(values, "time_ns");
   if (values.contains("nearest")) {
     found.margin = {values["nearest"].at("measured"), values["nearest"].at("bound")};
   }
-  if (values.contains("not_claimed")) found.not_claimed = values["not_claimed"];
+  if (values.contains("not_claimed")) found.not_claimed = read_counts(values["not_claimed"]);
   if (values.contains("hunted")) found.hunted = read_hunted(values["hunted"]);
   if (values.contains("known")) {
-    verdict.known = {values["known"].at("tried"), values["known"].at("not_judged")};
+    verdict.known = {whole(values["known"], "tried"),
+                     read_counts(values["known"].at("not_judged"))};
   }
   if (!values.contains("violation")) return verdict;
   const ordered_json& violation = values["violation"];
   found.violation = read_violation(violation, name);
   found.counterexample = read_case(violation.at("case"));
-  found.failed_case = violation.at("case_number");
+  found.failed_case = whole(violation, "case_number");
   const std::string found_by = violation.at("found_by");
   verdict.from_corpus = found_by == "corpus";
   found.hunted.found = found_by == "hunt";
@@ -118,18 +162,19 @@ using nlohmann::ordered_json;
                     ", this program of " + selvage_version());
   }
   if (!values.contains("seed")) throw UserError("it is of a replay, which is of no parts");
-  VerifyRun run{.subject = values.at("subject"),
-                .profile = values.at("profile"),
-                .seed = values.at("seed"),
+  VerifyRun run{.subject = testbed::printable(values.at("subject").get<std::string>()),
+                .profile = testbed::printable(values.at("profile").get<std::string>()),
+                .seed = whole(values, "seed"),
                 .verdicts = {}};
-  run.cases = values.at("cases");
-  run.hunted = values.at("hunted");
-  run.known_cases = values.at("known_cases");
-  run.known_of_others = values.at("known_of_others");
+  run.cases = whole(values, "cases");
+  run.hunted = whole(values, "hunted");
+  run.known_cases = whole(values, "known_cases");
+  run.known_of_others = read_counts(values.at("known_of_others"));
   run.arguments = values.at("arguments");
   run.oracle_missing = values.at("oracle_missing");
-  if (values.contains("shard")) run.shard = {values["shard"].at("index"), values["shard"].at("of")};
+  if (values.contains("shard")) run.shard = read_shard(values["shard"]);
   for (const ordered_json& law : values.at("laws")) run.verdicts.push_back(read_law(law));
+  if (run.verdicts.empty()) throw UserError("it has no verdict of any law, and so shows nothing");
   for (const ordered_json& law : values.at("not_promised")) {
     run.not_promised.push_back({law.at("law"), law.at("why")});
   }

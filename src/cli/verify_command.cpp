@@ -59,6 +59,10 @@ constexpr size_t kMaxCaseBytes = size_t{1} << 20;
   return unpromised;
 }
 
+[[nodiscard]] char lower(char digit) {
+  return digit >= 'A' && digit <= 'F' ? static_cast<char>(digit - 'A' + 'a') : digit;
+}
+
 [[nodiscard]] std::optional<spec::Case> case_to_replay(const VerifyOptions& options) {
   if (!options.case_file.empty()) {
     return spec::decode(read_file(options.case_file, kMaxCaseBytes));
@@ -67,6 +71,14 @@ constexpr size_t kMaxCaseBytes = size_t{1} << 20;
   std::optional<spec::Case> replayed = spec::from_hex(options.case_hex);
   if (!replayed) {
     throw UserError("--case: an even number of hexadecimal digits is needed, as verify prints it");
+  }
+  const std::string digits = spec::to_hex(*replayed);
+  const auto is_same = [](char one, char two) { return lower(one) == lower(two); };
+  if (!std::ranges::equal(digits, options.case_hex, is_same)) {
+    throw UserError("--case: the " + std::to_string(options.case_hex.size()) +
+                    " digits are no whole case as verify prints it, but one that was cut off, "
+                    "lengthened or changed; the case that they come nearest to is " +
+                    digits);
   }
   return replayed;
 }

@@ -38,8 +38,9 @@ struct End {
   Access access = Access::kUnknown;
   uintptr_t address = 0;  // of the access, where the signal is about one
   bool is_address_known = false;
-  bool threw = false;   // an exception came out of the call
-  int wait_status = 0;  // as by waitpid
+  bool was_sent = false;  // by a process: it tells of no fault
+  bool threw = false;     // an exception came out of the call
+  int wait_status = 0;    // as by waitpid
 };
 
 enum class Function : uint32_t {

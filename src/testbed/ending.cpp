@@ -66,7 +66,9 @@ inline constexpr uintptr_t kNearNull = 65536;
 std::string describe_end(const Control& control, const Placement& placement) {
   const End& end = control.end;
   if (end.threw) return "threw an exception through the C interface";
-  if (const int signal = end.signal; signal == SIGSEGV || signal == SIGBUS) {
+  if (const int signal = end.signal; signal != 0 && signal != SIGABRT && end.was_sent) {
+    return "was ended by a signal that was sent to it" + name_of(signal);
+  } else if (signal == SIGSEGV || signal == SIGBUS) {
     return describe_access(control, placement) + name_of(signal);
   } else if (signal != 0) {
     return describe_signal(signal) + name_of(signal);

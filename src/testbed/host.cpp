@@ -15,6 +15,7 @@
 #include "testbed/ending.h"
 #include "testbed/host_state.h"
 #include "testbed/keeper.h"
+#include "testbed/printable.h"
 
 namespace selvage::testbed {
 namespace {
@@ -23,7 +24,7 @@ inline constexpr auto kLookAfterKeeper = std::chrono::milliseconds(100);
 inline constexpr auto kForkLimit = std::chrono::seconds(60);  // a machine may be very busy
 
 [[nodiscard]] LibraryError cannot_use(const std::string& name, const std::string& why) {
-  return LibraryError("cannot use '" + name + "' as a subject: " + why);
+  return LibraryError("cannot use '" + printable(name) + "' as a subject: " + why);
 }
 
 // What is buffered would be printed by each process that inherits it.
@@ -87,7 +88,7 @@ void Host::Keeper::end_worker() const {
 void Host::Keeper::have_worker() {
   if (state() == State::kIdle) return;
   control.end.signal = 0;
-  control.end.threw = control.end.is_address_known = false;
+  control.end.threw = control.end.was_sent = control.end.is_address_known = false;
   control.end.access = Access::kUnknown;
   set_state(control, State::kFork);
   if (next(State::kFork, kForkLimit) != State::kIdle) {

@@ -6,6 +6,7 @@
 #include "testbed/claims.h"
 #include "testbed/fence.h"
 #include "testbed/host_state.h"
+#include "testbed/printable.h"
 
 namespace selvage::testbed {
 namespace {
@@ -151,10 +152,11 @@ spec::Subject Host::subject(const std::shared_ptr<Host>& host) {
   try {
     if (control.has_claims) subject = claimed(control.claims);
   } catch (const LibraryError& error) {
-    throw LibraryError("cannot use '" + host->name_ + "' as a subject: " + error.what());
+    throw LibraryError("cannot use '" + printable(host->name_) + "' as a subject: " + error.what());
   }
-  subject.name = control.name[0] != '\0' ? control.name.data()
-                                         : std::filesystem::path(host->name_).filename().string();
+  subject.name = control.name[0] != '\0'
+                     ? control.name.data()
+                     : printable(std::filesystem::path(host->name_).filename().string());
   if (control.version[0] != '\0') subject.name += " " + std::string(control.version.data());
   subject.draw = [host](auto... arguments) { return host->draw(arguments...); };
   subject.begin_case = [host] { host->begin_case(); };

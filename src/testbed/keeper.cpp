@@ -14,6 +14,7 @@
 #include <cstring>
 #include <span>
 
+#include "testbed/printable.h"
 #include "testbed/worker.h"
 
 namespace selvage::testbed {
@@ -22,10 +23,14 @@ namespace {
 inline constexpr rlim_t kMostOutputBytes = rlim_t{1} << 20;
 inline constexpr rlim_t kMostMemoryBytes = rlim_t{4} << 30;  // beyond what is in use at the start
 
+inline constexpr size_t kMostCharacterBytes = 4;
+
+// Of a text that may have no end no more is looked at than decides about the last character.
 void copy_text(std::span<char> to, const char* from) {
-  const size_t length = from == nullptr ? 0 : strnlen(from, to.size() - 1);
-  std::copy_n(from == nullptr ? "" : from, length, to.begin());
-  to[length] = '\0';
+  const size_t seen = from == nullptr ? 0 : strnlen(from, to.size() + kMostCharacterBytes);
+  const std::string text = printable({from == nullptr ? "" : from, seen}, to.size() - 1);
+  std::ranges::copy(text, to.begin());
+  to[text.size()] = '\0';
 }
 
 // Nothing of the program's files is within reach, and what is printed goes to `output`.

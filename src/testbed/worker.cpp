@@ -23,8 +23,9 @@ Control* noted_in = nullptr;  // a signal handler is given nothing
 void note_fault(int signal, siginfo_t* info, void* context) {
   End& end = noted_in->end;
   int32_t none = 0;
-  if (end.signal.compare_exchange_strong(none, signal) && (signal == SIGSEGV || signal == SIGBUS) &&
-      info->si_code != SI_USER) {
+  if (!end.signal.compare_exchange_strong(none, signal)) _exit(1);
+  end.was_sent = info->si_code <= 0;  // sigaction(2): the kernel's own are positive
+  if (!end.was_sent && (signal == SIGSEGV || signal == SIGBUS)) {
     end.address = reinterpret_cast<uintptr_t>(info->si_addr);
     end.is_address_known = info->si_code != SI_KERNEL;  // else it is no address at all
     end.access = access_of(context);

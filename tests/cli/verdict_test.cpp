@@ -45,6 +45,7 @@ TEST(Verdict, PassesWhereEveryLawHolds) {
   EXPECT_TRUE(passed(run_of({holding("COV"), holding("MAP")})));
   EXPECT_FALSE(passed(run_of({holding("COV"), violated("MAP")})));
   EXPECT_FALSE(passed(run_of({violated("MAP")}, true)));
+  EXPECT_FALSE(passed(run_of({}))) << "a verdict about nothing";
 }
 
 TEST(Verdict, CountsALawWithoutASayAsAFailure) {
@@ -186,11 +187,21 @@ TEST(Junit, HasATestForEachLaw) {
   expect_contains(xml, "tests=\"4\" failures=\"2\" errors=\"0\" skipped=\"1\" time=\"3.000\"");
   expect_contains(xml, "<property name=\"seed\" value=\"42\"/>");
   expect_contains(xml, "<testcase name=\"COV\" classname=\"built-in\" time=\"1.500\">");
-  expect_contains(xml, "<failure message=\"a &lt; b? &quot;c&quot;\" type=\"violated\">");
+  expect_contains(xml,
+                  "<failure message=\"a &lt; b\xEF\xBF\xBD &quot;c&quot;\" type=\"violated\">");
   expect_contains(xml, "\nreplay: selvage verify --law MAP --case ");
   expect_contains(xml, "type=\"judged nothing\"");
   expect_contains(xml, "<skipped message=\"not promised: both ends &amp; more\"/>");
   EXPECT_EQ(xml.find('\x01'), std::string::npos);
+}
+
+TEST(Junit, IsXmlWhateverItTells) {
+  VerifyRun run = run_of({violated("MAP")});
+  run.subject = "\xC3\xA4\xFF\xC3 \xEF\xBF\xBE\x1B[31m";
+  const std::string bad = "\xEF\xBF\xBD";
+  const std::string shown = "\xC3\xA4" + bad + bad + " " + bad + bad + "[31m";
+  expect_contains(junit_xml(run), "classname=\"" + shown + "\"");
+  EXPECT_EQ(read_verdict(verdict_json(run)).subject, shown);
 }
 
 TEST(VerdictJson, OfAReplayHasNoSeed) {

@@ -5,6 +5,7 @@
 
 #include "cli/laws_command.h"
 #include "cli/picture_file.h"
+#include "spec/generate.h"
 #include "spec/laws.h"
 #include "spec/profiles.h"
 #include "support.h"
@@ -146,7 +147,7 @@ TEST_F(Verify, ReplaysRawBytesAsWell) {
 TEST_F(Verify, OfACaseWithNothingToJudgeFailsAndSaysSo) {
   options_ = {};
   options_.laws = {"MAP"};
-  options_.case_hex = "00";  // no vertices
+  options_.case_hex = spec::to_hex(spec::Case{});  // no vertices
   EXPECT_EQ(run(), kExitLawFailed);
   expect_contains(out(), "judged nothing");
 }
@@ -234,6 +235,26 @@ TEST_F(Verify, RefusesWrongUse) {
                     "--case: an even number of hexadecimal digits is needed");
   }
   expect_contains(refused([](VerifyOptions& o) { o.case_file = "none"; }), "cannot read 'none'");
+}
+
+// A line that was not copied whole would replay another case, which may well hold.
+TEST_F(Verify, ReplaysAWholeCaseAlone) {
+  std::string whole = spec::to_hex(spec::generate(7));
+  const auto refused = [&](const std::string& hex) {
+    options_ = {};
+    options_.case_hex = hex;
+    return error_of([&] { run(); });
+  };
+  for (const std::string& hex :
+       {whole.substr(0, whole.size() - 2), whole + "00", std::string("00"), whole + whole}) {
+    expect_contains(refused(hex), "--case: the " + std::to_string(hex.size()) +
+                                      " digits are no whole case as verify prints it");
+  }
+  for (char& digit : whole) digit = static_cast<char>(std::toupper(digit));
+  options_.case_hex = whole;
+  options_.laws = {"TOTAL"};
+  run();
+  expect_contains(out(), spec::print(*spec::from_hex(whole)));
 }
 
 TEST_F(Verify, TakesTheLargestSeed) {

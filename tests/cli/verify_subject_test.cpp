@@ -270,6 +270,8 @@ TEST(ShellWord, IsQuotedWhereItMustBe) {
   EXPECT_EQ(shell_word("./a-b_c.so"), "./a-b_c.so");
   EXPECT_EQ(shell_word("my mapper.so"), "'my mapper.so'");
   EXPECT_EQ(shell_word("it's"), "'it'\\''s'");
+  EXPECT_EQ(shell_word("\xC3\xA4 a.so"), "'\xC3\xA4 a.so'");
+  EXPECT_EQ(shell_word("it's \\ \x1B[31m\xFF"), R"($'it\047s \134 \033[31m\377')");
 }
 
 }  // namespace

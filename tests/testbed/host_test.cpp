@@ -83,6 +83,24 @@ TEST(Host, ReadsClaims) {
   EXPECT_EQ(subject.claims, little);
 }
 
+// Terminals obey escape sequences, and XML ends at a byte that is no UTF-8.
+TEST(Host, MakesANameFitToBeShown) {
+  const spec::Subject subject = Host::subject(host_of("names_bytes"));
+  const std::string bad = "\xEF\xBF\xBD";
+  std::string version;
+  for (int i = 0; i < 12; ++i) version += "1234567890";
+  EXPECT_EQ(subject.name,
+            "a" + bad + "[31m" + bad + bad + "<&\">" + bad + bad + " b " + version + "123456");
+  const auto path = std::filesystem::temp_directory_path() / "selvage-\x1B[31m\xFF.so";
+  std::filesystem::copy_file(library("right"), path,
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_EQ(Host::subject(std::make_shared<Host>(path, kPatience)).name,
+            "selvage-" + bad + "[31m" + bad + ".so");
+  std::filesystem::remove(path);
+  const std::string refused = refusal_of(path);
+  EXPECT_NE(refused.find("selvage-" + bad + "[31m" + bad + ".so'"), std::string::npos) << refused;
+}
+
 TEST(Host, DrawsWhatTheMapperDraws) {
   const spec::Subject subject = Host::subject(host_of("right"));
   for (uint64_t seed = 1; seed <= 300; ++seed) {

@@ -48,6 +48,7 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"recurses", "ran out of stack (SIGSEGV)"},
         Hostile{"divides", "divided by zero, or alike (SIGFPE)"},
         Hostile{"aborts", "aborted (SIGABRT)"}, Hostile{"exits", "exited with status 3"},
+        Hostile{"raises", "was ended by a signal that was sent to it (SIGSEGV)"},
         Hostile{"kills_parent", "ended the process that holds it"},
         Hostile{"throws", "threw an exception through the C interface"}),
     [](const auto& test) { return std::string(test.param.library); });
