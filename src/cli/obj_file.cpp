@@ -173,24 +173,38 @@ void set_texture(scene::Face& face, const std::vector<scene::Vector2>& uv,
   return face;
 }
 
+// The faces of a shape. The parser may keep their numbers of corners in 8 bits: they are taken from
+// the lines.
+[[nodiscard]] std::span<const ObjFace> faces_of(const tinyobj::mesh_t& mesh, const ObjLines& lines,
+                                                size_t first, const std::string& file) {
+  const std::span<const ObjFace> faces =
+      std::span(lines.faces).subspan(std::min(first, lines.faces.size()));
+  const size_t count = mesh.num_face_vertices.size();
+  size_t corners = 0;
+  for (const ObjFace& face : faces.first(std::min(count, faces.size()))) corners += face.corners;
+  if (count > faces.size() || corners != mesh.indices.size()) {
+    throw UserError(file + ": its faces are not read as they stand in it");
+  }
+  return faces.first(count);
+}
+
 void add_faces(const Parsed& parsed, const std::string& file, const ObjLines& lines,
                const scene::Scene& scene, scene::Object& object) {
-  size_t count = 0;
   for (const tinyobj::shape_t& shape : parsed.shapes) {
-    size_t first = 0;
-    for (size_t i = 0; i < shape.mesh.num_face_vertices.size(); ++i, ++count) {
-      const size_t corners = shape.mesh.num_face_vertices[i];
-      const int material = shape.mesh.material_ids[i];
-      about(file + ":" + std::to_string(lines.faces.at(count)), [&] {
+    std::span<const tinyobj::index_t> corners = shape.mesh.indices;
+    const int* material = shape.mesh.material_ids.data();
+    for (const ObjFace& at : faces_of(shape.mesh, lines, object.faces.size(), file)) {
+      about(file + ":" + std::to_string(at.line), [&] {
         const size_t used =
-            material < 0 ? object.materials.size() - 1 : static_cast<size_t>(material);
-        scene::Face face = face_of(parsed, std::span(shape.mesh.indices).subspan(first, corners),
-                                   object.materials[used].texture, scene);
+            *material < 0 ? object.materials.size() - 1 : static_cast<size_t>(*material);
+        scene::Face face =
+            face_of(parsed, corners.first(at.corners), object.materials[used].texture, scene);
         face.material = used;
         if (!is_convex(object, face)) throw UserError("the face is not convex; cut it into such");
         object.faces.push_back(std::move(face));
       });
-      first += corners;
+      corners = corners.subspan(at.corners);
+      ++material;
     }
   }
   if (object.faces.empty()) throw UserError(file + ": there is no face in it");

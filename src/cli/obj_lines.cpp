@@ -48,7 +48,7 @@ void add_face(const std::string& file, const Statement& face, ObjLines& lines) {
   lines.statements += "f";
   for (const std::string& word : face.words) lines.statements += " " + corner(file, face, word);
   lines.statements += '\n';
-  lines.faces.push_back(face.line);
+  lines.faces.push_back({face.line, face.words.size()});
 }
 
 void add_libraries(const std::string& file, const Statement& statement, ObjLines& lines) {

@@ -1,6 +1,7 @@
 // The lines of an OBJ file: checked, for its parser lets much pass, and where things stand.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -8,9 +9,14 @@
 
 namespace selvage::cli {
 
+struct ObjFace {
+  int line;
+  size_t corners;
+};
+
 struct ObjLines {
   std::string statements;                              // v, vt, f and usemtl alone, for the parser
-  std::vector<int> faces;                              // the line of each f, in order
+  std::vector<ObjFace> faces;                          // each f, in order
   std::vector<std::pair<int, std::string>> libraries;  // line and file, each file once
   std::vector<std::pair<int, std::string>> materials;  // of each usemtl: line and name
 };

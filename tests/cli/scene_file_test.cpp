@@ -1,5 +1,8 @@
 #include "cli/scene_file.h"
 
+#include <cmath>
+#include <numbers>
+
 #include "cli/png.h"
 #include "sample_pictures.h"
 #include "support.h"
@@ -86,6 +89,35 @@ TEST_F(SceneFile, ReadsAnObject) {
   const scene::Material& stone = object.materials.at(object.faces[0].material);
   EXPECT_EQ(stone.colour, (scene::Colour{128, 64, 255}));
   EXPECT_EQ(stone.shading, scene::Shading::kAmbient);  // the scene's word
+}
+
+// The parser of OBJ files keeps numbers of corners in 8 bits.
+TEST_F(SceneFile, KeepsFacesOfManyCorners) {
+  std::string vertices;
+  constexpr int kCorners = 600;
+  for (int i = 0; i < kCorners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / kCorners;
+    vertices += "v " + std::to_string(std::cos(angle)) + " " + std::to_string(std::sin(angle)) +
+                " 0\nvt 0 " + std::to_string(i / 1024.0) + "\n";
+  }
+  const std::vector<int> counts = {255, 256, 257, 3, 512, 600};
+  std::string faces;
+  for (const int count : counts) {
+    faces += count == 257 ? "usemtl front\nf" : "f";
+    for (int i = 1; i <= count; ++i) faces += " " + std::to_string(i) + "/" + std::to_string(i);
+    faces += "\n";
+  }
+  put("pyramid.obj", "mtllib pyramid.mtl\nusemtl stone\n" + vertices + faces);
+  const scene::Scene scene = read_scene("scene.json");
+  const std::vector<scene::Face>& read = scene.objects.at(0).faces;
+  ASSERT_EQ(read.size(), counts.size());
+  for (size_t face = 0; face < read.size(); ++face) {
+    EXPECT_EQ(read[face].material, face < 2 ? 0U : 1U);
+    ASSERT_EQ(read[face].corners.size(), static_cast<size_t>(counts[face]));
+    for (size_t i = 0; i < read[face].corners.size(); ++i) {
+      ASSERT_EQ(read[face].corners[i].vertex, i);
+    }
+  }
 }
 
 TEST_F(SceneFile, TurnsTexturesOver) {
