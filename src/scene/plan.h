@@ -50,8 +50,8 @@ struct Plan {
 // How far rounding q, u and v to the grid may move u and v.
 [[nodiscard]] double rounding_bound_texel(std::span<const selvage_vertex> vertices);
 
-// Not below |du/dx| + |du/dy|, nor the same of v, anywhere on a triangle; of other faces, by the
-// map of their largest triangle. Infinite where they have no area.
+// Not below |du/dx| + |du/dy|, nor the same of v, anywhere on a y-monotone face. Infinite where it
+// has no area.
 [[nodiscard]] double texels_per_px_bound(std::span<const selvage_vertex> vertices);
 
 }  // namespace selvage::scene

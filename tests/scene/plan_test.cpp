@@ -144,6 +144,53 @@ TEST(Plan, FootprintsAreWithinTheirBound) {
   EXPECT_GT(nearest_to_bound, 0.9);
 }
 
+// Corners with any texture, so that no one projective map holds; and with a plane's.
+TEST(Plan, FootprintsOfRuledMapsAreWithinTheirBound) {
+  int64_t pixels = 0;
+  double nearest_to_bound = 0;
+  for (uint64_t seed = 1; seed <= 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    spec::Random random(seed);
+    ScreenFace face = random_face(random);
+    if (face.vertices.size() < 4) continue;
+    for (selvage_vertex& vertex : face.vertices) {
+      if (seed % 3 != 0) vertex.u = random.in(-99, 99) * 65536;
+      if (seed % 3 == 1) vertex.q = random.in(400, 1000);
+    }
+    const double bound = texels_per_px_bound(face.vertices);
+    for (int y = 0; y < kSize.height_px; y += 7) {
+      for (int x = 0; x < kSize.width_px; x += 5) {
+        if (!spec::sample(face.vertices, x, y)) continue;
+        const auto gradient = spec::gradient(face.vertices, x, y);
+        ASSERT_TRUE(gradient);
+        const spec::Rational u = abs(gradient->u_along_x) + abs(gradient->u_along_y);
+        const spec::Rational v = abs(gradient->v_along_x) + abs(gradient->v_along_y);
+        const double here = std::max(u.get_d(), v.get_d());
+        ASSERT_LE(here, bound) << x << ", " << y;
+        nearest_to_bound = std::max(nearest_to_bound, here / bound);
+        ++pixels;
+      }
+    }
+  }
+  std::cout << pixels << " pixels; nearest to a bound: " << nearest_to_bound << " of it\n";
+  EXPECT_GT(pixels, 1000);
+  EXPECT_GT(nearest_to_bound, 0.9);
+}
+
+// Three corners magnify the texture, the fourth draws it together: several texels a pixel there.
+TEST(Plan, OneCornerMayNeedTheAreaFilter) {
+  const Scene scene = scene_with_texture();
+  const ScreenFace face{0,
+                        0,
+                        {{0, 0, 0, 0, 1},
+                         {0, 25600, 0, 20 << 16, 1},
+                         {23000, 23000, 500 << 16, 500 << 16, 1},
+                         {25600, 0, 20 << 16, 0, 1}},
+                        0,
+                        {0, {}, {}}};
+  EXPECT_EQ(plan(scene, face, {}).options.filter, SELVAGE_FILTER_AREA);
+}
+
 TEST(Plan, AddressesAsTheTextureDoes) {
   Scene scene = scene_with_texture();
   spec::Random random(1);
