@@ -151,10 +151,12 @@ int run_render(const RenderOptions& options, const Console& console) {
   }
   StatusLine status(console);
   RenderStats stats;
+  RoundingWarning rounding(wish.tolerance_texel);
   nlohmann::ordered_json told;
   for (int32_t i = 0; i < options.frames; ++i) {
     status.count("drawing frame", static_cast<uint64_t>(i), static_cast<uint64_t>(options.frames));
     Frame frame = draw_frame(scene, options.start_s + i / options.frames_per_s, size, wish, hidden);
+    rounding.add(scene, frame.drawing);
     if (options.explain && i == 0) {
       told["faces"] = explanation(scene, frame.drawing, wish.tolerance_texel, frame.picture);
     }
@@ -166,6 +168,8 @@ int run_render(const RenderOptions& options, const Console& console) {
     }
     output.add(i, to_raster(std::move(frame.picture)));
   }
+  status.show("");
+  console.err << rounding.line();
   if (options.stats) told["stats"] = stats_json(stats, options.frames);
   if (options.json) {
     console.out << told.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';

@@ -60,8 +60,10 @@ CLI::App* add_render(CLI::App& program, RenderOptions& options) {
       ->type_name("NAME")
       ->capture_default_str();
   render
-      ->add_option("--tolerance", options.tolerance,
-                   "How far u and v may be off, in texels; what the scene says if left out")
+      ->add_option(
+          "--tolerance", options.tolerance,
+          "How far u and v may be off, in texels, by mapping and by rounding to the grid; what "
+          "the scene says if left out. Where rounding alone may be more, a warning says so")
       ->type_name("TEXELS");
   render
       ->add_option("--hidden", options.hidden,

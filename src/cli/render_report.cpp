@@ -18,14 +18,25 @@ using nlohmann::ordered_json;
 }
 
 // Why this and nothing cheaper.
-[[nodiscard]] std::string reason(const scene::ScreenFace& face, const scene::Plan& plan) {
+[[nodiscard]] std::string method_reason(const scene::ScreenFace& face, const scene::Plan& plan,
+                                        double tolerance) {
   if (!face.paint.texture) return "one colour: any map will do";
   if (plan.depth_ratio == 1) return "one depth: affine is exact";
   if (plan.affine) return "affine is within the tolerance";
   if (plan.options.filter != SELVAGE_FILTER_NEAREST)
     return "affine is not, and this filter is exact";
+  if (tolerance == 0) return "exact is asked for";
   return plan.options.tolerance > 0 ? "affine is not; the mapper has the tolerance"
-                                    : "exact is asked for";
+                                    : "nothing is left for the mapper";
+}
+
+[[nodiscard]] std::string reason(const scene::ScreenFace& face, const scene::Plan& plan,
+                                 double tolerance) {
+  const bool beyond = plan.rounding_bound_texel > rounding_limit_texel(tolerance);
+  return method_reason(face, plan, tolerance) +
+         (beyond ? "; rounding depths alone may cost more than " +
+                       show(rounding_limit_texel(tolerance)) + " texel"
+                 : "");
 }
 
 }  // namespace
@@ -64,12 +75,14 @@ ordered_json explanation(const scene::Scene& scene, const scene::Drawing& drawin
                      {"method", choice.method},
                      {"segment_px", choice.segment_px},
                      {"filter", filter_name(plan.options.filter)},
-                     {"bound_texel", choice.bound_texel},
+                     {"bound_texel", choice.mapping_bound_texel + plan.rounding_bound_texel},
+                     {"mapping_bound_texel", choice.mapping_bound_texel},
+                     {"rounding_bound_texel", plan.rounding_bound_texel},
                      {"tolerance_texel", tolerance},
                      {"depth_ratio", plan.depth_ratio},
                      {"affine_bound_texel", plan.affine_bound_texel},
                      {"texels_per_px", plan.texels_per_px},
-                     {"reason", reason(face, plan)}});
+                     {"reason", reason(face, plan, tolerance)}});
   }
   return faces;
 }
@@ -81,11 +94,34 @@ std::string explanation_text(const ordered_json& faces) {
          << face["method"].get<std::string>();
     if (face["segment_px"] > 0) text << " every " << face["segment_px"] << " px";
     text << ", " << face["filter"].get<std::string>() << "; off by at most "
-         << show(face["bound_texel"]) << " texel; depths 1:" << show(face["depth_ratio"])
-         << ", affine " << show(face["affine_bound_texel"]) << " texel, "
-         << show(face["texels_per_px"]) << " texels a pixel; " << face["reason"].get<std::string>()
-         << '\n';
+         << show(face["bound_texel"]) << " texel (mapping " << show(face["mapping_bound_texel"])
+         << ", rounding " << show(face["rounding_bound_texel"])
+         << "); depths 1:" << show(face["depth_ratio"]) << ", affine "
+         << show(face["affine_bound_texel"]) << " texel, " << show(face["texels_per_px"])
+         << " texels a pixel; " << face["reason"].get<std::string>() << '\n';
   }
+  return text.str();
+}
+
+void RoundingWarning::add(const scene::Scene& scene, const scene::Drawing& drawing) {
+  for (size_t i = 0; i < drawing.plans.size(); ++i) {
+    const double bound_texel = drawing.plans[i].rounding_bound_texel;
+    if (bound_texel <= limit_texel_) continue;
+    const scene::ScreenFace& face = drawing.view.faces[i];
+    faces_.insert({face.object, face.face});
+    if (bound_texel <= worst_texel_) continue;
+    worst_texel_ = bound_texel;
+    worst_ = scene.objects[face.object].name + " face " + std::to_string(face.face + 1);
+  }
+}
+
+std::string RoundingWarning::line() const {
+  if (faces_.empty()) return "";
+  std::ostringstream text;
+  text << "warning: rounding depths to whole q may move the texture of " << faces_.size()
+       << (faces_.size() == 1 ? " face" : " faces") << " by more than " << show(limit_texel_)
+       << " texel, that of " << worst_ << " by up to " << show(worst_texel_)
+       << "; a camera's \"nearest\" that cuts off what is very near lessens it\n";
   return text.str();
 }
 

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "scene/plan.h"
+#include "scene/ruled_footprint.h"
 
 namespace selvage::scene {
 namespace {
@@ -84,6 +85,7 @@ template <class Value>
 }  // namespace
 
 double texels_per_px_bound(std::span<const selvage_vertex> vertices) {
+  if (vertices.size() > 3) return ruled_texels_per_px_bound(vertices);
   const Triangle triangle = largest_triangle(vertices);
   if (triangle.a == nullptr) return std::numeric_limits<double>::infinity();
   return std::max(bound_of(vertices, triangle, &selvage_vertex::u),

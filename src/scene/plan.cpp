@@ -25,13 +25,22 @@ struct Range {
   return q.most / q.least;
 }
 
+[[nodiscard]] double range_texel(std::span<const selvage_vertex> vertices) {
+  const Range u = range(vertices, &selvage_vertex::u), v = range(vertices, &selvage_vertex::v);
+  return std::max(u.most - u.least, v.most - v.least) / kSubtexels;
+}
+
 }  // namespace
 
 double affine_bound_texel(std::span<const selvage_vertex> vertices) {
-  const Range u = range(vertices, &selvage_vertex::u), v = range(vertices, &selvage_vertex::v);
-  const double widest = std::max(u.most - u.least, v.most - v.least) / kSubtexels;
   const double root = std::sqrt(depth_ratio(vertices));
-  return widest * (root - 1) / (root + 1) * kSlack;
+  return range_texel(vertices) * (root - 1) / (root + 1) * kSlack;
+}
+
+double rounding_bound_texel(std::span<const selvage_vertex> vertices) {
+  const double half_step = 0.5 / kSubtexels;  // so far are u and v rounded
+  const double range = range_texel(vertices) + 2 * half_step;
+  return (half_step + range * q_rounding_bound(vertices)) * kSlack;
 }
 
 Plan plan(const Scene& scene, const ScreenFace& face, const Wish& wish) {
@@ -47,11 +56,13 @@ Plan plan(const Scene& scene, const ScreenFace& face, const Wish& wish) {
   plan.options.filter =
       wish.filter.value_or(minified ? SELVAGE_FILTER_AREA : SELVAGE_FILTER_NEAREST);
   plan.options.address = scene.textures[*face.paint.texture].address;
-  plan.affine = plan.affine_bound_texel <= wish.tolerance_texel;
+  plan.rounding_bound_texel = rounding_bound_texel(face.vertices);
+  const double spare_texel = std::max(0.0, wish.tolerance_texel - plan.rounding_bound_texel);
+  plan.affine = plan.affine_bound_texel <= spare_texel;
   if (plan.affine) {
     plan.bound_texel = plan.affine_bound_texel;
   } else if (plan.options.filter == SELVAGE_FILTER_NEAREST) {
-    const double tolerance = std::min(wish.tolerance_texel, kMostTolerance_texel);
+    const double tolerance = std::min(spare_texel, kMostTolerance_texel);
     plan.options.tolerance = static_cast<int32_t>(std::floor(tolerance * kSubtexels));
     plan.bound_texel = plan.options.tolerance / kSubtexels;
   }

@@ -1,7 +1,6 @@
 #include "scene/screen_face.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace selvage::scene {
 
@@ -45,7 +44,7 @@ bool is_y_monotone(std::span<const selvage_vertex> vertices) {
 double q_rounding_bound(std::span<const selvage_vertex> vertices) {
   int32_t least = SELVAGE_Q_MAX;
   for (const selvage_vertex& vertex : vertices) least = std::min(least, vertex.q);
-  if (least <= 1) return std::numeric_limits<double>::infinity();
+  if (least <= 1) return 1;
   const double relative = 1 / (2.0 * least - 1);
   return relative / (2 * (1 - relative));
 }

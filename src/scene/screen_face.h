@@ -46,7 +46,8 @@ struct ScreenFace {
 [[nodiscard]] bool is_y_monotone(std::span<const selvage_vertex> vertices);
 
 // The bound on what rounding q does to u and v, in parts of their range over the face: half of
-// rho / (1 - rho), where rho = 1 / (2 q_min - 1) is not below the relative error of any q.
+// rho / (1 - rho), where rho = 1 / (2 q_min - 1) is not below the relative error of any q; at most
+// 1, as no mean leaves the range.
 [[nodiscard]] double q_rounding_bound(std::span<const selvage_vertex> vertices);
 
 }  // namespace selvage::scene

@@ -1,5 +1,6 @@
 #include "cli/render_command.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -30,8 +31,8 @@ class Render : public InDirectory {
   }
 
   int run() {
-    std::ostringstream err;
-    return run_render(options_, {out_, err});
+    err_.str("");
+    return run_render(options_, {out_, err_});
   }
   [[nodiscard]] static Raster picture(const std::string& name) {
     const std::string bytes = get(name);
@@ -47,7 +48,7 @@ class Render : public InDirectory {
   }
 
   RenderOptions options_;
-  std::ostringstream out_;
+  std::ostringstream out_, err_;
 };
 
 // At distance 4 a picture 60 px high shows 4 units: the square is 30 px wide, in the middle.
@@ -119,6 +120,52 @@ TEST_F(Render, ExplainsAndCounts) {
   EXPECT_EQ(told["faces"][0]["bound_texel"], 0);
   EXPECT_EQ(told["stats"]["faces_drawn"], 1);
   EXPECT_EQ(told["stats"]["pixels_written"], 900);
+}
+
+// A wall of 1024 texels from 10 to 40 units away, beside a triangle at 0.001: few bits of q are
+// left to the wall.
+TEST_F(Render, TellsWhatRoundingDepthsCosts) {
+  put("square.obj",
+      std::string("mtllib square.mtl\nv -6 -9 -10\nv 24 -9 -40\nv 24 9 -40\nv -6 9 -10\nvt 0 0\n"
+                  "vt 1024 0\nvt 1024 1\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3 4/4\n"));
+  put("square.mtl", std::string("newmtl red\nmap_Kd own.png\nillum 0\n"));
+  put("own.png", encode_png(filled(1, 1, {0, 255, 0, 255})));
+  put("near.obj", std::string("v -1e-5 0 -1e-3\nv 1e-5 0 -1e-3\nv 0 1e-5 -1e-3\nf 1 2 3\n"));
+  const auto scene = [](const std::string& more) {
+    return R"({"camera": {"position": [0, 0, 0], "target": [0, 0, -1], "nearest": 0.001,
+                          "farthest": 1000},
+               "tolerance": 0.25, "objects": [{"file": "square.obj"})" +
+           more + "]}";
+  };
+  options_.explain = options_.json = true;
+  const auto wall = [&] {
+    EXPECT_EQ(run(), kExitFine);
+    const auto face = nlohmann::json::parse(out_.str())["faces"][0];
+    out_.str("");
+    EXPECT_EQ(face["bound_texel"], face["mapping_bound_texel"].get<double>() +
+                                       face["rounding_bound_texel"].get<double>());
+    return face;
+  };
+  put("scene.json", scene(""));
+  EXPECT_LE(wall()["bound_texel"], 0.25);
+  EXPECT_EQ(err_.str(), "");
+  put("scene.json", scene(R"(, {"file": "near.obj"})"));
+  const auto face = wall();
+  // q of the far side is 2^24 0.001 / 40 = 419: half of 1024 texels times 1 / (2 * 419 - 2).
+  EXPECT_NEAR(face["rounding_bound_texel"], 512.0 / 836, 1e-3);
+  EXPECT_EQ(face["mapping_bound_texel"], 0);
+  expect_contains(face["reason"], "rounding depths alone may cost more than 0.25 texel");
+  expect_contains(err_.str(),
+                  "warning: rounding depths to whole q may move the texture of 1 face by "
+                  "more than 0.25 texel, that of square face 1 by up to 0.612");
+  const std::string warned = err_.str();
+  EXPECT_EQ(std::count(warned.begin(), warned.end(), '\n'), 1);
+  options_.tolerance = "1";
+  EXPECT_LE(wall()["bound_texel"], 1);
+  EXPECT_EQ(err_.str(), "");
+  options_.tolerance = "0";
+  (void)wall();
+  expect_contains(err_.str(), "by more than 0.0625 texel");
 }
 
 // Squares: in front, behind it, behind half of it, turned away, aside of the picture in an object

@@ -14,26 +14,14 @@ namespace selvage::scene {
 namespace {
 
 inline constexpr Size kSize{64, 48};
-inline constexpr double kReach_px = 1.0 / 512 + 1e-9;          // of rounding x and y
 inline constexpr double kTexelRounding = 1.0 / 131072 + 1e-9;  // of rounding u and v
 inline constexpr int kTexture = 512;
 
-struct Interval {
-  double least, most;
-};
-
 // Where u (or v) may be at a pixel's centre: where the true map has it within the reach of rounding
-// x and y, which for a quotient of linear functions is between its values at a square's corners,
-// widened by what rounding u and q add.
+// x and y, widened by what rounding u and q add.
 [[nodiscard]] Interval allowed(const PlaneFace& face, int x_px, int y_px, int axis,
                                const Outline& outline, std::span<const selvage_vertex> snapped) {
-  Interval interval{INFINITY, -INFINITY};
-  for (const double dx : {-kReach_px, kReach_px}) {
-    for (const double dy : {-kReach_px, kReach_px}) {
-      const double value = face.at(x_px + 0.5 + dx, y_px + 0.5 + dy).texture_texel[axis];
-      interval = {std::min(interval.least, value), std::max(interval.most, value)};
-    }
-  }
+  const Interval interval = within_reach(face, x_px, y_px, axis);
   double least = INFINITY, most = -INFINITY;
   for (const PlacedCorner& corner : outline) {
     least = std::min(least, corner.texture_texel[axis]);
@@ -41,17 +29,6 @@ struct Interval {
   }
   const double widened = kTexelRounding + (most - least) * q_rounding_bound(snapped);
   return {interval.least - widened, interval.most + widened};
-}
-
-// No horizon within reach of the pixel: w is positive and finite on all of the square.
-[[nodiscard]] bool is_before_horizon(const PlaneFace& face, int x_px, int y_px) {
-  for (const double dx : {-kReach_px, kReach_px}) {
-    for (const double dy : {-kReach_px, kReach_px}) {
-      const double w = face.at(x_px + 0.5 + dx, y_px + 0.5 + dy).place.z();
-      if (!(w > 0 && w < 1e6)) return false;
-    }
-  }
-  return true;
 }
 
 struct Tally {

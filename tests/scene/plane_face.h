@@ -83,6 +83,36 @@ class PlaneFace {
   return least;
 }
 
+inline constexpr double kReach_px = 1.0 / 512 + 1e-9;  // of rounding x and y
+
+struct Interval {
+  double least, most;
+};
+
+// Of u (or v) where rounding x and y may move a pixel's centre to: a quotient of linear functions
+// is between its values at a square's corners.
+[[nodiscard]] inline Interval within_reach(const PlaneFace& face, int x_px, int y_px, int axis) {
+  Interval interval{INFINITY, -INFINITY};
+  for (const double dx : {-kReach_px, kReach_px}) {
+    for (const double dy : {-kReach_px, kReach_px}) {
+      const double value = face.at(x_px + 0.5 + dx, y_px + 0.5 + dy).texture_texel[axis];
+      interval = {std::min(interval.least, value), std::max(interval.most, value)};
+    }
+  }
+  return interval;
+}
+
+// No horizon within reach of the pixel: w is positive and finite on all of the square.
+[[nodiscard]] inline bool is_before_horizon(const PlaneFace& face, int x_px, int y_px) {
+  for (const double dx : {-kReach_px, kReach_px}) {
+    for (const double dy : {-kReach_px, kReach_px}) {
+      const double w = face.at(x_px + 0.5 + dx, y_px + 0.5 + dy).place.z();
+      if (!(w > 0 && w < 1e6)) return false;
+    }
+  }
+  return true;
+}
+
 // The outline comes nearer to the point than `reach_px` in x and in y at once.
 [[nodiscard]] inline bool is_near(const Outline& outline, double x_px, double y_px,
                                   double reach_px) {
