@@ -108,6 +108,14 @@ TEST(ProjectivePlane, OfAllIsTheSameInWhateverOrder) {
   EXPECT_GT(planes, 300);
 }
 
+TEST(ProjectivePlane, OfAllIsNoneWhereAllVerticesAreOnOneLine) {
+  const std::vector<selvage_vertex> vertices = {
+      {0, 0, 0, 0, 1}, {512, 256, 65536, 0, 2}, {1024, 512, 0, 65536, 3}, {512, 256, 65536, 0, 2}};
+  Polygon polygon;
+  ASSERT_EQ(examine(vertices, &polygon), SELVAGE_OK);
+  EXPECT_FALSE(ProjectivePlane::of_all(polygon));
+}
+
 TEST(ProjectivePlane, LanesAreLowByLessThanTheirMargin) {
   int with_plane = 0, triangles = 0, triangles_without = 0;
   for (uint64_t seed = 1; seed <= 6000; ++seed) {
