@@ -25,14 +25,14 @@ struct Surface {
 // Spans of consecutive rows under one affine map.
 struct AffineSpans {
   const SpanBatch& batch;
-  AffineField field;
+  const AffineField& field;
   ExactMap exact;  // decides near-ties
 };
 
 // Spans of consecutive rows under one projective map.
 struct ProjectiveSpans {
   const SpanBatch& batch;
-  ProjectiveField field;
+  const ProjectiveField& field;
   ExactMap exact;
 };
 

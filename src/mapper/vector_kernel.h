@@ -58,7 +58,7 @@ inline constexpr int32_t kAnchoredTruncations_fx16 = 2;
   constexpr int64_t kMost = INT32_MAX;
   const int64_t pitch_texel = pitch_texel_of(surface.texture);
   const int64_t stride_texel = pitch_texel < 0 ? -pitch_texel : pitch_texel;
-  return stride_texel <= kMost / rows_of_bytes(surface.texture).rows;
+  return stride_texel <= kMost && stride_texel * rows_of_bytes(surface.texture).rows <= kMost;
 }
 
 // NULL where the build or the machine has no such kernel.
