@@ -93,6 +93,15 @@ class Window {
   V32 rows_[kRows];
 };
 
+// Modulo 2^64.
+[[nodiscard]] HWY_INLINE Lane plus(Lane lane, int32_t steps, Lane step) {
+  const auto sum = [steps](int64_t from, int64_t by) {
+    return static_cast<int64_t>(static_cast<uint64_t>(from) +
+                                static_cast<uint64_t>(steps) * static_cast<uint64_t>(by));
+  };
+  return {sum(lane.u_fx32, step.u_fx32), sum(lane.v_fx32, step.v_fx32)};
+}
+
 // False where some pixel is a near-tie.
 template <class Pixel, class Address, int32_t kRows>
 [[nodiscard]] HWY_INLINE bool draw_from_window(const AffineSpans& spans, const Surface& surface,
@@ -104,12 +113,15 @@ template <class Pixel, class Address, int32_t kRows>
                                         footprint.t.index * pitch_texel + footprint.s.index,
                                     pitch_texel);
   const V32 origin = hn::Set(d, (footprint.t.texel << kWindowColumnBits) + footprint.s.texel);
-  const Lane step_x = spans.field.step_x;
+  const Lane step_x = spans.field.step_x, step_y = spans.field.step_y;
+  Lane at_row = batch.anchor(spans.field.at(0, spans.batch.first_row));  // where px is 0
+  ptrdiff_t row_bytes = spans.batch.first_row * surface.target.pitch;
+  char* const target = static_cast<char*>(surface.target.pixels);
   V32 changed = hn::Zero(d);
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
-    Lane anchor = batch.anchor(spans.field.at(span.left_px, span.row));
-    auto* pixels = reinterpret_cast<Pixel*>(first_pixel(surface, span));
+    auto* pixels = reinterpret_cast<Pixel*>(target + row_bytes) + span.left_px;
+    Lane anchor = plus(at_row, span.left_px, step_x);
     int32_t count_px = span.width_px();
     do {
       const LaneVectors lanes = batch.lanes_from(anchor);
@@ -118,8 +130,10 @@ template <class Pixel, class Address, int32_t kRows>
       store_pixels(window.pick(batch.window_index(lanes, origin)), count_px, pixels);
       pixels += kLanes;
       count_px -= kLanes;
-      anchor = {anchor.u_fx32 + kLanes * step_x.u_fx32, anchor.v_fx32 + kLanes * step_x.v_fx32};
+      anchor = plus(anchor, kLanes, step_x);
     } while (count_px > 0);
+    at_row = plus(at_row, 1, step_y);
+    row_bytes += surface.target.pitch;
   }
   return !any_bits(changed, ~0xFFFF);
 }
