@@ -38,9 +38,9 @@ class PlaneFrame {
       ++second;
     }
     for (size_t third = second + 1; third < vertices.size(); ++third) {
-      const PlaneFrame frame(origin, vertices[second], vertices[third]);
-      if (frame.doubled_area_ > 0) return frame;
-      if (frame.doubled_area_ < 0) return PlaneFrame(origin, vertices[third], vertices[second]);
+      const int64_t area = doubled_area(origin, vertices[second], vertices[third]);
+      if (area > 0) return PlaneFrame(origin, vertices[second], vertices[third]);
+      if (area < 0) return PlaneFrame(origin, vertices[third], vertices[second]);
     }
     return PlaneFrame(origin, origin, origin);
   }
@@ -76,6 +76,11 @@ class PlaneFrame {
   }
 
  private:
+  [[nodiscard]] static int64_t doubled_area(const selvage_vertex& a, const selvage_vertex& b,
+                                            const selvage_vertex& c) {
+    return (int64_t{b.x} - a.x) * (int64_t{c.y} - a.y) -
+           (int64_t{c.x} - a.x) * (int64_t{b.y} - a.y);
+  }
   PlaneFrame(const selvage_vertex& origin, const selvage_vertex& second,
              const selvage_vertex& third)
       : origin_(&origin),
@@ -85,7 +90,7 @@ class PlaneFrame {
         y2_(int64_t{second.y} - origin.y),
         x3_(int64_t{third.x} - origin.x),
         y3_(int64_t{third.y} - origin.y),
-        doubled_area_(x2_ * y3_ - x3_ * y2_) {}
+        doubled_area_(doubled_area(origin, second, third)) {}
 
   const selvage_vertex *origin_, *second_, *third_;
   int64_t x2_, y2_, x3_, y3_;  // from the origin, 1/256 px
