@@ -36,9 +36,9 @@ void draw_copies(const Polygon& polygon, const selvage_rect& visible, const Surf
 // One map for all spans.
 template <class Map, class Spans>
 void draw_plane(const Map& plane, const Polygon& polygon, const selvage_rect& visible,
-                const Surface& surface, const RowKernel& rows,
+                const Surface& surface, FindSpans find_spans,
                 void (*draw)(const Spans& spans, const Surface& surface)) {
-  BatchWalk walk(polygon, visible, rows);
+  BatchWalk walk(polygon, visible, find_spans);
   SpanBatch batch;
   while (walk.next(&batch)) draw({batch, plane.lanes(), ExactMap(plane)}, surface);
 }
@@ -94,10 +94,11 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
   }
   if (polygon.affine) {
     if (const std::optional<Plane> plane = Plane::of(polygon, visible)) {
-      return draw_plane(*plane, polygon, visible, surface, kernels.rows, kernels.draw_affine);
+      return draw_plane(*plane, polygon, visible, surface, kernels.find_spans, kernels.draw_affine);
     }
   } else if (const auto plane = ProjectivePlane::of(polygon, visible)) {
-    return draw_plane(*plane, polygon, visible, surface, kernels.rows, kernels.draw_projective);
+    return draw_plane(*plane, polygon, visible, surface, kernels.find_spans,
+                      kernels.draw_projective);
   }
   draw_ruled(polygon, visible, surface, kernels);
 }

@@ -39,7 +39,7 @@ struct ProjectiveSpans {
 // Each draw_... writes all pixels of the spans by its filter, exactly; the last, which only nearest
 // has, shows the texels of its lanes.
 struct Kernels {
-  const RowKernel& rows;
+  FindSpans find_spans;
   void (*draw_affine)(const AffineSpans& spans, const Surface& surface);
   void (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
   void (*draw_stepped)(const SteppedRow& row, const Surface& surface) = nullptr;

@@ -63,7 +63,8 @@ selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygo
   if (vertices.size() < 3) return SELVAGE_ERROR_VERTEX_COUNT;
   const selvage_status ranges = check_ranges(vertices);
   if (ranges != SELVAGE_OK) return ranges;
-  if (!is_monotone(vertices)) return SELVAGE_ERROR_NOT_MONOTONE;
+  // A triangle turns twice at most.
+  if (vertices.size() > 3 && !is_monotone(vertices)) return SELVAGE_ERROR_NOT_MONOTONE;
 
   *polygon = Polygon{.vertices = vertices};
   const selvage_vertex& first = vertices[0];

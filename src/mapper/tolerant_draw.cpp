@@ -33,10 +33,11 @@ namespace {
 class PlaneRows {
  public:
   PlaneRows(const ProjectivePlane& plane, const Polygon& polygon, const selvage_rect& visible,
-            const RowKernel& kernel, int32_t tolerance_fx16)
+            FindSpans find_spans, int32_t tolerance_fx16)
       : plane_(plane),
         visible_(visible),
-        walk_(polygon, {polygon.left_px, visible.top, polygon.right_px, visible.bottom}, kernel),
+        walk_(polygon, {polygon.left_px, visible.top, polygon.right_px, visible.bottom},
+              find_spans),
         tolerance_fx16_(tolerance_fx16) {}
 
   // The next rows, clipped by nothing, and their choices; false where none is left.
@@ -130,7 +131,7 @@ void draw_row(const RuledRow& row, const Span& span, const Surface& surface,
 void draw_tolerantly(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
                      const Kernels& kernels, int32_t tolerance_fx16) {
   if (const auto plane = plane_of(polygon)) {
-    PlaneRows rows(*plane, polygon, visible, kernels.rows, tolerance_fx16);
+    PlaneRows rows(*plane, polygon, visible, kernels.find_spans, tolerance_fx16);
     while (rows.next()) rows.draw(surface, kernels);
     return;
   }
@@ -148,7 +149,7 @@ RowChoice choose_tolerantly(const selvage_rect& visible, const Polygon& polygon,
     all.bound_fx16 = std::max(all.bound_fx16, row.bound_fx16);
   };
   if (const auto plane = plane_of(polygon)) {
-    PlaneRows rows(*plane, polygon, visible, kScalarRowKernel, tolerance_fx16);
+    PlaneRows rows(*plane, polygon, visible, find_spans_scalar, tolerance_fx16);
     while (rows.next()) rows.for_each_choice(add);
     return all;
   }
