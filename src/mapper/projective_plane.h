@@ -105,7 +105,7 @@ class ProjectivePlane {
   int64_t doubled_area_;   // D
   Quantity<int128> uq_, vq_;
   Quantity<int64_t> q_;
-  ProjectiveField lanes_{};
+  ProjectiveField lanes_;
 };
 
 }  // namespace selvage::mapper
