@@ -26,13 +26,15 @@ struct Surface {
 struct AffineSpans {
   const SpanBatch& batch;
   const AffineField& field;
-  ExactMap exact;  // decides near-ties
+  const TexelBox& texels;  // of all pixels, and maybe of more
+  ExactMap exact;          // decides near-ties
 };
 
 // Spans of consecutive rows under one projective map.
 struct ProjectiveSpans {
   const SpanBatch& batch;
   const ProjectiveField& field;
+  const TexelBox& texels;
   ExactMap exact;
 };
 

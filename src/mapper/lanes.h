@@ -47,7 +47,6 @@ struct Lane {
 // down.
 struct AffineField {
   int32_t first_px, first_row;  // the pixel of `start`: none lies left of it or above
-  int32_t end_px;               // nor any here, or right of it
   Lane start, step_x, step_y;
   uint32_t margin_fx32;  // of the lane furthest from the start
 
@@ -75,7 +74,7 @@ class AffineLanes {
 
   // The same lanes, of this span alone.
   [[nodiscard]] AffineField field(const Span& span) const {
-    return {span.left_px, span.row, span.right_px, start_, step_, {}, margin_fx32_};
+    return {span.left_px, span.row, start_, step_, {}, margin_fx32_};
   }
   [[nodiscard]] uint32_t margin_fx32() const { return margin_fx32_; }
   [[nodiscard]] Lane at(int32_t offset_px) const {

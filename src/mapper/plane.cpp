@@ -85,10 +85,9 @@ bool Plane::is_of(std::span<const selvage_vertex> vertices) const {
 bool Plane::set_lanes(const Polygon& polygon, const selvage_rect& visible) {
   lanes_.first_px = std::max(visible.left, polygon.left_px);
   lanes_.first_row = std::max(visible.top, polygon.top_row);
-  lanes_.end_px = std::min(visible.right, polygon.right_px);
+  const int32_t end_px = std::min(visible.right, polygon.right_px);
   const int32_t end_row = std::min(visible.bottom, polygon.bottom_row);
-  const int32_t steps =
-      std::max(lanes_.end_px - lanes_.first_px + end_row - lanes_.first_row, 0) + 1;
+  const int32_t steps = std::max(end_px - lanes_.first_px + end_row - lanes_.first_row, 0) + 1;
   lanes_.margin_fx32 = kPlaneErrorPerStep_fx32 * static_cast<uint32_t>(steps);
   return set_lane(u_, &Lane::u_fx32) && set_lane(v_, &Lane::v_fx32);
 }

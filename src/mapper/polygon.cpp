@@ -69,7 +69,7 @@ selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygo
   *polygon = Polygon{.vertices = vertices};
   const selvage_vertex& first = vertices[0];
   int32_t top_fx8 = first.y, bottom_fx8 = first.y, left_fx8 = first.x, right_fx8 = first.x;
-  int32_t least_fx16 = std::min(first.u, first.v);
+  TexelBox texels{first.u, first.u, first.v, first.v};
   for (size_t i = 1; i < vertices.size(); ++i) {
     const selvage_vertex& v = vertices[i];
     if (v.y < top_fx8) polygon->top = i;
@@ -77,14 +77,17 @@ selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygo
     bottom_fx8 = std::max(bottom_fx8, v.y);
     left_fx8 = std::min(left_fx8, v.x);
     right_fx8 = std::max(right_fx8, v.x);
-    least_fx16 = std::min({least_fx16, v.u, v.v});
+    texels.least_u_fx16 = std::min(texels.least_u_fx16, v.u);
+    texels.most_u_fx16 = std::max(texels.most_u_fx16, v.u);
+    texels.least_v_fx16 = std::min(texels.least_v_fx16, v.v);
+    texels.most_v_fx16 = std::max(texels.most_v_fx16, v.v);
     if (v.q != first.q) polygon->affine = false;
   }
   polygon->top_row = first_centre_px(top_fx8);
   polygon->bottom_row = first_centre_px(bottom_fx8);
   polygon->left_px = first_centre_px(left_fx8);
   polygon->right_px = first_centre_px(right_fx8);
-  polygon->least_texel_fx16 = least_fx16;
+  polygon->texels = texels;
   find_shift(polygon);
   return SELVAGE_OK;
 }

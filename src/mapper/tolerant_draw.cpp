@@ -35,6 +35,7 @@ class PlaneRows {
   PlaneRows(const ProjectivePlane& plane, const Polygon& polygon, const selvage_rect& visible,
             FindSpans find_spans, int32_t tolerance_fx16)
       : plane_(plane),
+        texels_(polygon.texels),
         visible_(visible),
         walk_(polygon, {polygon.left_px, visible.top, polygon.right_px, visible.bottom},
               find_spans),
@@ -66,7 +67,7 @@ class PlaneRows {
       exact.widest_px = std::max(exact.widest_px, span.width_px());
     }
     if (exact.widest_px == 0) return;
-    kernels.draw_projective({exact, plane_.lanes(), ExactMap(plane_)}, surface);
+    kernels.draw_projective({exact, plane_.lanes(), texels_, ExactMap(plane_)}, surface);
   }
 
   // Calls visit(choice) for each visible row.
@@ -88,6 +89,7 @@ class PlaneRows {
   }
 
   const ProjectivePlane& plane_;
+  const TexelBox& texels_;
   selvage_rect visible_;
   BatchWalk walk_;
   int32_t tolerance_fx16_;
@@ -109,7 +111,7 @@ struct RuledRow {
         choice(choose_row(lanes, whole.width_px(), tolerance_fx16)) {}
 };
 
-void draw_row(const RuledRow& row, const Span& span, const Surface& surface,
+void draw_row(const RuledRow& row, const Span& span, const TexelBox& texels, const Surface& surface,
               const Kernels& kernels) {
   if (!is_exact(row.choice)) {
     return kernels.draw_stepped(stepped_row(span, row.whole, row.lanes, row.choice), surface);
@@ -117,7 +119,7 @@ void draw_row(const RuledRow& row, const Span& span, const Surface& surface,
   const bool clipped = span.width_px() != row.whole.width_px();
   const ProjectiveLanes lanes = clipped ? ProjectiveLanes(row.map, span) : row.lanes;
   const SpanBatch batch = one_span(span);
-  kernels.draw_projective({batch, lanes.field(span), ExactMap(row.map)}, surface);
+  kernels.draw_projective({batch, lanes.field(span), texels, ExactMap(row.map)}, surface);
 }
 
 [[nodiscard]] std::optional<ProjectivePlane> plane_of(const Polygon& polygon) {
@@ -136,7 +138,8 @@ void draw_tolerantly(const Surface& surface, const selvage_rect& visible, const 
     return;
   }
   SpanWalk walk(polygon, visible);
-  while (walk.next()) draw_row({walk, tolerance_fx16}, walk.span(), surface, kernels);
+  while (walk.next())
+    draw_row({walk, tolerance_fx16}, walk.span(), polygon.texels, surface, kernels);
 }
 
 RowChoice choose_tolerantly(const selvage_rect& visible, const Polygon& polygon,
