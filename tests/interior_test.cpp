@@ -51,10 +51,8 @@ struct Row {
   const int32_t left_px = random.in(-4, 5), row = random.in(-4, 5);
   const uint32_t margin_fx32 = random.pick({1U, 40U, 131072U});
   const Lane start{start_fx32(texture.width), start_fx32(texture.height)};
-  const int32_t right_px = left_px + random.in(1, 400);
-  const AffineField field{left_px, row,        right_px, start, {step_fx32(), step_fx32()},
-                          {1, -1}, margin_fx32};
-  return {field, texture, {row, left_px, right_px}};
+  const AffineField field{left_px, row, start, {step_fx32(), step_fx32()}, {1, -1}, margin_fx32};
+  return {field, texture, {row, left_px, left_px + random.in(1, 400)}};
 }
 
 TEST(Interior, HoldsPixelsThatAreInsideAndMissesFew) {
@@ -87,8 +85,7 @@ TEST(Interior, IsTheWholeRowWhereThatIsFarFromEachSide) {
                                 nullptr};
   const int64_t middle_fx32 = int64_t{250} << kLaneFraction;
   for (const int64_t step_fx32 : {int64_t{0}, int64_t{1} << kLaneFraction, -int64_t{1} << 30}) {
-    const AffineField field{3,  7,  103, {middle_fx32, middle_fx32}, {step_fx32, -step_fx32},
-                            {}, 100};
+    const AffineField field{3, 7, {middle_fx32, middle_fx32}, {step_fx32, -step_fx32}, {}, 100};
     const Span inner = Interior(field, texture).of({7, 3, 103});
     EXPECT_EQ(inner.left_px, 3);
     EXPECT_EQ(inner.right_px, 103);

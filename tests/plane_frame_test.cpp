@@ -33,7 +33,8 @@ TEST(PlaneFrame, IsOfThreeVerticesThatAreNotOnOneLine) {
 TEST(PlaneFrame, IsNotOfVerticesOnOneLine) {
   EXPECT_EQ(PlaneFrame::of(std::vector{at(3, 4), at(3, 4), at(3, 4)}).doubled_area(), 0);
   EXPECT_EQ(PlaneFrame::of(std::vector{at(0, 0), at(0, 0), at(1, 1)}).doubled_area(), 0);
-  EXPECT_EQ(PlaneFrame::of(std::vector{at(0, 0), at(7, 7), at(1, 1), at(-9, -9)}).doubled_area(), 0);
+  EXPECT_EQ(PlaneFrame::of(std::vector{at(0, 0), at(7, 7), at(1, 1), at(-9, -9)}).doubled_area(),
+            0);
 }
 
 }  // namespace
