@@ -197,7 +197,7 @@ TEST(Plane, StartsAndStepsAreFloorsHoweverSteep) {
     const auto plane = Plane::of(polygon, {-32768, -32768, 32768, 32768});
     if (!plane) continue;
     ++planes;
-    const PlaneFrame frame = *PlaneFrame::of(triangle);
+    const PlaneFrame frame = PlaneFrame::of(triangle);
     const selvage_vertex& origin = frame.origin();
     const AffineField& lanes = plane->lanes();
     const int64_t dx = centre_fx8(lanes.first_px) - int64_t{origin.x};
