@@ -55,10 +55,14 @@ selvage_filter parse_filter(std::string_view name) {
   throw UserError("'" + std::string(name) + "' is no filter; nearest, four, bilinear and area are");
 }
 
-int32_t parse_tolerance(std::string_view texels) {
-  constexpr double kUnits = SELVAGE_SUBTEXELS, kMost = 32767;
-  const std::optional<double> value = parse_double(texels);
-  if (value && *value >= 0 && *value <= kMost) return static_cast<int32_t>(*value * kUnits);
+double checked_tolerance(double texels) {
+  constexpr double kMost_texel = 32767;  // selvage_options holds no more
+  if (texels >= 0 && texels <= kMost_texel) return texels;
+  throw UserError("'" + show(texels) + "' is no tolerance; 0 to 32767 texels are");
+}
+
+double parse_tolerance(std::string_view texels) {
+  if (const std::optional<double> value = parse_double(texels)) return checked_tolerance(*value);
   throw UserError("'" + std::string(texels) + "' is no tolerance; 0 to 32767 texels are");
 }
 

@@ -146,8 +146,7 @@ int run_render(const RenderOptions& options, const Console& console) {
   const scene::Scene scene = read_scene(options.scene, files);
   wish.tolerance_texel = scene.tolerance_texel;
   if (!options.tolerance.empty()) {
-    wish.tolerance_texel = about(
-        "--tolerance", [&] { return parse_tolerance(options.tolerance) / scene::kSubtexels; });
+    wish.tolerance_texel = about("--tolerance", [&] { return parse_tolerance(options.tolerance); });
   }
   StatusLine status(console);
   RenderStats stats;
