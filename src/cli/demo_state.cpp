@@ -141,7 +141,7 @@ void pose(const scene::Scene& scene, const DemoState& state, scene::Scene& now) 
   scene::Camera& camera = now.camera;
   camera = scene.camera;
   const Vector3 back = camera.position - camera.target;
-  const Vector3 right = camera.up.cross(back).normalized();
+  const Vector3 right = camera.up.stableNormalized().cross(back).normalized();
   const Vector3 up = back.cross(right).normalized();
   // The scene goes to the right where the camera goes to the left.
   const Vector3 aside = (right * state.right_steps + up * state.up_steps) * (back.norm() / 16);

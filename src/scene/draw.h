@@ -18,7 +18,7 @@ struct Drawing {
   std::vector<Piece> pieces;
 };
 
-// The scene has no problem (look.h).
+// The scene has no problem (problem.h).
 [[nodiscard]] Drawing compose(const Scene& scene, double time_s, Size size, const Wish& wish,
                               Hidden way);
 

@@ -7,6 +7,7 @@
 #include "plane_face.h"
 #include "scene/frustum.h"
 #include "scene/look.h"
+#include "scene/problem.h"
 
 namespace selvage::scene {
 namespace {
@@ -185,6 +186,16 @@ TEST(Problem, NamesWhatIsWrong) {
   expect("no vertex", [](Scene& s) { s.objects[0].faces[0].corners[0].vertex = 8; });
   expect("not convex", [](Scene& s) {
     std::swap(s.objects[0].faces[0].corners[0], s.objects[0].faces[0].corners[1]);
+  });
+  expect("face 1 is not plane", [](Scene& s) {
+    s.objects[0].vertices.push_back(1.01 *
+                                    s.objects[0].vertices[s.objects[0].faces[0].corners[0].vertex]);
+    s.objects[0].faces[0].corners[0].vertex = s.objects[0].vertices.size() - 1;
+  });
+  expect("a vertex is farther", [](Scene& s) { s.objects[0].vertices[0].x() = 1e300; });
+  expect("its scale puts a vertex farther", [](Scene& s) { s.objects[0].motion.scale = 1e9; });
+  expect("a lamp's towards needs a direction", [](Scene& s) {
+    s.lighting.lamps = {{Vector3::Zero(), Vector3::Ones()}};
   });
   expect("no material", [](Scene& s) { s.objects[0].faces[0].material = 1; });
   expect("no texture", [](Scene& s) { s.objects[0].materials[0].texture = 0; });
