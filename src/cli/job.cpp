@@ -74,6 +74,12 @@ std::string_view method_name(selvage_method method) {
   return kNames[static_cast<size_t>(method)];
 }
 
+std::string_view kernel_name(selvage_kernel kernel) {
+  constexpr std::array<std::string_view, SELVAGE_KERNEL_NEON + 1> kNames = {
+      "fastest", "scalar", "sse4", "avx2", "avx512", "neon"};
+  return kNames[static_cast<size_t>(kernel)];
+}
+
 std::vector<std::vector<selvage_vertex>> snap(const Job& job) {
   const double w_near = least_w(job);
   std::vector<std::vector<selvage_vertex>> polygons(job.size());

@@ -35,6 +35,8 @@ using Job = std::vector<JobPolygon>;
 [[nodiscard]] double checked_tolerance(double texels);
 // "exact perspective", "subdivided", ...
 [[nodiscard]] std::string_view method_name(selvage_method method);
+// "fastest", "scalar", "sse4", ...
+[[nodiscard]] std::string_view kernel_name(selvage_kernel kernel);
 
 // Each polygon's vertices on the mapper's grid. The least w of the whole job is the near one, so
 // that polygons that share an edge agree on it. Errors name the polygon and the vertex.
