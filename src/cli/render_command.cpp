@@ -21,6 +21,7 @@ namespace selvage::cli {
 namespace {
 
 inline constexpr int32_t kMostFrames = 99999;
+inline constexpr double kMostTime_s = 1e9;
 inline constexpr int32_t kMostSide_px = 16384;  // the scene's guard band
 
 [[nodiscard]] scene::Hidden parse_hidden(const std::string& name) {
@@ -67,9 +68,12 @@ void check(const RenderOptions& options) {
   if (options.frames < 1 || options.frames > kMostFrames) {
     throw UserError("--frames: 1 to " + std::to_string(kMostFrames) + " are possible");
   }
-  if (!std::isfinite(options.start_s)) throw UserError("--time: a number of seconds is needed");
   if (!(options.frames_per_s > 0) || !std::isfinite(options.frames_per_s)) {
     throw UserError("--rate: a number of frames a second, above 0, is needed");
+  }
+  const double last_s = options.start_s + (options.frames - 1) / options.frames_per_s;
+  if (!(std::abs(options.start_s) <= kMostTime_s && std::abs(last_s) <= kMostTime_s)) {
+    throw UserError("--time: all frames must lie within 1000000000 s of 0");
   }
   if (std::filesystem::path(options.output).extension() != ".png" && !is_animation(options)) {
     throw UserError("cannot write '" + options.output +

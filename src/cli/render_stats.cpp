@@ -90,6 +90,7 @@ void RenderStats::add(const RenderStats& other) {
   counts.faces += other.counts.faces;
   counts.clipped_away += other.counts.clipped_away;
   counts.backs += other.counts.backs;
+  counts.edge_on += other.counts.edge_on;
   counts.off_screen += other.counts.off_screen;
   counts.refused += other.counts.refused;
   counts.seen += other.counts.seen;
@@ -155,6 +156,7 @@ ordered_json stats_json(const RenderStats& stats, int32_t frames) {
            {{"with their object", counts.faces_rejected},
             {"clipped away", counts.clipped_away},
             {"from behind", counts.backs},
+            {"edge-on", counts.edge_on},
             {"off screen", counts.off_screen},
             {"refused", counts.refused},
             {"without a pixel", static_cast<int64_t>(counts.seen) - drawn}}},

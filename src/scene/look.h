@@ -16,6 +16,7 @@ struct Counts {
   size_t faces_rejected = 0;  // with their objects
   size_t faces = 0;           // of objects that were not rejected; each is one of the following
   size_t clipped_away = 0, backs = 0, off_screen = 0, seen = 0;
+  size_t edge_on = 0;  // without area on the grid
   size_t refused = 0;  // beyond the mapper's grid; none of a sound scene
 };
 

@@ -65,10 +65,15 @@ std::optional<Fault> fault(const Camera& camera) {
 }
 
 std::optional<Fault> fault(const Motion& motion) {
-  if (!motion.position.allFinite()) return Fault{"position", "must be finite"};
-  if (!motion.velocity.allFinite()) return Fault{"velocity", "must be finite"};
-  if (!std::isfinite(motion.angle_deg)) return Fault{"angle_deg", "must be finite"};
-  if (!std::isfinite(motion.spin_deg)) return Fault{"spin_deg", "must be finite"};
+  if (!is_near(motion.position)) {
+    return Fault{"position", "must be within 1000000000 of the world's origin"};
+  }
+  if (!is_near(motion.velocity)) return Fault{"velocity", "must be at most 1000000000 a second"};
+  const auto is_turn = [](double angle_deg) { return std::abs(angle_deg) <= kFarthest; };
+  if (!is_turn(motion.angle_deg)) return Fault{"angle_deg", "must be within 1000000000 degrees"};
+  if (!is_turn(motion.spin_deg)) {
+    return Fault{"spin_deg", "must be at most 1000000000 degrees a second"};
+  }
   if (!is_direction(motion.axis)) return Fault{"axis", "needs a direction"};
   if (!std::isfinite(motion.scale) || !(motion.scale > 0)) return Fault{"scale", "must be above 0"};
   return std::nullopt;

@@ -19,7 +19,8 @@ struct Fault {
 // Of all of it, and where; empty if nothing is wrong.
 [[nodiscard]] std::string problem(const Scene& scene);
 
-// Where cameras and, from their object's origin, vertices may be.
+// Where cameras, objects and, from their object's origin, vertices may be; and what angles, and
+// changes in a second, may be.
 inline constexpr double kFarthest = 1e9;
 [[nodiscard]] bool is_near(const Vector3& place);
 

@@ -88,6 +88,12 @@ TEST_F(Render, RefusesWhatCannotBe) {
   };
   expect("--frames", [](RenderOptions& o) { o.frames = 0; });
   expect("--rate", [](RenderOptions& o) { o.frames_per_s = 0; });
+  const std::string all_frames = "--time: all frames must lie within 1000000000 s of 0";
+  expect(all_frames, [](RenderOptions& o) { o.start_s = -1e300; });
+  expect(all_frames, [](RenderOptions& o) {
+    o.frames = 2;
+    o.frames_per_s = 1e-10;
+  });
   expect("--size: a picture of 20000 x 10 px is not accepted; 1 to 16384 px a side",
          [](RenderOptions& o) { o.size = "20000x10"; });
   expect("--size: a picture of 40000 x 10 px is not accepted; 1 to 16384 px a side",

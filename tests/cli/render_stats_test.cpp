@@ -110,6 +110,7 @@ TEST_F(Render, CountsWhatBecomesOfEveryFace) {
   EXPECT_EQ(stats["faces_culled"], (nlohmann::json{{"with their object", 7},
                                                    {"clipped away", 1},
                                                    {"from behind", 1},
+                                                   {"edge-on", 0},
                                                    {"off screen", 1},
                                                    {"refused", 0},
                                                    {"without a pixel", 2}}));

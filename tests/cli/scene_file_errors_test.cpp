@@ -136,6 +136,9 @@ TEST_F(SceneFile, NamesTheLineOfThePlacement) {
               "scene.json:9: objects: object 1: " + key + ": " + words);
   };
   expect("scale", "0", "must be above 0");
+  expect("position", "[1e300, 0, 0]", "must be within 1000000000 of the world's origin");
+  expect("velocity", "[0, 0, -2e9]", "must be at most 1000000000 a second");
+  expect("angle_deg", "1e300", "must be within 1000000000 degrees");
   expect("scale", "1e9", "puts a vertex farther than 1000000000 from the object's origin");
   EXPECT_EQ(error_with("\"axis\": [0, 1, 0],", "\"position\": [1, 1, 1],\n\"axis\": [0, 0, 0],"),
             "scene.json:9: objects: object 1: axis: needs a direction");

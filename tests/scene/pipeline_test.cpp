@@ -76,6 +76,21 @@ TEST(Look, ShowsTheFaceOfACubeThatIsTowardsTheEye) {
   EXPECT_EQ(view.faces[0].face, 1U);  // z = +1, the camera's side
 }
 
+// Neither side of a face is seen that passes through the eye: this is no back.
+TEST(Look, CountsWhatIsSeenEdgeOn) {
+  Scene scene = scene_with(cube());
+  scene.objects[0].faces.resize(1);  // z = -1
+  scene.objects[0].motion.axis = {1, 0, 0};
+  scene.objects[0].motion.angle_deg = 90;
+  scene.objects[0].motion.position = {0, -1, 0};
+  for (const bool two_sided : {false, true}) {
+    scene.objects[0].two_sided = two_sided;
+    const View view = look(scene, 0, kSize);
+    EXPECT_EQ(view.counts.edge_on, 1U);
+    EXPECT_EQ(view.counts.backs, 0U);
+  }
+}
+
 // Painter's order goes by it: the mean of what is left of a face, along the view.
 TEST(Look, TellsHowFarAFaceIs) {
   Scene scene = scene_with(cube());
@@ -249,7 +264,8 @@ TEST(Look, RefusesNoFaceOfASoundScene) {
     seen += view.counts.seen;
     clipped_away += view.counts.clipped_away;
     EXPECT_EQ(view.counts.faces, view.counts.clipped_away + view.counts.backs +
-                                     view.counts.off_screen + view.counts.seen);
+                                     view.counts.edge_on + view.counts.off_screen +
+                                     view.counts.seen);
     for (const ScreenFace& face : view.faces) EXPECT_TRUE(is_y_monotone(face.vertices));
   }
   EXPECT_GT(seen, 1000U);
