@@ -58,8 +58,12 @@ TEST(Paints, LightsNoTexelTwiceAndNoneThatIsNotAskedFor) {
       EXPECT_EQ(static_cast<const uint8_t*>(more.texels)[at], lit(scene.textures[0].rgba[at], 128));
     }
   }
+  static_cast<void>(paints.texture(half, {10, 12, 40, 13}));
+  EXPECT_EQ(paints.lit_texels(), 35 * 20);
+  EXPECT_EQ(static_cast<const uint8_t*>(more.texels)[4 * (12 * 64 + 39)],
+            lit(scene.textures[0].rgba[4 * (12 * 64 + 39)], 128));
   static_cast<void>(paints.texture({0, {}, {}}, {0, 0, 64, 64}));
-  EXPECT_EQ(paints.lit_texels(), 300);
+  EXPECT_EQ(paints.lit_texels(), 700);
 }
 
 TEST(Paints, KeepsAsManyCopiesAsFit) {
@@ -82,12 +86,27 @@ TEST(Paints, KeepsAsManyCopiesAsFit) {
 
 inline constexpr Size kSize{64, 48};
 
+// Its sides on pixel centres, the texture along them: pixels show the greatest u or v itself.
+[[nodiscard]] ScreenFace upright_face(spec::Random& random, int32_t side_texel) {
+  const int32_t left = 256 * random.in(0, 20) + 128, right = left + 256 * random.in(1, 40);
+  const int32_t top = 256 * random.in(0, 20) + 128, bottom = top + 256 * random.in(1, 20);
+  const int32_t u = random.in(0, side_texel * 65536), end_u = random.in(0, side_texel * 65536);
+  const int32_t v = random.in(0, side_texel * 65536), end_v = random.in(0, side_texel * 65536);
+  ScreenFace face;
+  face.paint.texture = 0;
+  face.vertices = {{left, top, u, v, 1},
+                   {left, bottom, u, end_v, 1},
+                   {right, bottom, end_u, end_v, 1},
+                   {right, top, end_u, v, 1}};
+  return face;
+}
+
 [[nodiscard]] ScreenFace random_face(spec::Random& random, int32_t side_texel) {
   ScreenFace face;
   face.paint.texture = 0;
   const bool is_flat = random.percent(30);
   const int32_t reach_texel = random.percent(50) ? side_texel : 4 * side_texel;
-  const int corners = random.in(3, 5);
+  const int corners = random.in(3, 6);
   for (int i = 0; i < corners; ++i) {
     const double angle = 2 * std::numbers::pi * i / corners + real(random, 0, 1);
     face.vertices.push_back({static_cast<int32_t>(256 * (32 + 40 * std::cos(angle))),
@@ -135,7 +154,7 @@ inline constexpr Size kSize{64, 48};
 }
 
 TEST(Reach, HoldsEveryTexelThatIsShown) {
-  int part_of_it = 0, tight = 0;
+  int part_of_it = 0, tight = 0, tight_area = 0;
   for (uint64_t seed = 1; seed <= 600; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     spec::Random random(seed);
@@ -144,10 +163,12 @@ TEST(Reach, HoldsEveryTexelThatIsShown) {
     scene.textures.push_back(checks(side_texel));
     scene.textures[0].address = random.percent(50) ? SELVAGE_ADDRESS_WRAP : SELVAGE_ADDRESS_CLAMP;
     const TextureImage& image = scene.textures[0];
-    const ScreenFace face = random_face(random, random.percent(70) ? side_texel / 4 : side_texel);
+    const int32_t near_texel = random.percent(70) ? side_texel / 4 : side_texel;
+    const ScreenFace face =
+        random.percent(30) ? upright_face(random, side_texel) : random_face(random, near_texel);
     if (!is_y_monotone(face.vertices)) continue;
     const double tolerances[] = {0, 0.25, 2, 100};
-    const Wish wish{tolerances[random.in(0, 3)], static_cast<selvage_filter>(random.in(0, 3))};
+    const Wish wish{random.pick(tolerances), static_cast<selvage_filter>(random.in(0, 4))};
     const Plan planned = plan(scene, face, wish);
     const selvage_rect reach = reach_texel(image, face, planned);
     ASSERT_LT(reach.left, reach.right);
@@ -156,11 +177,15 @@ TEST(Reach, HoldsEveryTexelThatIsShown) {
     ASSERT_EQ(drawn(face, planned, image, spoiled(image, reach)), whole);
     part_of_it += reach.right - reach.left < side_texel || reach.bottom - reach.top < side_texel;
     const selvage_rect less{reach.left, reach.top, reach.right - 1, reach.bottom};
-    tight += drawn(face, planned, image, spoiled(image, less)) != whole;
+    const bool is_tight = drawn(face, planned, image, spoiled(image, less)) != whole;
+    tight += is_tight;
+    tight_area += is_tight && planned.options.filter == SELVAGE_FILTER_AREA;
   }
-  std::cout << part_of_it << " of parts, " << tight << " tight\n";
+  std::cout << part_of_it << " of parts, " << tight << " tight, " << tight_area
+            << " of them area\n";
   EXPECT_GT(part_of_it, 100);
   EXPECT_GT(tight, 50);
+  EXPECT_GT(tight_area, 5);
 }
 
 }  // namespace
