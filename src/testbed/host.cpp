@@ -41,11 +41,7 @@ Host::Keeper::Keeper()
       output(memfd_create("selvage-subject-output", MFD_CLOEXEC)) {}
 
 Host::Keeper::~Keeper() {
-  end_worker();
-  if (process > 0) {
-    kill(process, SIGKILL);
-    waitpid(process, nullptr, 0);
-  }
+  end();
   if (output >= 0) close(output);
 }
 
@@ -55,7 +51,10 @@ void Host::Keeper::start(const std::string& library) {
   const pid_t parent = getpid();
   process = fork();
   if (process < 0) throw std::bad_alloc();
-  if (process > 0) return;
+  if (process > 0) {
+    setpgid(process, process);  // here, too: either of the two may be first
+    return;
+  }
   for (const Arena* arena : {&arenas.texture, &arenas.other_textures, &arenas.vertices,
                              &arenas.polygons, &arenas.structures}) {
     arena->make_read_only();
@@ -64,8 +63,22 @@ void Host::Keeper::start(const std::string& library) {
   keep(control, library, output, parent, arenas.prepared);
 }
 
+// Its group goes first: until the keeper is waited for, the number of the group is no other's.
+void Host::Keeper::end() {
+  end_worker();
+  if (process <= 0) return;
+  kill(-process, SIGKILL);
+  kill(process, SIGKILL);
+  while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) {
+  }
+  process = -1;
+}
+
 bool Host::Keeper::is_alive() {
-  if (process > 0 && waitpid(process, nullptr, WNOHANG) != 0) process = -1;
+  if (process <= 0) return false;
+  siginfo_t info{};
+  waitid(P_PID, static_cast<id_t>(process), &info, WEXITED | WNOHANG | WNOWAIT);
+  if (info.si_pid != 0) end();
   return process > 0;
 }
 
@@ -82,7 +95,9 @@ State Host::Keeper::next(State state, std::chrono::nanoseconds most) {
 
 void Host::Keeper::end_worker() const {
   const pid_t worker = control.worker;
-  if (worker > 0) kill(worker, SIGKILL);
+  if (worker <= 0) return;
+  kill(-worker, SIGKILL);  // what it forked itself
+  kill(worker, SIGKILL);
 }
 
 void Host::Keeper::have_worker() {

@@ -26,6 +26,7 @@ struct Host::Keeper {
   ~Keeper();
 
   void start(const std::string& library);
+  void end();  // and all that the library has forked and that is in its group
   [[nodiscard]] bool is_alive();
   // Waits until the state is another; `state` itself where the time is over or the keeper dead.
   [[nodiscard]] State next(State state, std::chrono::nanoseconds most);

@@ -2,8 +2,11 @@
 #include "testbed/host.h"
 
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
 
 #include <fstream>
+#include <thread>
 
 #include "spec/generate_historic.h"
 #include "spec/picture.h"
@@ -48,6 +51,35 @@ TEST(Host, OutlivesALibraryThatCannotBeLoaded) {
   expect_refused(library("crashes_on_load"), "loading it ends the process that does so");
   expect_refused(library("hangs_on_load"), "loading it takes longer than a call may",
                  std::chrono::milliseconds(300));
+}
+
+// The copy must not answer in the keeper's place.
+TEST(Host, EndsWhatALibraryForksWhileItIsLoaded) {
+  const std::string loaded = "forks_loaded_", described = "forks_described_";
+  for (const char* copy : {"late", "refuses", "stays"}) {
+    for (const std::string& when : {loaded, described}) {
+      const spec::Subject subject = Host::subject(host_of(when + copy));
+      EXPECT_EQ(subject.name, "forks early") << when << copy;
+      const spec::LawVerdict verdict = spec::verify(*spec::find_law("COV"), subject, 1, 40);
+      EXPECT_FALSE(verdict.violation) << when << copy << spec::explain(*verdict.violation);
+    }
+  }
+  expect_refused(library(loaded + "alone"), "loading it ends the process that does so");
+  expect_refused(library(described + "alone"), "its selvage_subject() ends the process that does");
+}
+
+// What has lost its parent becomes this process's child.
+TEST(Host, LeavesNoProcessBehind) {
+  ASSERT_EQ(prctl(PR_SET_CHILD_SUBREAPER, 1), 0);
+  (void)host_of("forks_loaded_stays");
+  (void)host_of("forks_described_stays");
+  pid_t ended = 0;
+  for (int i = 0; ended >= 0 && i < 500; ++i) {
+    ended = waitpid(-1, nullptr, WNOHANG);
+    if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(ended, -1) << "there is still one";
+  prctl(PR_SET_CHILD_SUBREAPER, 0);
 }
 
 TEST(Host, RefusesClaimsOfWhatThereIsNot) {
