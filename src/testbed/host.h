@@ -19,6 +19,7 @@ struct Answer;
 struct Arenas;
 struct Call;
 struct Control;
+class Placement;
 
 // The library cannot be used; what() tells why and what would be right.
 class LibraryError : public std::runtime_error {
@@ -70,7 +71,8 @@ class Host {
  private:
   struct Keeper;
   struct Blocks;  // that textures were prepared in
-  void load();    // in a process of its own; throws LibraryError
+  [[nodiscard]] std::string load();
+  void have_worker(const Call& call, const Placement& placement);
   [[nodiscard]] Answer call(const Call& call);
   [[nodiscard]] const Arenas& arenas() const;
   [[nodiscard]] const Control& control() const;

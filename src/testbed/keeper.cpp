@@ -2,7 +2,6 @@
 
 #include <dlfcn.h>
 #include <fcntl.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -115,22 +114,41 @@ void end_copy(pid_t keeper) {
   return functions;
 }
 
-// Ends with its parent, whatever becomes of that.
-void die_with(pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(0);
+// What the library made of this process's signals.
+struct Signals {
+  sigset_t blocked{};
+  struct sigaction on_child {};
+};
+
+// No signal but those that cannot be kept off ends the keeper, and it learns how each worker did.
+[[nodiscard]] Signals keep_signals_off() {
+  Signals before;
+  sigset_t all{};
+  sigfillset(&all);
+  sigprocmask(SIG_BLOCK, &all, &before.blocked);
+  struct sigaction usual {};
+  usual.sa_handler = SIG_DFL;
+  sigaction(SIGCHLD, &usual, &before.on_child);
+  return before;
 }
 
-void fork_worker(Control& control, const Functions& functions,
+void put_back(const Signals& signals) {
+  sigaction(SIGCHLD, &signals.on_child, nullptr);
+  sigprocmask(SIG_SETMASK, &signals.blocked, nullptr);
+}
+
+void fork_worker(Control& control, const Functions& functions, const Signals& signals,
                  std::span<const Arena> to_prepare_in) {
   const pid_t keeper = getpid();
   const pid_t worker = fork();
   if (worker == 0) {
     die_with(keeper);
     setpgid(0, 0);
-    work(control, functions, to_prepare_in);
+    put_back(signals);
+    work(control, functions, keeper, to_prepare_in);
   }
-  control.worker = worker;
+  control.end.fork_error = worker < 0 ? errno : 0;
+  control.worker = std::max(worker, 0);
   int status = 0;
   while (worker > 0 && waitpid(worker, &status, 0) < 0 && errno == EINTR) {
   }
@@ -149,10 +167,12 @@ void keep(Control& control, const std::string& library, int output, pid_t parent
   seal_off(output);
   limit_resources();
   const Functions functions = load(control, library);
+  die_with(parent);  // which the library may have undone
+  const Signals signals = keep_signals_off();
   control.step = static_cast<uint32_t>(Step::kDone);
   set_state(control, State::kNoWorker);
   for (State state = State::kNoWorker;;) {
-    if (state == State::kFork) fork_worker(control, functions, to_prepare_in);
+    if (state == State::kFork) fork_worker(control, functions, signals, to_prepare_in);
     state = static_cast<State>(control.state.load());  // which may be kFork again
     if (state != State::kFork) state = wait_while(control, state);
   }

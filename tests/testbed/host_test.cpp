@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <thread>
@@ -37,7 +39,12 @@ void expect_refused(const std::filesystem::path& path, const std::string& why,
 
 TEST(Host, RefusesWhatIsNoSubject) {
   expect_refused(library("not_there"), "there is no such file");
-  expect_refused(SELVAGE_SUBJECTS, "there is no such file");
+  expect_refused(SELVAGE_SUBJECTS, "it is a directory; the name of a shared library is right");
+  const auto fifo =
+      std::filesystem::temp_directory_path() / ("selvage-fifo-" + std::to_string(getpid()));
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  expect_refused(fifo, "it is no regular file; the name of a shared library is right");
+  std::filesystem::remove(fifo);
   expect_refused(library("no_draw"), "it exports no selvage_draw");
   expect_refused(library("prepares_half"),
                  "it exports selvage_prepare and no selvage_prepare_bytes; both are needed");
@@ -48,9 +55,20 @@ TEST(Host, RefusesWhatIsNoSubject) {
 }
 
 TEST(Host, OutlivesALibraryThatCannotBeLoaded) {
-  expect_refused(library("crashes_on_load"), "loading it ends the process that does so");
-  expect_refused(library("hangs_on_load"), "loading it takes longer than a call may",
-                 std::chrono::milliseconds(300));
+  const std::string described = "its selvage_subject()", process = " the process that does so";
+  const std::pair<const char*, std::string> endings[] = {
+      {"exits", " ends" + process + ", which exited with status 7"},
+      {"crashes", " ends" + process + ", which touched memory that it was not given (SIGSEGV)"},
+      {"stops", " stops" + process + " (SIGSTOP)"}};
+  for (const auto& [name, ending] : endings) {
+    expect_refused(library(name + std::string("_loaded")), "loading it" + ending);
+    expect_refused(library(name + std::string("_described")), described + ending);
+  }
+  const std::chrono::milliseconds limit(300);
+  const std::string late = " takes longer than a call may, 0.3 s";
+  expect_refused(library("hangs_on_load"), "loading it" + late, limit);
+  expect_refused(library("hangs_loaded"), "loading it" + late, limit);
+  expect_refused(library("hangs_described"), described + late, limit);
 }
 
 // The copy must not answer in the keeper's place.

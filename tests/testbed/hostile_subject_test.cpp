@@ -49,7 +49,9 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"divides", "divided by zero, or alike (SIGFPE)"},
         Hostile{"aborts", "aborted (SIGABRT)"}, Hostile{"exits", "exited with status 3"},
         Hostile{"raises", "was ended by a signal that was sent to it (SIGSEGV)"},
-        Hostile{"kills_parent", "ended the process that holds it"},
+        Hostile{"kills_parent",
+                "ended the process that holds it, which was ended by a signal (SIGKILL)"},
+        Hostile{"stops_keeper", "stopped the process that holds it (SIGSTOP)"},
         Hostile{"throws", "threw an exception through the C interface"}),
     [](const auto& test) { return std::string(test.param.library); });
 
