@@ -105,8 +105,14 @@ template <std::integral Integer = uint64_t>
 }
 
 [[nodiscard]] spec::Case read_case(const ordered_json& hex) {
-  const std::optional<spec::Case> c = spec::from_hex(hex.get<std::string>());
+  const auto digits = hex.get<std::string>();
+  const std::optional<spec::Case> c = spec::from_hex(digits);
   if (!c) throw UserError("a case is no hexadecimal number");
+  if (spec::to_hex(*c) != digits) {
+    throw UserError("the " + std::to_string(digits.size()) +
+                    " digits of a case are no whole one as verify prints it, but one that was cut "
+                    "off, lengthened or changed");
+  }
   return *c;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "cli/corpus.h"
 #include "cli/counterexample_picture.h"
 #include "cli/error.h"
 #include "cli/file.h"
@@ -193,14 +194,6 @@ void keep_output(const VerifyOptions& options, const ChosenSubject& chosen,
   }
 }
 
-void add_to_corpus(const std::string& corpus, const VerifyRun& run) {
-  if (corpus.empty() || run.replay) return;
-  for (const Verdict& verdict : run.verdicts) {
-    if (!verdict.found.violation || verdict.from_corpus) continue;
-    write_to_corpus(corpus, {std::string(verdict.found.law->name), *verdict.found.counterexample});
-  }
-}
-
 }  // namespace
 
 int run_verify(const VerifyOptions& options, const spec::Subject& built_in,
@@ -220,7 +213,7 @@ int run_verify(const VerifyOptions& options, const spec::Subject& built_in,
   });
   if (show) console.out << table_summary(run);
   write_pictures(options, chosen.subject, run, console);
-  add_to_corpus(options.corpus, run);
+  if (run.shard.count == 1) add_to_corpus(options.corpus, run);
   if (!options.junit.empty()) write_text_file(options.junit, junit_xml(run));
   console.out << (show ? explanations(run) : verdict_json(run));
   keep_output(options, chosen, console);
