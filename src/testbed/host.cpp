@@ -76,6 +76,11 @@ Host::~Host() = default;
 
 void Host::begin_case() { at_end_ = blocks_->at_end = true; }
 
+void Host::start_anew() {
+  keeper_->end_worker();
+  if (keeper_->is_alive()) set_state(keeper_->control, State::kNoWorker);
+}
+
 const Arenas& Host::arenas() const { return keeper_->arenas; }
 const Control& Host::control() const { return keeper_->control; }
 

@@ -60,6 +60,8 @@ class Host {
 
   // Images end at a guard and begin at one in turn; from here on the next call's end there.
   void begin_case();
+  // The next call is in a process that nothing has been drawn in.
+  void start_anew();
 
   // What the library says of itself, or else its file's name and all of the exact profile; its
   // calls are this host's. Throws LibraryError where it claims what there is not.

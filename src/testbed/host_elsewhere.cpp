@@ -17,6 +17,7 @@ selvage_status Host::draw(const selvage_image*, const selvage_rect*, const selva
 }
 std::string Host::load() { return {}; }
 void Host::begin_case() {}
+void Host::start_anew() {}
 spec::Subject Host::subject(const std::shared_ptr<Host>&) { return {}; }
 std::string Host::printed() const { return {}; }
 

@@ -207,6 +207,8 @@ TEST(Matrix, CounterexampleTellsAllThatIsNeeded) {
     EXPECT_TRUE(holds(html, part)) << part;
 
   json cell = subject.at("cells")[1];
+  cell["violation"]["notes"] = {"cut <short>"};
+  EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "cut &lt;short&gt;"));
   cell["violation"]["found_by"] = "hunt";
   EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "in hunted case 12"));
   cell["violation"]["found_by"] = "corpus";
