@@ -95,7 +95,7 @@ struct Control {
   bool has_claims = false;
   selvage_claims claims{};  // its texts are below
   std::array<char, 128> name{}, version{};
-  std::atomic<pid_t> worker{0};
+  std::atomic<pid_t> keeper{0}, worker{0};
   uintptr_t stack = 0;  // an address near the beginning of the worker's
   Call call{};
   Answer answer{};

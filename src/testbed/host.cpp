@@ -102,7 +102,8 @@ void Host::have_worker(const Call& call, const Placement& placement) {
   control.end.fork_error = 0;
   control.end.access = Access::kUnknown;
   set_state(control, State::kFork);
-  const State state = keeper_->next(State::kFork, kForkLimit);
+  const auto limit = std::max<std::chrono::nanoseconds>(call_limit_, kLeastForkLimit);
+  const State state = keeper_->next(State::kFork, limit);
   if (state == State::kIdle) return;
   if (state == State::kGone) {
     set_state(control, State::kNoWorker);
@@ -112,7 +113,7 @@ void Host::have_worker(const Call& call, const Placement& placement) {
   keeper_->end();
   throw failure(call,
                 was_lost ? keeper_->describe_loss("ended", "stopped", kHolder)
-                         : "left no process to draw in within " + in_seconds(kForkLimit),
+                         : "left no process to draw in within " + in_seconds(limit),
                 !was_lost);
 }
 

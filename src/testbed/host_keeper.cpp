@@ -112,7 +112,7 @@ void Host::Keeper::kill_worker() const {
 }
 
 void Host::Keeper::end_worker() {
-  const auto end = std::chrono::steady_clock::now() + kForkLimit;
+  const auto end = std::chrono::steady_clock::now() + kLeastForkLimit;
   for (State now = state(); now == State::kCall || now == State::kIdle;) {
     kill_worker();
     const std::chrono::nanoseconds left = end - std::chrono::steady_clock::now();

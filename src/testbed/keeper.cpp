@@ -87,28 +87,28 @@ void describe(Control& control, const selvage_claims* claims) {
   control.has_claims = true;
 }
 
-// A library that forks while it is loaded goes on twice: only the keeper answers.
-void end_copy(pid_t keeper) {
-  if (getpid() != keeper) _exit(0);
+// A library that forks while it is loaded goes on twice, and a call that jumps back to where it was
+// loaded does so in the worker: only the keeper answers. It does not rely on the stack.
+void end_copy(const Control& control) {
+  if (getpid() != control.keeper) _exit(0);
 }
 
 [[nodiscard]] Functions load(Control& control, const std::string& path) {
-  const pid_t keeper = getpid();
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-  end_copy(keeper);
+  end_copy(control);
   if (library == nullptr) {
     const char* why = dlerror();
     refuse(control, why != nullptr ? why : "it cannot be loaded");
   }
   const Functions functions = find_functions(library);
-  end_copy(keeper);  // the address of a function may be found by one of the library's
+  end_copy(control);  // the address of a function may be found by one of the library's
   if (const std::string fault = fault_of(functions); !fault.empty()) refuse(control, fault);
   control.exported = exported(functions);
   using Describe = const selvage_claims* (*)();
   if (const auto about = reinterpret_cast<Describe>(dlsym(library, "selvage_subject"))) {
     control.step = static_cast<uint32_t>(Step::kDescribe);
     const selvage_claims* claims = about();
-    end_copy(keeper);
+    end_copy(control);
     describe(control, claims);
   }
   return functions;
@@ -162,6 +162,7 @@ void fork_worker(Control& control, const Functions& functions, const Signals& si
 
 void keep(Control& control, const std::string& library, int output, pid_t parent,
           std::span<const Arena> to_prepare_in) {
+  control.keeper = getpid();
   die_with(parent);
   setpgid(0, 0);
   seal_off(output);
