@@ -5,10 +5,6 @@
 
 #include <cstdint>
 
-#if defined(__SSE__)
-#include <xmmintrin.h>
-#endif
-
 namespace selvage::testbed {
 
 struct FloatControl {
@@ -24,7 +20,7 @@ inline constexpr uint32_t kSseFlags = 0x3F;  // what has happened; the other bit
   FloatControl control;
   _FPU_GETCW(control.word);
 #if defined(__SSE__)
-  control.vectors = _mm_getcsr() & ~kSseFlags;
+  control.vectors = __builtin_ia32_stmxcsr() & ~kSseFlags;
 #endif
   return control;
 }
@@ -32,7 +28,7 @@ inline constexpr uint32_t kSseFlags = 0x3F;  // what has happened; the other bit
 inline void set_float_control(FloatControl control) {
   _FPU_SETCW(control.word);
 #if defined(__SSE__)
-  _mm_setcsr(control.vectors | (_mm_getcsr() & kSseFlags));
+  __builtin_ia32_ldmxcsr(control.vectors | (__builtin_ia32_stmxcsr() & kSseFlags));
 #endif
 }
 
