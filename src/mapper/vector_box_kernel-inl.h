@@ -146,8 +146,8 @@ void draw_boxes_affine(const AffineSpans& spans, BoxSides sides, const Surface& 
   with_layout(surface.texture.layout, [&](auto layout) {
     using Layout = decltype(layout);
     const auto draw = surface.address == SELVAGE_ADDRESS_CLAMP
-                          ? draw_affine_means<BoxMeans<ClampStart, Layout>>
-                          : draw_affine_means<BoxMeans<WrapStart, Layout>>;
+                          ? draw_affine_means<BoxMeans<ClampEdge, Layout>>
+                          : draw_affine_means<BoxMeans<WrapEdge, Layout>>;
     draw(spans, sides, surface);
   });
 }
@@ -157,8 +157,8 @@ void draw_boxes_projective(const ProjectiveSpans& spans, const PlaneFootprint& f
   with_layout(surface.texture.layout, [&](auto layout) {
     using Layout = decltype(layout);
     const auto draw = surface.address == SELVAGE_ADDRESS_CLAMP
-                          ? draw_projective_means<BoxMeans<ClampStart, Layout>>
-                          : draw_projective_means<BoxMeans<WrapStart, Layout>>;
+                          ? draw_projective_means<BoxMeans<ClampEdge, Layout>>
+                          : draw_projective_means<BoxMeans<WrapEdge, Layout>>;
     draw(spans, footprint, surface);
   });
 }

@@ -1,10 +1,11 @@
 // The mean of a box of texels, its channels and several columns side by side. Included once for
 // each SIMD target.
 //
-// A box inside the texture covers its first and its last row and column in part and those between
-// in whole. Of each column, w_top top + 256 (sum of those between) + w_bottom bottom comes first,
-// then the sum of these by the weights of the columns. All fits where no side is above 2^15 and the
-// area not above 2^23 (1/256 texel)^2:
+// A box inside the texture covers its first row and its last one or two in part, and those between
+// in whole: of how many it takes parts depends on where it lies, of how many it may take parts on
+// its height alone, so that loops are as long for each box of a polygon. Each column of texels is
+// summed first, by the weights of the rows, then these by the weights of the columns. All fits
+// where no side is above 2^15 and the area not above 2^23 (1/256 texel)^2:
 //
 //   name              bits   bound
 //   sum of rows       16     127 rows of 255, signed
@@ -23,19 +24,11 @@
 #include "mapper/channels.h"
 #include "mapper/filter_box.h"
 #include "mapper/vector_blend_mix-inl.h"
+#include "mapper/vector_box_edges-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
-
-// Columns are summed a window at a time: 4 or 8 texels.
-using DBytes = hn::CappedTag<uint8_t, 32>;
-using DWords = hn::Repartition<int16_t, DBytes>;
-using DSums = hn::Repartition<int32_t, DBytes>;
-using VBytes = hn::Vec<DBytes>;
-using VWords = hn::Vec<DWords>;
-using VSums = hn::Vec<DSums>;
-inline constexpr int32_t kBoxWindow_texel = static_cast<int32_t>(hn::MaxLanes(DSums()));
 
 using DPixel = hn::CappedTag<int32_t, 4>;
 using VPixel = hn::Vec<DPixel>;
@@ -81,37 +74,42 @@ struct WindowRow {
   VWords even, odd;
 };
 
-// A box inside the texture: its texels, and its sides from the middle of texel 0 on.
-struct InsideBox {
-  int32_t first_column, last_column, first_row, last_row;
-  int32_t left_fx8, right_fx8;
-  int32_t top_weight_fx8, bottom_weight_fx8;
-};
-
 template <class Layout>
 class BoxColumns {
  public:
   HWY_INLINE explicit BoxColumns(const selvage_texture& texture)
       : texels_(static_cast<const char*>(texture.texels)),
         pitch_texel_(texture.pitch / kPixelBytes),
-        width_texel_(kTiled ? static_cast<int32_t>(units(texture.width, kTileSide_texel)) *
-                                  kTileSide_texel
-                            : texture.width) {}
+        width_texel_(texture.width),
+        height_texel_(texture.height),
+        padded_texel_(kTiled ? static_cast<int32_t>(units(texture.width, kTileSide_texel)) *
+                                   kTileSide_texel
+                             : texture.width) {}
 
-  // The windows that hold a box's columns; 0 where the texture has no room for them.
-  [[nodiscard]] HWY_INLINE int32_t windows(const InsideBox& box) const {
-    const int32_t columns = box.last_column - aligned(box.first_column) + 1;
-    const int32_t windows = (columns + kBoxWindow_texel - 1) / kBoxWindow_texel;
-    return windows * kBoxWindow_texel <= width_texel_ ? windows : 0;
+  // The windows that hold a box's columns.
+  [[nodiscard]] static HWY_INLINE int32_t windows(const BoxSide& columns) {
+    const int32_t before = kTiled ? kTileSide_texel - 1 : 0;
+    return (columns.texels + before + kBoxWindow_texel - 1) / kBoxWindow_texel;
+  }
+  [[nodiscard]] HWY_INLINE bool has_room_for(int32_t windows) const {
+    return windows * kBoxWindow_texel <= padded_texel_;
   }
 
-  [[nodiscard]] HWY_INLINE VPixel sum(const InsideBox& box, int32_t windows) const {
-    const DSums d;
-    const int32_t last = width_texel_ - windows * kBoxWindow_texel;
-    int32_t column = HWY_MIN(aligned(box.first_column), last);
-    VSums sum = hn::Zero(d);
-    for (; windows > 0; --windows, column += kBoxWindow_texel) {
-      sum = hn::Add(sum, window_sum(box, column));
+  // Where the windows begin: in the texture, and so that they hold the columns, addressed.
+  [[nodiscard]] HWY_INLINE int32_t begin(const BoxSide& columns, int32_t windows) const {
+    const int32_t last = padded_texel_ - windows * kBoxWindow_texel;
+    return HWY_MAX(HWY_MIN(aligned(columns.first_texel), last), 0);
+  }
+
+  // Of a box inside the texture, or of one that is not, where `Edge` tells what is there.
+  template <class Edge>
+  [[nodiscard]] HWY_INLINE VPixel sum(const BoxSide& columns, const BoxSide& rows,
+                                      int32_t windows) const {
+    int32_t column = begin(columns, windows);
+    VSums sum = window_sum<Edge>(columns, rows, column);
+    while (--windows > 0) {
+      column += kBoxWindow_texel;
+      sum = hn::Add(sum, window_sum<Edge>(columns, rows, column));
     }
     return blocks_added(sum);
   }
@@ -143,104 +141,101 @@ class BoxColumns {
   }
 
   // Of columns by their weights: texels 0 and 4, 1 and 5 .. of the window in turn.
-  HWY_INLINE VSums window_sum(const InsideBox& box, int32_t column) const {
+  template <class Edge>
+  HWY_INLINE VSums window_sum(const BoxSide& columns, const BoxSide& rows, int32_t column) const {
     const DWords d;
-    const WindowRow top = row(box.first_row, column), bottom = row(box.last_row, column);
+    const int32_t last = rows.texels - 1, bottom = rows.first_texel + last;
+    const auto row_at = [&](int32_t t) { return row(Edge::row(t, height_texel_), column); };
+    const WindowRow first = row_at(rows.first_texel), end = row_at(bottom);
+    const WindowRow before = row_at(bottom - 1);
     WindowRow between{hn::Zero(d), hn::Zero(d)};
-    for (int32_t t = box.first_row + 1; t < box.last_row; ++t) {
-      const WindowRow next = row(t, column);
+    for (int32_t t = rows.first_texel + 1; t < bottom - 1; ++t) {
+      const WindowRow next = row_at(t);
       between = {hn::Add(between.even, next.even), hn::Add(between.odd, next.odd)};
     }
-    const VSums weights = column_weights(box, column);
-    const VWords ends =
-        hn::BitCast(d, hn::Set(DSums(), box.bottom_weight_fx8 * (1 << 16) + box.top_weight_fx8));
-    const VWords whole = hn::BitCast(d, hn::Set(DSums(), kTexel_fx8));
-    const auto down = [&](VWords of_ends, VWords of_between) {
-      return hn::Add(word_products(of_ends, ends), word_products(of_between, whole));
+    // How far the box reaches into the last row, or how far it ends before it.
+    const int32_t reach_fx8 = rows.part_fx8 + rows.side_fx8 - last * kTexel_fx8;
+    const int32_t end_weight = HWY_MAX(reach_fx8, 0);
+    const VWords ends = pair(kTexel_fx8 - rows.part_fx8, end_weight);
+    const VWords inner = pair(kTexel_fx8, kTexel_fx8 + reach_fx8 - end_weight);
+    const VSums weights = column_weights<Edge>(columns, column);
+    const auto lower = [&](VWords a, VWords b, VWords of) {
+      return word_products(hn::InterleaveLower(d, a, b), of);
     };
-    const VWords zero = hn::Zero(d);
-    const VSums first = down(hn::InterleaveLower(d, top.even, bottom.even),
-                             hn::InterleaveLower(d, between.even, zero));
-    const VSums second = down(hn::InterleaveUpper(d, top.even, bottom.even),
-                              hn::InterleaveUpper(d, between.even, zero));
-    const VSums third = down(hn::InterleaveLower(d, top.odd, bottom.odd),
-                             hn::InterleaveLower(d, between.odd, zero));
-    const VSums fourth = down(hn::InterleaveUpper(d, top.odd, bottom.odd),
-                              hn::InterleaveUpper(d, between.odd, zero));
-    return hn::Add(hn::Add(hn::Mul(first, hn::Broadcast<0>(weights)),
-                           hn::Mul(second, hn::Broadcast<1>(weights))),
-                   hn::Add(hn::Mul(third, hn::Broadcast<2>(weights)),
-                           hn::Mul(fourth, hn::Broadcast<3>(weights))));
+    const auto upper = [&](VWords a, VWords b, VWords of) {
+      return word_products(hn::InterleaveUpper(d, a, b), of);
+    };
+    VSums sum =
+        hn::Mul(hn::Add(lower(first.even, end.even, ends), lower(between.even, before.even, inner)),
+                hn::Broadcast<0>(weights));
+    sum = hn::Add(sum, hn::Mul(hn::Add(upper(first.even, end.even, ends),
+                                       upper(between.even, before.even, inner)),
+                               hn::Broadcast<1>(weights)));
+    sum = hn::Add(sum, hn::Mul(hn::Add(lower(first.odd, end.odd, ends),
+                                       lower(between.odd, before.odd, inner)),
+                               hn::Broadcast<2>(weights)));
+    return hn::Add(sum, hn::Mul(hn::Add(upper(first.odd, end.odd, ends),
+                                        upper(between.odd, before.odd, inner)),
+                                hn::Broadcast<3>(weights)));
+  }
+
+  static HWY_INLINE VWords pair(int32_t low, int32_t high) {
+    return hn::BitCast(DWords(), hn::Set(DSums(), high * (1 << 16) + low));
   }
 
   // How much of each column of the window is in the box, 1/256 texel.
-  static HWY_INLINE VSums column_weights(const InsideBox& box, int32_t column) {
+  template <class Edge>
+  HWY_INLINE VSums column_weights(const BoxSide& columns, int32_t column) const {
     const DSums d;
-    const VSums begin = hn::ShiftLeft<kGridBits>(hn::Iota(d, column));
+    const VSums texel = hn::Iota(d, 0), texel_fx8 = hn::ShiftLeft<kGridBits>(texel);
+    const auto reach = Edge::reach(hn::Add(texel, hn::Set(d, column)), width_texel_);
+    const int32_t begin_fx8 = columns.part_fx8 + (columns.first_texel - column) * kTexel_fx8;
     const auto covered = [&](int32_t end_fx8) {
-      return hn::Min(hn::Max(hn::Sub(hn::Set(d, end_fx8), begin), hn::Zero(d)),
-                     hn::Set(d, kTexel_fx8));
+      return hn::Min(hn::Max(hn::Sub(hn::Set(d, end_fx8), texel_fx8), reach.least_fx8),
+                     reach.most_fx8);
     };
-    return hn::Sub(covered(box.right_fx8), covered(box.left_fx8));
+    return hn::Sub(covered(begin_fx8 + columns.side_fx8), covered(begin_fx8));
   }
 
   const char* texels_;
   ptrdiff_t pitch_texel_;
-  int32_t width_texel_;
+  int32_t width_texel_, height_texel_;
+  int32_t padded_texel_;  // the width, with what tiles have beyond it
 };
 
-// The start of a box's side, a whole number of periods further on where that brings it into the
-// texture's first.
-struct ClampStart {
-  static HWY_INLINE int32_t start(int32_t begin_fx8, int32_t /*size_texel*/) { return begin_fx8; }
-};
-struct WrapStart {
-  static HWY_INLINE int32_t start(int32_t begin_fx8, int32_t size_texel) {
-    const int64_t period_fx8 = int64_t{size_texel} * kTexel_fx8;
-    if (0 <= begin_fx8 && begin_fx8 < period_fx8) return begin_fx8;
-    return static_cast<int32_t>(begin_fx8 - floor_div(begin_fx8, period_fx8) * period_fx8);
-  }
-};
-
-template <class Start, class Layout>
+template <class Edge, class Layout>
 class BoxMeans {
  public:
   HWY_INLINE explicit BoxMeans(const Surface& surface)
       : surface_(surface), columns_(surface.texture) {}
 
   HWY_INLINE uint32_t operator()(const Box& box) const {
-    if (HWY_LIKELY(box.width_fx8 <= kMostSmallSide_fx8 && box.height_fx8 <= kMostSmallSide_fx8 &&
-                   box.width_fx8 * box.height_fx8 <= kMostSmallArea_fx16)) {
-      const int32_t left = Start::start(box.left_fx8, surface_.texture.width);
-      const int32_t top = Start::start(box.top_fx8, surface_.texture.height);
-      const int32_t right = left + box.width_fx8, bottom = top + box.height_fx8;
-      InsideBox inside{left >> kGridBits,
-                       (right - 1) >> kGridBits,
-                       top >> kGridBits,
-                       (bottom - 1) >> kGridBits,
-                       left,
-                       right,
-                       0,
-                       0};
-      set_row_weights(top, bottom, &inside);
-      const int32_t windows = is_inside(inside) ? columns_.windows(inside) : 0;
-      if (HWY_LIKELY(windows > 0)) {
-        return mean_of(columns_.sum(inside, windows), box.width_fx8 * box.height_fx8);
-      }
+    if (HWY_UNLIKELY(box.width_fx8 > kMostSmallSide_fx8 || box.height_fx8 > kMostSmallSide_fx8)) {
+      return box_mean(surface_.texture, surface_.address, box);
     }
-    return box_mean(surface_.texture, surface_.address, box);
+    const selvage_texture& texture = surface_.texture;
+    const BoxSide columns = BoxSide::of(Edge::start(box.left_fx8, texture.width), box.width_fx8, 1);
+    const BoxSide rows =
+        BoxSide::of(Edge::start(box.top_fx8, texture.height), box.height_fx8, kLeastRows);
+    const int32_t windows = BoxColumns<Layout>::windows(columns);
+    const int32_t area_fx16 = box.width_fx8 * box.height_fx8;
+    if (HWY_UNLIKELY(area_fx16 > kMostSmallArea_fx16 || !columns_.has_room_for(windows))) {
+      return box_mean(surface_.texture, surface_.address, box);
+    }
+    if (HWY_UNLIKELY(!columns.is_inside(texture.width) || !rows.is_inside(texture.height))) {
+      return beyond(box, columns, rows, windows);
+    }
+    return mean_of(columns_.template sum<NoEdge>(columns, rows, windows), area_fx16);
   }
 
  private:
-  HWY_INLINE bool is_inside(const InsideBox& box) const {
-    return 0 <= box.first_column && box.last_column < surface_.texture.width &&
-           0 <= box.first_row && box.last_row < surface_.texture.height;
-  }
-  // A box of one row has it at the top.
-  static HWY_INLINE void set_row_weights(int32_t top, int32_t bottom, InsideBox* box) {
-    const bool is_one = box->first_row == box->last_row;
-    box->top_weight_fx8 = is_one ? bottom - top : kTexel_fx8 - (top & (kTexel_fx8 - 1));
-    box->bottom_weight_fx8 = is_one ? 0 : ((bottom - 1) & (kTexel_fx8 - 1)) + 1;
+  HWY_NOINLINE uint32_t beyond(const Box& box, const BoxSide& columns, const BoxSide& rows,
+                               int32_t windows) const {
+    if (!Edge::fits(columns, rows, surface_.texture)) {
+      return box_mean(surface_.texture, surface_.address, box);
+    }
+    return mean_of(columns_.template sum<Edge>(columns, rows, windows),
+                   box.width_fx8 * box.height_fx8);
   }
 
   const Surface& surface_;
