@@ -94,11 +94,16 @@ HWY_INLINE void find_sides(const PlaneFootprint& footprint, const FootprintRow& 
 
 // ---- Spans --------------------------------------------------------------------------------------
 
+// So far ahead texels are asked for, of textures that no near cache holds.
+inline constexpr int32_t kAhead_px = 12;
+
 template <class Means>
 HWY_INLINE void draw_means(const BoxRow& boxes, const Span& piece, const Surface& surface,
                            const Means& mean) {
   char* const pixels = first_pixel(surface, piece);
-  for (int32_t i = 0; i < piece.width_px(); ++i) {
+  const int32_t width_px = piece.width_px();
+  for (int32_t i = 0; i < width_px; ++i) {
+    if (mean.is_large() && i + kAhead_px < width_px) mean.prefetch(boxes.box(i + kAhead_px));
     store_pixel(pixels + i * ptrdiff_t{kPixelBytes}, mean(boxes.box(i)));
   }
 }

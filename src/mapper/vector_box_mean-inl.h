@@ -19,6 +19,8 @@
 #define SELVAGE_VECTOR_BOX_MEAN_INL_H
 #endif
 
+#include <hwy/cache_control.h>
+
 #include <type_traits>
 
 #include "mapper/channels.h"
@@ -85,6 +87,10 @@ class BoxColumns {
         padded_texel_(kTiled ? static_cast<int32_t>(units(texture.width, kTileSide_texel)) *
                                    kTileSide_texel
                              : texture.width) {}
+
+  HWY_INLINE void prefetch(int32_t t, int32_t s) const {
+    hwy::Prefetch(texels_ + (Layout::row(t, pitch_texel_) + Layout::column(s)) * kPixelBytes);
+  }
 
   // The windows that hold a box's columns.
   [[nodiscard]] static HWY_INLINE int32_t windows(const BoxSide& columns) {
@@ -207,7 +213,20 @@ template <class Edge, class Layout>
 class BoxMeans {
  public:
   HWY_INLINE explicit BoxMeans(const Surface& surface)
-      : surface_(surface), columns_(surface.texture) {}
+      : surface_(surface),
+        columns_(surface.texture),
+        is_large_(int64_t{surface.texture.width} * surface.texture.height > kLarge_texels) {}
+
+  [[nodiscard]] HWY_INLINE bool is_large() const { return is_large_; }
+  // Of a box inside the texture: others are few.
+  HWY_INLINE void prefetch(const Box& box) const {
+    const int32_t s = (box.left_fx8 + box.width_fx8 / 2) >> kGridBits;
+    const int32_t top = box.top_fx8 >> kGridBits;
+    const int32_t bottom = (box.top_fx8 + box.height_fx8 - 1) >> kGridBits;
+    const selvage_texture& texture = surface_.texture;
+    if (s < 0 || s >= texture.width || top < 0 || bottom >= texture.height) return;
+    for (int32_t t = top; t <= bottom; ++t) columns_.prefetch(t, s);
+  }
 
   HWY_INLINE uint32_t operator()(const Box& box) const {
     if (HWY_UNLIKELY(box.width_fx8 > kMostSmallSide_fx8 || box.height_fx8 > kMostSmallSide_fx8)) {
@@ -238,8 +257,11 @@ class BoxMeans {
                    box.width_fx8 * box.height_fx8);
   }
 
+  static constexpr int64_t kLarge_texels = 1 << 17;  // half a megabyte
+
   const Surface& surface_;
   BoxColumns<Layout> columns_;
+  bool is_large_;
 };
 
 }  // namespace
