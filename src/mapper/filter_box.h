@@ -16,8 +16,8 @@ struct Box {
 
   // Around the point. With the least sides its texels and weights are the bilinear ones.
   [[nodiscard]] static Box around(FilterPoint point, BoxSides sides) {
-    return {point.u_fx8 - (sides.u_fx8 - kTexel_fx8) / 2,
-            point.v_fx8 - (sides.v_fx8 - kTexel_fx8) / 2, sides.u_fx8, sides.v_fx8};
+    return {point.u_fx8 - ((sides.u_fx8 - kTexel_fx8) >> 1),
+            point.v_fx8 - ((sides.v_fx8 - kTexel_fx8) >> 1), sides.u_fx8, sides.v_fx8};
   }
 };
 

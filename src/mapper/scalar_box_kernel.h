@@ -1,0 +1,12 @@
+// Boxes of any sides, for every machine.
+#pragma once
+
+#include "mapper/kernel.h"
+
+namespace selvage::mapper {
+
+void draw_boxes_affine_scalar(const AffineSpans& spans, BoxSides sides, const Surface& surface);
+void draw_boxes_projective_scalar(const ProjectiveSpans& spans, const PlaneFootprint& footprint,
+                                  const Surface& surface);
+
+}  // namespace selvage::mapper
