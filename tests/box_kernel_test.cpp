@@ -12,6 +12,7 @@
 #include "mapper/vector_kernel.h"
 #include "spec/random.h"
 #include "tests/kernel_support.h"
+#include "tests/span_support.h"
 
 namespace selvage::mapper {
 namespace {
@@ -80,7 +81,7 @@ struct BoxLine {
   const Kernels* const kernels = kernel == SELVAGE_KERNEL_SCALAR
                                      ? &scalar_kernels(SELVAGE_FILTER_AREA)
                                      : vector_kernels(kernel, SELVAGE_FILTER_AREA);
-  kernels->draw_boxes_affine({batch, field, ExactMap(unused)}, line.sides, surface);
+  kernels->draw_boxes_affine({batch, field, kFarApart, ExactMap(unused)}, line.sides, surface);
   EXPECT_EQ(pixels.back(), 0x5A5A5A5AU) << "beyond the span";
   pixels.pop_back();
   return pixels;

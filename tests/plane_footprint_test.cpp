@@ -147,7 +147,7 @@ TEST(AffineSides, AreTheSpecificationsForGeneratedCases) {
     Polygon polygon;
     const selvage_rect visible{0, 0, c.target_width_px, c.target_height_px};
     if (examine(c.vertices, &polygon) != SELVAGE_OK || !Plane::of(polygon, visible)) continue;
-    const BoxSides sides = affine_sides(*PlaneFrame::of(polygon.vertices));
+    const BoxSides sides = affine_sides(PlaneFrame::of(polygon.vertices));
     for_each_row(polygon, 0, c.target_height_px, 0, c.target_width_px,
                  [&](const Edge&, const Edge&, const Span& span) {
                    if (HasFatalFailure()) return;

@@ -55,27 +55,28 @@ void draw_ruled(const Surface& surface, const selvage_rect& visible, const Polyg
 // Calls draw(spans) for all spans of a polygon under one map.
 template <class Spans, class Plane, class Draw>
 void for_each_batch(const Plane& plane, const Polygon& polygon, const selvage_rect& visible,
-                    const RowKernel& rows, const Draw& draw) {
-  BatchWalk walk(polygon, visible, rows);
+                    FindSpans find_spans, const Draw& draw) {
+  BatchWalk walk(polygon, visible, find_spans);
   SpanBatch batch;
-  while (walk.next(&batch)) draw(Spans{batch, plane.lanes(), ExactMap(plane)});
+  while (walk.next(&batch)) draw(Spans{batch, plane.lanes(), polygon.texels, ExactMap(plane)});
 }
 
 void draw_affine(const Plane& plane, const Surface& surface, const selvage_rect& visible,
                  const Polygon& polygon, const Kernels& kernels) {
-  const BoxSides sides = affine_sides(*PlaneFrame::of(polygon.vertices));
+  const BoxSides sides = affine_sides(PlaneFrame::of(polygon.vertices));
   const bool is_least = sides == BoxSides{kLeastSide_fx8, kLeastSide_fx8};
-  for_each_batch<AffineSpans>(plane, polygon, visible, kernels.rows, [&](const AffineSpans& spans) {
-    if (is_least) return kernels.draw_affine(spans, surface);
-    kernels.draw_boxes_affine(spans, sides, surface);
-  });
+  for_each_batch<AffineSpans>(plane, polygon, visible, kernels.find_spans,
+                              [&](const AffineSpans& spans) {
+                                if (is_least) return kernels.draw_affine(spans, surface);
+                                kernels.draw_boxes_affine(spans, sides, surface);
+                              });
 }
 
 void draw_projective(const ProjectivePlane& plane, const Surface& surface,
                      const selvage_rect& visible, const Polygon& polygon, const Kernels& kernels) {
   const PlaneFootprint footprint(polygon, visible, plane.lanes());
   const bool is_least = footprint.is_least();
-  for_each_batch<ProjectiveSpans>(plane, polygon, visible, kernels.rows,
+  for_each_batch<ProjectiveSpans>(plane, polygon, visible, kernels.find_spans,
                                   [&](const ProjectiveSpans& spans) {
                                     if (is_least) return kernels.draw_projective(spans, surface);
                                     kernels.draw_boxes_projective(spans, footprint, surface);

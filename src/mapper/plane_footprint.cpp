@@ -80,7 +80,7 @@ PlaneFootprint::Line PlaneFootprint::line(const Terms& terms, double unit) const
 
 PlaneFootprint::PlaneFootprint(const Polygon& polygon, const selvage_rect& visible,
                                const ProjectiveField& lanes)
-    : frame_(*PlaneFrame::of(polygon.vertices)),
+    : frame_(PlaneFrame::of(polygon.vertices)),
       lanes_(lanes),
       columns_(std::max(std::min(visible.right, polygon.right_px) - lanes.first_px, 0)),
       rows_(std::max(std::min(visible.bottom, polygon.bottom_row) - lanes.first_row, 0)),

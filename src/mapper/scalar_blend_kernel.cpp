@@ -50,7 +50,7 @@ constexpr Kernels kFourScalar = {find_spans_scalar, draw_affine<blend_four>,
 constexpr Kernels kBilinearScalar = {find_spans_scalar, draw_affine<blend_bilinear>,
                                      draw_projective<blend_bilinear>};
 constexpr Kernels kAreaScalar = {
-    kScalarRowKernel, draw_affine<blend_bilinear>, draw_projective<blend_bilinear>,
-    nullptr,          draw_boxes_affine_scalar,    draw_boxes_projective_scalar};
+    find_spans_scalar, draw_affine<blend_bilinear>, draw_projective<blend_bilinear>,
+    nullptr,           draw_boxes_affine_scalar,    draw_boxes_projective_scalar};
 
 }  // namespace selvage::mapper

@@ -89,8 +89,8 @@ void draw_boxes_projective_scalar(const ProjectiveSpans& spans, const PlaneFootp
     for_each_box_piece(span, [&](const Span& piece) {
       const FootprintRow row = footprint.row(piece);
       if (row.is_least(piece.width_px())) {
-        return kBilinearScalar.draw_projective({one_span(piece), spans.field, spans.exact},
-                                               surface);
+        return kBilinearScalar.draw_projective(
+            {one_span(piece), spans.field, spans.texels, spans.exact}, surface);
       }
       find_points(lanes, spans.exact, span, piece, &boxes);
       find_sides(footprint, row, piece, &boxes);

@@ -138,7 +138,8 @@ HWY_NOINLINE void draw_projective_means(const ProjectiveSpans& spans,
     for_each_box_piece(span, [&](const Span& piece) {
       const FootprintRow row = footprint.row(piece);
       if (row.is_least(piece.width_px())) {
-        return draw_blended_projective<false>({one_span(piece), spans.field, spans.exact}, surface);
+        return draw_blended_projective<false>(
+            {one_span(piece), spans.field, spans.texels, spans.exact}, surface);
       }
       find_points(steps, piece, &ties, &boxes);
       find_sides(footprint, row, piece, &boxes);

@@ -28,7 +28,7 @@ constexpr Kernels kNearest = {find_spans, draw_affine, draw_projective, draw_ste
 constexpr Kernels kFour = {find_spans, draw_blended_affine<true>, draw_blended_projective<true>};
 constexpr Kernels kBilinear = {find_spans, draw_blended_affine<false>,
                                draw_blended_projective<false>};
-constexpr Kernels kArea = {kRowKernel, draw_blended_affine<false>, draw_blended_projective<false>,
+constexpr Kernels kArea = {find_spans, draw_blended_affine<false>, draw_blended_projective<false>,
                            nullptr,    draw_boxes_affine,          draw_boxes_projective};
 
 const Kernels& kernels(selvage_filter filter) {
