@@ -224,7 +224,7 @@ TEST(Plan, HasEachItemOnceAndSaysWhatThereIsNot) {
       std::any_of(plan.unavailable.begin(), plan.unavailable.end(),
                   [](const std::string& sentence) { return sentence.rfind("W5 ", 0) == 0; });
   EXPECT_NE(said, bilinear);
-  EXPECT_EQ(plan.work_items, 9u + (bilinear ? 1 : 0) + 12);
+  EXPECT_EQ(plan.work_items, 11u + (bilinear ? 1 : 0) + 12);
   EXPECT_EQ(plan.curves.size(), curves().size());
   EXPECT_EQ(plan.subjects.front().id, "exact");
   EXPECT_EQ(plan.subjects.back().id, "fill");
