@@ -19,8 +19,6 @@
 #define SELVAGE_VECTOR_BOX_MEAN_INL_H
 #endif
 
-#include <hwy/cache_control.h>
-
 #include <type_traits>
 
 #include "mapper/channels.h"
@@ -89,7 +87,7 @@ class BoxColumns {
                              : texture.width) {}
 
   HWY_INLINE void prefetch(int32_t t, int32_t s) const {
-    hwy::Prefetch(texels_ + (Layout::row(t, pitch_texel_) + Layout::column(s)) * kPixelBytes);
+    __builtin_prefetch(texels_ + (Layout::row(t, pitch_texel_) + Layout::column(s)) * kPixelBytes);
   }
 
   // The windows that hold a box's columns.
