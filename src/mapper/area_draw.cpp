@@ -2,8 +2,7 @@
 
 #include <cstddef>
 
-#include "mapper/channels.h"
-#include "mapper/filter_box.h"
+#include "mapper/box_row.h"
 #include "mapper/filter_point.h"
 #include "mapper/footprint.h"
 #include "mapper/lanes.h"
@@ -17,37 +16,32 @@
 namespace selvage::mapper {
 namespace {
 
-// One row of a polygon and what is drawn on it, where no one map holds for all rows.
-struct Row {
-  const Surface& surface;
-  Span span;
-  SpanMap map;
-  Footprint footprint;
-};
-
+// Box by box, where no one map holds for all rows.
 template <class Lanes>
-void draw_row(const Row& row, const Lanes& lanes) {
-  char* const pixels =
-      static_cast<char*>(row.surface.target.pixels) + row.span.row * row.surface.target.pitch;
-  for (int32_t px = row.span.left_px; px < row.span.right_px; ++px) {
-    const FilterPoint point = filter_point(ExactMap(row.map), row.span, lanes, px);
-    store_pixel(pixels + ptrdiff_t{px} * kPixelBytes,
-                box_mean(row.surface.texture, row.surface.address,
-                         Box::around(point, row.footprint.at(px))));
-  }
+void draw_row(const SpanMap& map, const Lanes& lanes, const Span& span, const Footprint& footprint,
+              const Surface& surface, const Kernels& kernels) {
+  BoxRow boxes;
+  for_each_box_piece(span, [&](const Span& piece) {
+    for (int32_t i = 0; i < piece.width_px(); ++i) {
+      const int32_t px = piece.left_px + i;
+      boxes.set(i, filter_point(ExactMap(map), span, lanes, px), footprint.at(px));
+    }
+    kernels.draw_boxes(boxes, piece, surface);
+  });
 }
 
-void draw_ruled(const Surface& surface, const selvage_rect& visible, const Polygon& polygon) {
+void draw_ruled(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
+                const Kernels& kernels) {
   SpanWalk walk(polygon, visible);
   while (walk.next()) {
     const Span& span = walk.span();
     const Edge &left = walk.left(), &right = walk.right();
     const Footprint footprint(left.at(span.row), left.change(), right.at(span.row), right.change());
-    const Row row{surface, span, walk.map(), footprint};
+    const SpanMap map = walk.map();
     if (polygon.affine) {
-      draw_row(row, AffineLanes(row.map, span).field(span));
+      draw_row(map, AffineLanes(map, span).field(span), span, footprint, surface, kernels);
     } else {
-      draw_row(row, ProjectiveLanes(row.map, span));
+      draw_row(map, ProjectiveLanes(map, span), span, footprint, surface, kernels);
     }
   }
 }
@@ -94,7 +88,7 @@ void draw_area(const Surface& surface, const selvage_rect& visible, const Polygo
   } else if (const auto plane = ProjectivePlane::of(polygon, visible)) {
     return draw_projective(*plane, surface, visible, polygon, kernels);
   }
-  draw_ruled(surface, visible, polygon);
+  draw_ruled(surface, visible, polygon, kernels);
 }
 
 }  // namespace selvage::mapper

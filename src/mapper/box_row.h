@@ -25,6 +25,11 @@ struct BoxRow {
     const auto at = static_cast<size_t>(i);
     return Box::around({u_fx8[at], v_fx8[at]}, {width_fx8[at], height_fx8[at]});
   }
+  void set(int32_t i, FilterPoint point, BoxSides sides) {
+    u_fx8[static_cast<size_t>(i)] = point.u_fx8;
+    v_fx8[static_cast<size_t>(i)] = point.v_fx8;
+    set_sides(i, sides);
+  }
   void set_sides(int32_t i, BoxSides sides) {
     width_fx8[static_cast<size_t>(i)] = sides.u_fx8;
     height_fx8[static_cast<size_t>(i)] = sides.v_fx8;

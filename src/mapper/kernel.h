@@ -17,6 +17,7 @@
 namespace selvage::mapper {
 
 class PlaneFootprint;
+struct BoxRow;
 
 // What is drawn on and from. All has passed its checks; the texture shares no byte with the target.
 struct Surface {
@@ -53,6 +54,7 @@ struct Kernels {
                             const Surface& surface) = nullptr;
   void (*draw_boxes_projective)(const ProjectiveSpans& spans, const PlaneFootprint& footprint,
                                 const Surface& surface) = nullptr;
+  void (*draw_boxes)(const BoxRow& boxes, const Span& piece, const Surface& surface) = nullptr;
 };
 
 void draw_stepped_scalar(const SteppedRow& row, const Surface& surface);

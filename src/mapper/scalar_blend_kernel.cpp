@@ -51,6 +51,7 @@ constexpr Kernels kBilinearScalar = {find_spans_scalar, draw_affine<blend_biline
                                      draw_projective<blend_bilinear>};
 constexpr Kernels kAreaScalar = {
     find_spans_scalar, draw_affine<blend_bilinear>, draw_projective<blend_bilinear>,
-    nullptr,           draw_boxes_affine_scalar,    draw_boxes_projective_scalar};
+    nullptr,           draw_boxes_affine_scalar,    draw_boxes_projective_scalar,
+    draw_boxes_scalar};
 
 }  // namespace selvage::mapper

@@ -58,15 +58,15 @@ void find_sides(const PlaneFootprint& footprint, const FootprintRow& row, const 
   }
 }
 
-void draw_means(const BoxRow& boxes, const Span& piece, const Surface& surface) {
+}  // namespace
+
+void draw_boxes_scalar(const BoxRow& boxes, const Span& piece, const Surface& surface) {
   char* pixel = static_cast<char*>(surface.target.pixels) + piece.row * surface.target.pitch +
                 ptrdiff_t{piece.left_px} * kPixelBytes;
   for (int32_t i = 0; i < piece.width_px(); ++i, pixel += kPixelBytes) {
     store_pixel(pixel, box_mean(surface.texture, surface.address, boxes.box(i)));
   }
 }
-
-}  // namespace
 
 void draw_boxes_affine_scalar(const AffineSpans& spans, BoxSides sides, const Surface& surface) {
   BoxRow boxes;
@@ -75,7 +75,7 @@ void draw_boxes_affine_scalar(const AffineSpans& spans, BoxSides sides, const Su
     const Span span = spans.batch.span(i);
     for_each_box_piece(span, [&](const Span& piece) {
       find_points(spans.field, spans.exact, span, piece, &boxes);
-      draw_means(boxes, piece, surface);
+      draw_boxes_scalar(boxes, piece, surface);
     });
   }
 }
@@ -94,7 +94,7 @@ void draw_boxes_projective_scalar(const ProjectiveSpans& spans, const PlaneFootp
       }
       find_points(lanes, spans.exact, span, piece, &boxes);
       find_sides(footprint, row, piece, &boxes);
-      draw_means(boxes, piece, surface);
+      draw_boxes_scalar(boxes, piece, surface);
     });
   }
 }

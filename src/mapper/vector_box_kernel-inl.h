@@ -148,6 +148,11 @@ HWY_NOINLINE void draw_projective_means(const ProjectiveSpans& spans,
   }
 }
 
+template <class Means>
+HWY_NOINLINE void draw_given_means(const BoxRow& boxes, const Span& piece, const Surface& surface) {
+  draw_means(boxes, piece, surface, Means(surface));
+}
+
 void draw_boxes_affine(const AffineSpans& spans, BoxSides sides, const Surface& surface) {
   with_layout(surface.texture.layout, [&](auto layout) {
     using Layout = decltype(layout);
@@ -166,6 +171,16 @@ void draw_boxes_projective(const ProjectiveSpans& spans, const PlaneFootprint& f
                           ? draw_projective_means<BoxMeans<ClampEdge, Layout>>
                           : draw_projective_means<BoxMeans<WrapEdge, Layout>>;
     draw(spans, footprint, surface);
+  });
+}
+
+void draw_boxes(const BoxRow& boxes, const Span& piece, const Surface& surface) {
+  with_layout(surface.texture.layout, [&](auto layout) {
+    using Layout = decltype(layout);
+    const auto draw = surface.address == SELVAGE_ADDRESS_CLAMP
+                          ? draw_given_means<BoxMeans<ClampEdge, Layout>>
+                          : draw_given_means<BoxMeans<WrapEdge, Layout>>;
+    draw(boxes, piece, surface);
   });
 }
 

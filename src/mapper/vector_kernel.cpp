@@ -29,7 +29,8 @@ constexpr Kernels kFour = {find_spans, draw_blended_affine<true>, draw_blended_p
 constexpr Kernels kBilinear = {find_spans, draw_blended_affine<false>,
                                draw_blended_projective<false>};
 constexpr Kernels kArea = {find_spans, draw_blended_affine<false>, draw_blended_projective<false>,
-                           nullptr,    draw_boxes_affine,          draw_boxes_projective};
+                           nullptr,    draw_boxes_affine,          draw_boxes_projective,
+                           draw_boxes};
 
 const Kernels& kernels(selvage_filter filter) {
   switch (filter) {
