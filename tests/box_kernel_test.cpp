@@ -171,6 +171,26 @@ TEST(BoxKernel, IsExactAboutTheLimitsOfItsNumbers) {
   }
 }
 
+// Boxes that vectors sum in parts: of whichever height, and up to the width that is no more.
+TEST(BoxKernel, IsExactInParts) {
+  constexpr int32_t kWidth = 130, kHeight = 700;
+  spec::Random random(9);
+  const std::vector<uint32_t> white(kWidth * kHeight, 0xFFFFFFFF);
+  const std::vector<uint32_t> mixed = noise(random, kWidth * kHeight);
+  for (int i = 0; i < 200; ++i) {
+    const int32_t width = random.pick({60 * 256, 60 * 256 + 1, any_side(random, 64)});
+    const int32_t least = (1 << 23) / width;
+    const int32_t height = random.pick({least, least + 1, 2 * least, random.in(least, 256 * 650)});
+    const int32_t down = 256 * kHeight - height;
+    const BoxLine line{{random.in(0, 256 * (kWidth - 64)) + width / 2,
+                        random.pick({0, down, random.in(-300, down + 300)}) + height / 2},
+                       {97, 61},
+                       {width, height}};
+    expect_means(line, 5, in_rows(i % 2 == 0 ? white : mixed, kWidth));
+    ASSERT_FALSE(HasFatalFailure()) << i;
+  }
+}
+
 // Coordinates reach 2^15 texels either way.
 TEST(BoxKernel, IsExactInTheLargestTextures) {
   constexpr int32_t kLong = 32767;

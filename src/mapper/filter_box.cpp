@@ -189,7 +189,10 @@ BoxSum box_sum(const selvage_texture& texture, selvage_address address, const Bo
 }
 
 uint32_t box_mean(const selvage_texture& texture, selvage_address address, const Box& box) {
-  const BoxSum sum = box_sum(texture, address, box);
+  return box_mean(box_sum(texture, address, box), box);
+}
+
+uint32_t box_mean(const BoxSum& sum, const Box& box) {
   const int64_t area = int64_t{box.width_fx8} * box.height_fx8;
   const double reciprocal = 0.5 / static_cast<double>(area);
   uint32_t pixel = 0;

@@ -33,5 +33,6 @@ static_assert(uint64_t{255 * 2 + 1} <= UINT64_MAX / kMostSide_fx8 / kMostSide_fx
 // The mean, halves rounded up.
 [[nodiscard]] uint32_t box_mean(const selvage_texture& texture, selvage_address address,
                                 const Box& box);
+[[nodiscard]] uint32_t box_mean(const BoxSum& sum, const Box& box);
 
 }  // namespace selvage::mapper

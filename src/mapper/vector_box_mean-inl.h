@@ -36,6 +36,11 @@ using VPixel = hn::Vec<DPixel>;
 inline constexpr int32_t kMostSmallSide_fx8 = (1 << 15) - 1;
 inline constexpr int64_t kMostSmallArea_fx16 = 1 << 23;
 static_assert(255 * ((kMostSmallSide_fx8 >> kGridBits) + 1) < 1 << 15);
+// Parts of a box that is no wider are at least a texel high.
+inline constexpr int32_t kMostDividedSide_fx8 = 60 * kTexel_fx8;
+static_assert(1.0 / kTexel_fx8 >
+              1.0 * kMostDividedSide_fx8 / kMostSmallArea_fx16 +
+                  1.0 * kMostDividedSide_fx8 / (kMostSmallArea_fx16 - kMostSmallSide_fx8));
 static_assert(255 * kMostSmallArea_fx16 + kMostSmallArea_fx16 / 2 < int64_t{1} << 31);
 
 // (sum + area / 2) / area, floored. With a quarter more it is no closer to a whole number than
@@ -228,7 +233,7 @@ class BoxMeans {
 
   HWY_INLINE uint32_t operator()(const Box& box) const {
     if (HWY_UNLIKELY(box.width_fx8 > kMostSmallSide_fx8 || box.height_fx8 > kMostSmallSide_fx8)) {
-      return box_mean(surface_.texture, surface_.address, box);
+      return large(box);
     }
     const selvage_texture& texture = surface_.texture;
     const BoxSide columns = BoxSide::of(Edge::start(box.left_fx8, texture.width), box.width_fx8, 1);
@@ -236,7 +241,8 @@ class BoxMeans {
         BoxSide::of(Edge::start(box.top_fx8, texture.height), box.height_fx8, kLeastRows);
     const int32_t windows = BoxColumns<Layout>::windows(columns);
     const int32_t area_fx16 = box.width_fx8 * box.height_fx8;
-    if (HWY_UNLIKELY(area_fx16 > kMostSmallArea_fx16 || !columns_.has_room_for(windows))) {
+    if (HWY_UNLIKELY(area_fx16 > kMostSmallArea_fx16)) return large(box);
+    if (HWY_UNLIKELY(!columns_.has_room_for(windows))) {
       return box_mean(surface_.texture, surface_.address, box);
     }
     if (HWY_UNLIKELY(!columns.is_inside(texture.width) || !rows.is_inside(texture.height))) {
@@ -246,6 +252,32 @@ class BoxMeans {
   }
 
  private:
+  // Without sums, and inside the texture: in parts that are small and as high, one below the other.
+  HWY_NOINLINE uint32_t large(const Box& box) const {
+    const selvage_texture& texture = surface_.texture;
+    const BoxSide columns = BoxSide::of(Edge::start(box.left_fx8, texture.width), box.width_fx8, 1);
+    const int32_t windows = BoxColumns<Layout>::windows(columns);
+    const int64_t area_fx16 = int64_t{box.width_fx8} * box.height_fx8;
+    const int64_t parts = area_fx16 / (kMostSmallArea_fx16 - kMostSmallSide_fx8) + 1;
+    bool is_inside = texture.prepared == nullptr && box.width_fx8 <= kMostDividedSide_fx8 &&
+                     columns.is_inside(texture.width) && columns_.has_room_for(windows);
+    const int32_t top_fx8 = Edge::start(box.top_fx8, texture.height);
+    BoxSum sum{};
+    for (int64_t part = 0; is_inside && part < parts; ++part) {
+      const auto begin_fx8 = static_cast<int32_t>(box.height_fx8 * part / parts);
+      const auto end_fx8 = static_cast<int32_t>(box.height_fx8 * (part + 1) / parts);
+      const BoxSide rows = BoxSide::of(top_fx8 + begin_fx8, end_fx8 - begin_fx8, kLeastRows);
+      is_inside = rows.is_inside(texture.height);
+      if (is_inside) add(columns_.template sum<NoEdge>(columns, rows, windows), &sum);
+    }
+    return is_inside ? box_mean(sum, box) : box_mean(texture, surface_.address, box);
+  }
+  static HWY_INLINE void add(VPixel part, BoxSum* sum) {
+    HWY_ALIGN int32_t channels[4];
+    hn::Store(part, DPixel(), channels);
+    for (size_t i = 0; i < 4; ++i) (*sum)[i] += static_cast<uint32_t>(channels[i]);
+  }
+
   HWY_NOINLINE uint32_t beyond(const Box& box, const BoxSide& columns, const BoxSide& rows,
                                int32_t windows) const {
     if (!Edge::fits(columns, rows, surface_.texture)) {
