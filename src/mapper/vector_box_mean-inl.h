@@ -38,9 +38,7 @@ inline constexpr int64_t kMostSmallArea_fx16 = 1 << 23;
 static_assert(255 * ((kMostSmallSide_fx8 >> kGridBits) + 1) < 1 << 15);
 // Parts of a box that is no wider are at least a texel high.
 inline constexpr int32_t kMostDividedSide_fx8 = 60 * kTexel_fx8;
-static_assert(1.0 / kTexel_fx8 >
-              1.0 * kMostDividedSide_fx8 / kMostSmallArea_fx16 +
-                  1.0 * kMostDividedSide_fx8 / (kMostSmallArea_fx16 - kMostSmallSide_fx8));
+static_assert((kMostSmallArea_fx16 - kMostSmallSide_fx8) / (2 * kMostDividedSide_fx8) > kTexel_fx8);
 static_assert(255 * kMostSmallArea_fx16 + kMostSmallArea_fx16 / 2 < int64_t{1} << 31);
 
 // (sum + area / 2) / area, floored. With a quarter more it is no closer to a whole number than
