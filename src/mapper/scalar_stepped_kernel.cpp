@@ -50,9 +50,7 @@ class SegmentWalk {
             (v_.start_fx16 + i * v_.step_fx16) * w - v_.error_fx16};
   }
   [[nodiscard]] static int64_t whole(double fx16) { return static_cast<int64_t>(std::floor(fx16)); }
-  [[nodiscard]] static int64_t step(double fx16) {
-    return whole(fx16 * (int64_t{1} << kStepShift));  // a power of two: exact
-  }
+  [[nodiscard]] static int64_t step(double fx16) { return static_cast<int64_t>(step_fx32(fx16)); }
 
   const SteppedRow& row_;
   SteppedLine u_, v_;

@@ -7,7 +7,7 @@
 // lanes of 16.16 are taken afresh from 32.32 at every kStepGroup_px pixels of a segment.
 #pragma once
 
-#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "mapper/lanes.h"
@@ -38,6 +38,11 @@ struct SteppedRow {
     return (span.left_px - whole.left_px) / segment_px;
   }
 };
+
+// Floored to 2^-32 texel; the product is by a power of two and exact.
+[[nodiscard]] inline double step_fx32(double step_fx16) {
+  return std::floor(step_fx16 * (1 << kStepShift));
+}
 
 // A coordinate's numerator and the denominator along a row, and what its quotients are lowered by,
 // so that they are not above the true ones.
