@@ -124,7 +124,7 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
       {"divided_lanes",
        {{"SHIFT", number(kLaneFraction - kTexelFraction)},
         {"LANE_BITS", number(kTexelBits + 1), "38"},
-        {"SLACK", number(kDividedSlack_fx32), "0"},
+        {"SPARE", number(kProjectiveTruncations_fx32 - 1), "0"},
         {"TRUNCATIONS", number(kDividedTruncations_fx16), barely_less(kDividedTruncations_fx16)}}},
       {"anchored_lanes",
        {{"LANE_BITS", number(kTexelBits), "45"},
