@@ -10,6 +10,7 @@
 #include "mapper/tolerance.h"
 #include "mapper/tolerant_draw.h"
 #include "spec/exact.h"
+#include "spec/tolerance.h"
 
 namespace selvage::mapper {
 namespace {
@@ -186,6 +187,28 @@ TEST(ChooseRow, OfSomeRowsTheShortestSegmentsAreTold) {
     const RowChoice all = choose_tolerantly({0, 0, 2000, 8}, polygon, kTolerance_fx16);
     EXPECT_EQ(all.segment_px, shortest);
     for (selvage_vertex& v : vertices) v.y = 8 * 256 - v.y;
+  }
+}
+
+// A plane that reaches far would cost a unit more than what the specification allows: rows are then
+// chosen by their edges. q is the same along each row.
+TEST(ChooseRow, PlanesThatReachFarCostNothing) {
+  constexpr int32_t kTexels = 100 * SELVAGE_SUBTEXELS, kRight_fx8 = 200 * 256,
+                    kBottom_fx8 = 3 * 256;
+  for (const int32_t q : {1000, 4000, 5000, 20000, 31000, 40000}) {
+    const std::vector<selvage_vertex> vertices = {
+        {0, 0, 0, 0, 1}, {kRight_fx8, 0, kTexels, 0, 1}, {0, kBottom_fx8, 0, kTexels, q}};
+    Polygon polygon;
+    ASSERT_EQ(examine(vertices, &polygon), SELVAGE_OK);
+    for (const int32_t row : {0, 1}) {
+      const RowChoice choice =
+          choose_tolerantly({0, row, 200, row + 1}, polygon, kAnyTolerance_fx16);
+      ASSERT_EQ(choice.method, SELVAGE_METHOD_AFFINE_FOR_PERSPECTIVE);
+      const auto line = spec::scan_line(vertices, row);
+      const double chord = spec::chord_bound(*line, 0).get_d() * kFx32PerFx16;
+      const double roundings = spec::rounding_bound_fx16(*line).get_d();
+      EXPECT_LE(choice.bound_fx16, std::ceil(chord + roundings)) << q;
+    }
   }
 }
 

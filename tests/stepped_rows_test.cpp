@@ -111,37 +111,53 @@ void shift(DividedLanes::Linear* numerator_fx32, const Row& row, int64_t by_fx16
 
 // Both coordinates moved to so many units past a border at some pixel: u right of one, v left of
 // it.
-[[nodiscard]] Row with_border(Row row, int32_t px, int32_t beyond_fx16) {
-  constexpr int64_t kBorder_fx16 = int64_t{20} * kTexel_fx16;
+[[nodiscard]] Row with_border(Row row, int32_t px, int32_t beyond_fx16, int32_t border_texel) {
+  const int64_t border_fx16 = int64_t{border_texel} * kTexel_fx16;
   const int64_t u = Coordinate(row, row.u_fx32).at(px), v = Coordinate(row, row.v_fx32).at(px);
-  shift(&row.u_fx32, row, kBorder_fx16 + beyond_fx16 - u);
-  shift(&row.v_fx32, row, kBorder_fx16 - beyond_fx16 - v);
+  shift(&row.u_fx32, row, border_fx16 + beyond_fx16 - u);
+  shift(&row.v_fx32, row, border_fx16 - beyond_fx16 - v);
   return row;
 }
 
+struct Border {
+  int32_t texel;
+  bool of_u, of_v;
+};
+
+// Of the texture too, where one coordinate is well inside.
 TEST_F(SteppedRows, AreDrawnByTheirDefinitionWithBordersAtEveryPixel) {
   constexpr int64_t kTexel = int64_t{kTexel_fx16} << 16;
   constexpr int64_t kSteps[] = {
       0x8000,          0xAAAB,     43691 + 5 * kTexel_fx16, kTexel, kTexel - 1,
       kTexel - 0xAAAB, kTexel / 7, kTexel * 5 / 2 + 1};
+  constexpr Border kBorders[] = {{20, true, true},
+                                 {0, true, false},
+                                 {0, false, true},
+                                 {kSide_texel, true, false},
+                                 {kSide_texel, false, true}};
+  constexpr DividedLanes::Linear kStill_fx32{30.5 * 0x1p32, 0};
   constexpr int32_t kWidth_px = 102;
+  const auto all_spans = [&](const Row& row, int32_t px) {
+    expect_drawn(row, 0, kWidth_px);
+    expect_drawn(row, std::max(px - 3, 0), px + 18);
+    expect_drawn(row, std::max(px - 3, 0), px + 1);
+    expect_drawn(row, px, px + 9);
+  };
   for (const int64_t step : kSteps) {
     for (const int sign : {1, -1}) {
-      for (const int32_t segment_px : {48, kWidth_px}) {
-        for (int32_t px = 0; px < 2 * kStepGroup_px + 3; ++px) {
-          for (const int32_t beyond_fx16 : {-1, 0, 3, 13}) {
+      for (int32_t px = 0; px < 2 * kStepGroup_px + 3; ++px) {
+        for (const int32_t beyond_fx16 : {-1, 0, 3, 13}) {
+          for (const Border& border : kBorders) {
             // Values start at a whole unit, or the least that is below one.
             const auto start_fx32 = static_cast<double>(5 - px % 2);
             const auto step_fx32 = static_cast<double>(sign * step);
-            const Row row = with_border({{start_fx32, step_fx32},
-                                         {start_fx32, -step_fx32},
-                                         {1, 0},
-                                         5,
-                                         kWidth_px,
-                                         segment_px},
-                                        px, beyond_fx16);
-            expect_drawn(row, 0, kWidth_px);
-            expect_drawn(row, std::max(px - 3, 0), px + 18);
+            const int32_t segment_px = px % 3 == 0 ? 48 : kWidth_px;
+            const DividedLanes::Linear rises{start_fx32, step_fx32}, falls{start_fx32, -step_fx32};
+            Row row = with_border({rises, falls, {1, 0}, 5, kWidth_px, segment_px}, px, beyond_fx16,
+                                  border.texel);
+            if (!border.of_u) row.u_fx32 = kStill_fx32;
+            if (!border.of_v) row.v_fx32 = kStill_fx32;
+            all_spans(row, px);
             if (HasFatalFailure()) FAIL() << step << ", border at " << px << ", " << beyond_fx16;
           }
         }
@@ -165,7 +181,7 @@ TEST_F(SteppedRows, AreDrawnByTheirDefinitionHoweverLong) {
     Row row{numerator(),        numerator(), {1, grows / width_px},
             random.in(2, 4097), width_px,    std::min(segment_px, width_px)};
     const int32_t px = random.percent(20) ? width_px - 1 : random.in(0, width_px);
-    row = with_border(row, px, random.in(-1, 1));
+    row = with_border(row, px, random.in(-1, 1), 20);
     expect_drawn(row, std::max(px - random.in(1, 40), 0), px + random.in(1, 40));
     if (HasFatalFailure()) FAIL() << "seed " << seed;
   }
@@ -217,6 +233,27 @@ TEST(SteppedQuads, AreDrawnTheSameNextToABorder) {
     for (const selvage_kernel kernel : usable_kernels()) {
       ASSERT_TRUE(drawing_of(c, kernel, 2 * kTexel_fx16) == scalar)
           << "kernel " << kernel << ", q " << q;
+    }
+  }
+}
+
+// Rows too narrow for segments, seen through a pixel.
+TEST(SteppedTriangles, AreDrawnByTheirTipToo) {
+  spec::Case c;
+  c.target_width_px = c.target_height_px = 200;
+  c.texture_width_texel = c.texture_height_texel = 64;
+  const int32_t end_fx8 = 200 * 256, end_fx16 = 60 * kTexel_fx16;
+  c.vertices = {{0, 0, 0, 0, 1 << 20},
+                {end_fx8, end_fx8, end_fx16, end_fx16, 3 << 19},
+                {0, end_fx8, 0, end_fx16, 1 << 20}};
+  const spec::Canvas whole = drawing_of(c, SELVAGE_KERNEL_FASTEST, kTexel_fx16);
+  EXPECT_FALSE(whole == drawing_of(c, SELVAGE_KERNEL_FASTEST)) << "all rows are exact";
+  c.has_clip = true;
+  for (const int32_t row : {0, 1, 2, 40, 90, 150}) {
+    for (int32_t px = 0; px <= row; px += 1 + row / 8) {
+      c.clip = {px, row, px + 1, row + 1};
+      const spec::Canvas pixel = drawing_of(c, SELVAGE_KERNEL_FASTEST, kTexel_fx16);
+      EXPECT_EQ(pixel.pixel(px, row), whole.pixel(px, row)) << px << ", " << row;
     }
   }
 }

@@ -69,7 +69,7 @@ class DividedVectors {
                                                const DividedLanes::Linear& d, int32_t width_px) {
   const double least = HWY_MIN(d.start, d.start + (width_px - 1) * d.step);
   const double rise = u_fx32.step * d.start, turn = u_fx32.start * d.step;
-  return least > 0 ? std::abs(rise - turn) / (least * least) * kUnit_texel : HUGE_VAL;
+  return std::abs(rise - turn) / (least * least) * kUnit_texel;
 }
 
 [[nodiscard]] HWY_INLINE int32_t window_rows(const DividedLanes& lanes, int32_t width_px,

@@ -74,7 +74,7 @@ class StepWindows {
         extent_(extent_of(texture)),
         texels_(static_cast<const Pixel*>(texture.texels)) {}
 
-  [[nodiscard]] HWY_INLINE bool any() const { return kHasWindows && rows_ != 0; }
+  [[nodiscard]] HWY_INLINE bool any() const { return rows_ != 0; }
   // All pixels of the group whose first one has this lane; false where windows do not hold them.
   [[nodiscard]] HWY_INLINE bool draw(Lane lane, Pixel* to) const {
     const int32_t last_column = extent_.width_texel - kLanes;
