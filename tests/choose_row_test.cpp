@@ -163,6 +163,16 @@ TEST(ChooseRow, StepsAreSmallWhereverARowIsStepped) {
   EXPECT_GT(steepest, 0x1p25);
 }
 
+// As section 8.9 says; segments of 48 px are in the test of those about to be shorter.
+TEST(ChooseRow, RowsBelow96PixelsAreExact) {
+  const Ends still{{7, 7}, {9, 9}, {1, 1}};
+  for (const int32_t width_px : {2, 50, 95}) {
+    const RowChoice choice = choose_row(lanes_of(still, width_px, 3), width_px, kAnyTolerance_fx16);
+    EXPECT_EQ(choice.method, SELVAGE_METHOD_EXACT_PERSPECTIVE);
+    EXPECT_EQ(choice.bound_fx16, 0);
+  }
+}
+
 // A quad that bends less from row to row: the shortest segments come first or last.
 TEST(ChooseRow, OfSomeRowsTheShortestSegmentsAreTold) {
   constexpr int32_t kNear = 1 << 20, kFar = kNear + (1 << 19), kTexels = 200 * SELVAGE_SUBTEXELS;

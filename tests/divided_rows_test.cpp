@@ -154,12 +154,13 @@ TEST(SteepRows, AreExactWhereTheirLastPixelIsFarFromTheOthers) {
 // As steep as rows get: all of the texture from the first pixel to the second, and far beyond what
 // 64 bits hold of a step. Within a tolerance such a row is not cut into pieces; it is exact.
 TEST(SteepRows, AreExactHoweverSteep) {
+  constexpr int32_t kStill_fx16 = (5 << 16) + 30000;  // no tie
   for (const bool falls : {false, true}) {
     for (const bool by_v : {false, true}) {
       Sides sides{128,
                   100 * 256 + 128,
                   {INT32_MIN + 65536, INT32_MAX},
-                  {5 << 16, 5 << 16},
+                  {kStill_fx16, kStill_fx16},
                   {1, SELVAGE_Q_MAX}};
       if (falls) std::swap(sides.u[0], sides.u[1]);
       if (by_v) std::swap(sides.u, sides.v);
