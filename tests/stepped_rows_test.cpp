@@ -192,7 +192,7 @@ TEST_F(SteppedRows, AreDrawnByTheirDefinitionHoweverManySegments) {
   for (int32_t segments = 1; segments <= 70; ++segments) {
     for (const int32_t more_px : {-1, 0, 1, 2}) {
       const int32_t width_px = 48 * segments + more_px;
-      expect_drawn({{0, 0x1p31}, {0, 0x1p30}, {1, 1.0 / width_px}, 5, width_px, 48}, 0, width_px);
+      expect_drawn({{0, 0x1p35}, {0, 0x1p34}, {1, 1.0 / width_px}, 5, width_px, 48}, 0, width_px);
       if (HasFatalFailure()) FAIL() << segments << " segments and " << more_px << " px";
     }
   }
