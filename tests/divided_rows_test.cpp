@@ -104,10 +104,11 @@ TEST_F(DividedRows, AreExactWhateverLanesAreWithinTheirError) {
                 ++rows;
                 const SpanBatch batch = one_span(span);
                 const ProjectiveField field = ProjectiveLanes(map, span).field(span);
-                const auto wanted = drawn(SELVAGE_KERNEL_SCALAR, {batch, field, ExactMap(map)});
+                const auto wanted =
+                    drawn(SELVAGE_KERNEL_SCALAR, {batch, field, kFarApart, ExactMap(map)});
                 for (const int64_t off_fx32 : {-(error_fx32 - 3), int64_t{0}, error_fx32 - 3}) {
-                  const ProjectiveSpans spans{batch, shifted(field, off_fx32, error_fx32),
-                                              ExactMap(map)};
+                  const ProjectiveField off = shifted(field, off_fx32, error_fx32);
+                  const ProjectiveSpans spans{batch, off, kFarApart, ExactMap(map)};
                   for (const selvage_kernel kernel : usable_kernels()) {
                     ASSERT_EQ(drawn(kernel, spans), wanted)
                         << "kernel " << kernel << ", error " << error_fx32 << ", off " << off_fx32;
