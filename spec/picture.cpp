@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "spec/canvas.h"
+#include "spec/drawings.h"
 #include "spec/model.h"
 #include "spec/texture_memory.h"
 
@@ -20,11 +21,6 @@ inline constexpr std::array<uint8_t, 2> kOutsideTexture = {0xEE, 0x11};
   return format == SELVAGE_INDEX8 ? 4 : format == SELVAGE_RGB565 ? 8 : 16;
 }
 
-struct Drawn {
-  Canvas canvas;
-  selvage_status status;
-};
-
 template <class T>
 [[nodiscard]] std::vector<uint8_t> bytes_of(const T& value) {
   std::vector<uint8_t> bytes(sizeof value);
@@ -32,13 +28,16 @@ template <class T>
   return bytes;
 }
 
+[[nodiscard]] Canvas canvas_of(const Case& c, uint8_t background) {
+  return {c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target, background};
+}
+
 // One drawing over one background; notes in *fault what no mapper may touch and this one did.
-[[nodiscard]] Drawn draw_over(const Subject& subject, const Case& c, const TextureMemory& texture,
-                              uint8_t background, std::string* fault) {
-  Canvas canvas(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target,
-                background);
+[[nodiscard]] selvage_status draw_over(const Subject& subject, const Case& c,
+                                       const TextureMemory& texture, Canvas& canvas,
+                                       std::string* fault) {
   if (!texture.fault().empty()) *fault = texture.fault();
-  if (texture.status() != SELVAGE_OK) return {std::move(canvas), texture.status()};
+  if (texture.status() != SELVAGE_OK) return texture.status();
   const TextureMemory::Bytes texture_before = texture.bytes();
   std::vector<selvage_vertex> vertices = c.vertices;
   vertices.reserve(1);  // no vertices are not NULL vertices
@@ -61,11 +60,25 @@ template <class T>
       !vertices.empty() && std::memcmp(vertices.data(), c.vertices.data(),
                                        vertices.size() * sizeof(selvage_vertex)) != 0;
   if (vertices_changed || arguments() != arguments_before) *fault = "an argument was written";
-  return {std::move(canvas), status};
+  return status;
 }
 
-[[nodiscard]] TexelAt coordinate_texture(selvage_format format) {
-  return [format](Texel texel) { return coordinate_texel(format, texel.s, texel.t); };
+// What was drawn over the two backgrounds, pixel by pixel.
+void read_pixels(const Case& c, const std::array<Canvas, 2>& canvases, Picture* picture) {
+  const Canvas untouched[] = {Canvas(c.format, 1, 1, 0, false, kBackgrounds[0]),
+                              Canvas(c.format, 1, 1, 0, false, kBackgrounds[1])};
+  size_t index = 0;
+  for (int32_t y = 0; y < c.target_height_px; ++y) {
+    for (int32_t x = 0; x < c.target_width_px; ++x, ++index) {
+      const uint32_t a = canvases[0].pixel(x, y), b = canvases[1].pixel(x, y);
+      if (a == untouched[0].pixel(0, 0) && b == untouched[1].pixel(0, 0)) continue;
+      picture->pixels[index] = a;
+      if (a != b) {
+        picture->memory_fault =
+            "a pixel depends on the target's past or on memory beside the texture";
+      }
+    }
+  }
 }
 
 [[nodiscard]] bool is_clipped(const Case& c, int32_t x_px, int32_t y_px) {
@@ -86,6 +99,10 @@ uint32_t coordinate_texel(selvage_format format, int32_t s, int32_t t) {
   const int bits = coordinate_bits(format);
   const uint32_t mask = (1U << bits) - 1;
   return (static_cast<uint32_t>(s) & mask) | (static_cast<uint32_t>(t) & mask) << bits;
+}
+
+TexelAt coordinate_texture(selvage_format format) {
+  return [format](Texel texel) { return coordinate_texel(format, texel.s, texel.t); };
 }
 
 int32_t texel_mask(selvage_format format) { return (1 << coordinate_bits(format)) - 1; }
@@ -115,30 +132,25 @@ Picture draw(const Subject& subject, const Case& c) {
 Picture draw(const Subject& subject, const Case& c, const TexelAt& texel_at) {
   demand_claimed(subject, c);
   Picture picture = blank(c);
+  std::array<Canvas, 2> canvases = {canvas_of(c, kBackgrounds[0]), canvas_of(c, kBackgrounds[1])};
+  const auto finish = [&] {
+    read_pixels(c, canvases, &picture);
+    if (subject.noted_in != nullptr) subject.noted_in->note(c, texel_at, picture);
+  };
   const auto draw_with = [&](size_t i) {
     return with_shown(c, [&] {
       const TextureMemory texture(subject, c, texel_at, kOutsideTexture[i]);
-      return draw_over(subject, c, texture, kBackgrounds[i], &picture.memory_fault);
+      return draw_over(subject, c, texture, canvases[i], &picture.memory_fault);
     });
   };
-  const Drawn first = draw_with(0), second = draw_with(1);
-  picture.status = first.status;
-  if (second.status != first.status) picture.memory_fault = "the status depends on the target";
-
-  const Canvas untouched[] = {Canvas(c.format, 1, 1, 0, false, kBackgrounds[0]),
-                              Canvas(c.format, 1, 1, 0, false, kBackgrounds[1])};
-  size_t index = 0;
-  for (int32_t y = 0; y < c.target_height_px; ++y) {
-    for (int32_t x = 0; x < c.target_width_px; ++x, ++index) {
-      const uint32_t a = first.canvas.pixel(x, y), b = second.canvas.pixel(x, y);
-      if (a == untouched[0].pixel(0, 0) && b == untouched[1].pixel(0, 0)) continue;
-      picture.pixels[index] = a;
-      if (a != b) {
-        picture.memory_fault =
-            "a pixel depends on the target's past or on memory beside the texture";
-      }
-    }
+  try {
+    picture.status = draw_with(0);
+    if (draw_with(1) != picture.status) picture.memory_fault = "the status depends on the target";
+  } catch (const SubjectFailure&) {
+    finish();  // what was drawn until then
+    throw;
   }
+  finish();
   return picture;
 }
 

@@ -28,6 +28,7 @@ struct Picture {
 // The value of texel (s, t) of the coordinate texture: it tells its own place, exactly for textures
 // up to 65536 (RGBA8888), 256 (RGB565) and 16 (INDEX8) texels a side, modulo that beyond.
 [[nodiscard]] uint32_t coordinate_texel(selvage_format format, int32_t s, int32_t t);
+[[nodiscard]] TexelAt coordinate_texture(selvage_format format);
 // The bits of s and of t that the format's coordinate texels hold, and those of a value.
 [[nodiscard]] int32_t texel_mask(selvage_format format);
 [[nodiscard]] Texel texel_bits(selvage_format format, uint32_t value);

@@ -27,6 +27,8 @@ struct Prepare {
   std::function<void(const void* memory)> release{};
 };
 
+class Drawings;
+
 struct Subject {
   std::string name;
   std::function<selvage_status(const selvage_image*, const selvage_rect*, const selvage_vertex*,
@@ -45,6 +47,9 @@ struct Subject {
   // Called before each case that a law is checked on; may be empty. What changes from call to call
   // starts anew, so that a case can be seen again.
   std::function<void()> begin_case{};
+  // Forgets all that calls have left behind, as if it had just been loaded; may be empty.
+  std::function<void()> start_anew{};
+  Drawings* noted_in = nullptr;  // where spec::draw notes its pictures; may be null
 };
 
 // Thrown by a subject's draw where a call did not end as calls do: a crash, a hang, memory that was

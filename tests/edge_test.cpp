@@ -87,7 +87,7 @@ TEST(Chain, JumpsWithinAnEdgeAndPastSome) {
   }
 }
 
-TEST(Chain, WritesNoColumnBeyondTheLastRow) {
+TEST(Chain, HasLinesForTheRowsAskedForAndNoMore) {
   const std::vector<selvage_vertex> v = {
       {0, 0, 0, 0, 1}, {2560, 300, 0, 0, 1}, {3000, 2000, 0, 0, 1}, {-500, 2560, 0, 0, 1}};
   Polygon polygon;
@@ -97,7 +97,10 @@ TEST(Chain, WritesNoColumnBeyondTheLastRow) {
     Chain chain(polygon, Chain::Direction::kForward), walked(polygon, Chain::Direction::kForward);
     std::vector<int32_t> first_px(static_cast<size_t>(rows) + 1, kUntouched);
     chain.for_each_line(0, rows, [&](const EdgeLine& line, int32_t count, int32_t first) {
-      kScalarRowKernel.find_columns(line, count, first_px.data() + first);
+      for (int32_t i = 0; i < count; ++i) {
+        first_px[static_cast<size_t>(first + i)] =
+            static_cast<int32_t>(floor_quotient(line.dividend + i * line.step, line.divisor));
+      }
     });
     for (int32_t row = 0; row < rows; ++row) {
       ASSERT_EQ(first_px[static_cast<size_t>(row)], walked.at_row(row).first_px()) << row;

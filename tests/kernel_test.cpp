@@ -45,10 +45,10 @@ template <class Pixel>
   const Kernels& kernels = kernels_for(nearest_by(kernel), surface, {});
   if (affine) {
     const AffineField lanes = AffineLanes(map, span).field(span);
-    kernels.draw_affine({one_span(span), lanes, ExactMap(map)}, surface);
+    kernels.draw_affine({one_span(span), lanes, kFarApart, ExactMap(map)}, surface);
   } else {
     const ProjectiveField lanes = ProjectiveLanes(map, span).field(span);
-    kernels.draw_projective({one_span(span), lanes, ExactMap(map)}, surface);
+    kernels.draw_projective({one_span(span), lanes, kFarApart, ExactMap(map)}, surface);
   }
   return row;
 }
@@ -162,7 +162,7 @@ TEST(Kernel, AddressesATextureOfAnyPitch) {
     EXPECT_EQ(&kernels_for(nearest_by(SELVAGE_KERNEL_FASTEST), tall, {}), scalar) << pitch;
   }
   Polygon at_the_end;
-  at_the_end.least_texel_fx16 = INT32_MIN + 65535;
+  at_the_end.texels.least_v_fx16 = INT32_MIN + 65535;
   EXPECT_EQ(&kernels_for(nearest_by(SELVAGE_KERNEL_FASTEST), far, {}), scalar);
   for (const selvage_kernel kernel : usable_kernels()) {
     EXPECT_EQ(&kernels_for(nearest_by(kernel), far, {}), scalar);

@@ -9,6 +9,7 @@
 #include "mapper/vector_kernel.h"
 #include "spec/random.h"
 #include "tests/kernel_support.h"
+#include "tests/span_support.h"
 
 namespace selvage::mapper {
 namespace {
@@ -70,11 +71,13 @@ enum class Side { kLeft, kRight };
                                : *vector_kernels(kernel, SELVAGE_FILTER_NEAREST);
   if (map.denominator_step() == 0) {
     const AffineLanes lanes(map, row.span);
-    kernels.draw_affine({one_span(row.span), lanes.field(row.span), ExactMap(map)}, surface);
+    kernels.draw_affine({one_span(row.span), lanes.field(row.span), kFarApart, ExactMap(map)},
+                        surface);
   } else {
     const ProjectiveLanes lanes(map, row.span);
     EXPECT_LE(lanes.ratio(), 2 * kGentleRatio);
-    kernels.draw_projective({one_span(row.span), lanes.field(row.span), ExactMap(map)}, surface);
+    kernels.draw_projective({one_span(row.span), lanes.field(row.span), kFarApart, ExactMap(map)},
+                            surface);
   }
   return pixels;
 }

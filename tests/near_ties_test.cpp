@@ -156,7 +156,8 @@ void expect_alike_over_a_steep_span(int32_t least_q) {
           {texels.data(), 64, 64, 64 * 4, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr},
           SELVAGE_ADDRESS_WRAP};
       kernels_for({SELVAGE_PROFILE_EXACT, filter, SELVAGE_ADDRESS_WRAP, 0, kernel}, surface, {})
-          .draw_projective({one_span(whole), lanes.field(whole), ExactMap(map)}, surface);
+          .draw_projective({one_span(whole), lanes.field(whole), kFarApart, ExactMap(map)},
+                           surface);
       EXPECT_EQ(row, rows.front()) << "kernel " << kernel << ", least q " << least_q;
     }
   }

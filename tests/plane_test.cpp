@@ -184,7 +184,7 @@ TEST(Plane, MarginHasAUnitForTheStartAndForEachStep) {
   if (examine(triangle, &polygon) != SELVAGE_OK) return std::nullopt;
   const auto plane = Plane::of(polygon, {-32768, -32768, 32768, 32768});
   if (!plane) return std::nullopt;
-  const PlaneFrame frame = *PlaneFrame::of(triangle);
+  const PlaneFrame frame = PlaneFrame::of(triangle);
   const selvage_vertex& origin = frame.origin();
   const AffineField& lanes = plane->lanes();
   const int64_t dx = centre_fx8(lanes.first_px) - int64_t{origin.x};

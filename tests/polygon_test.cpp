@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -68,7 +69,12 @@ TEST(Polygon, TellsItsExtents) {
     EXPECT_EQ(polygon.bottom_row, 3);
     EXPECT_EQ(polygon.left_px, -1);
     EXPECT_EQ(polygon.right_px, 4);
-    EXPECT_EQ(polygon.least_texel_fx16, -6);
+    const auto& [least_u, most_u, least_v, most_v] = polygon.texels;
+    const auto [u, u_end] = std::ranges::minmax(v, {}, &selvage_vertex::u);
+    const auto [w, w_end] = std::ranges::minmax(v, {}, &selvage_vertex::v);
+    EXPECT_EQ(std::tuple(least_u, most_u), std::tuple(u.u, u_end.u));
+    EXPECT_EQ(std::tuple(least_v, most_v), std::tuple(w.v, w_end.v));
+    EXPECT_EQ(std::min(least_u, least_v), -6);
     std::ranges::rotate(v, v.begin() + 1);
   }
 }

@@ -264,7 +264,7 @@ struct Reach {
     furthest_texel = std::max({furthest_texel, std::abs(v.u / 65536.0), std::abs(v.v / 65536.0)});
   }
   const double least =
-      least_q * static_cast<double>(PlaneFrame::of(of)->doubled_area()) * double{SELVAGE_SUBTEXELS};
+      least_q * static_cast<double>(PlaneFrame::of(of).doubled_area()) * double{SELVAGE_SUBTEXELS};
   const auto most = [&](const auto& at, int128 step) {
     const int128 start = at(part.left, part.top), down = at(part.left, part.top + 1) - start;
     return (magnitude_of(start) + (part.right - part.left) * magnitude_of(step) +

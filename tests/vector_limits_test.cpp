@@ -47,13 +47,15 @@ TEST(VectorLimits, AnchorsAreLoweredByTheProofsBound) {
 }
 
 TEST(VectorLimits, LanesMayBeLowByATexel) {
-  Polygon polygon{};
-  polygon.least_texel_fx16 = std::numeric_limits<int32_t>::min() + 65536;
-  EXPECT_TRUE(lanes_fit(polygon));
-  --polygon.least_texel_fx16;
-  EXPECT_FALSE(lanes_fit(polygon));
-  polygon.least_texel_fx16 = std::numeric_limits<int32_t>::min();
-  EXPECT_FALSE(lanes_fit(polygon));
+  for (int32_t TexelBox::*const least : {&TexelBox::least_u_fx16, &TexelBox::least_v_fx16}) {
+    Polygon polygon{};
+    polygon.texels.*least = std::numeric_limits<int32_t>::min() + 65536;
+    EXPECT_TRUE(lanes_fit(polygon));
+    --(polygon.texels.*least);
+    EXPECT_FALSE(lanes_fit(polygon));
+    polygon.texels.*least = std::numeric_limits<int32_t>::min();
+    EXPECT_FALSE(lanes_fit(polygon));
+  }
 }
 
 TEST(VectorLimits, PlacesFit32Bits) {
@@ -71,7 +73,7 @@ TEST(VectorLimits, PlacesFit32Bits) {
   surface.texture.pitch = -surface.texture.pitch;
   EXPECT_FALSE(fits_vectors(surface, polygon));
   Polygon too_low{};
-  too_low.least_texel_fx16 = std::numeric_limits<int32_t>::min();
+  too_low.texels.least_u_fx16 = std::numeric_limits<int32_t>::min();
   surface.texture.pitch = 16;
   EXPECT_TRUE(fits_vectors(surface, polygon));
   EXPECT_FALSE(fits_vectors(surface, too_low));

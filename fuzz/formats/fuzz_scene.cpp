@@ -46,7 +46,8 @@ void draw(const scene::Scene& scene, double time_s, scene::Hidden way) {
   const scene::Drawing drawing = compose(scene, time_s, kSize, wish, way);
   const scene::Counts& counts = drawing.view.counts;
   if (counts.refused != 0) std::abort();
-  if (counts.faces != counts.clipped_away + counts.backs + counts.off_screen + counts.seen) {
+  if (counts.faces !=
+      counts.clipped_away + counts.backs + counts.edge_on + counts.off_screen + counts.seen) {
     std::abort();
   }
   if (drawing.plans.size() != drawing.view.faces.size()) std::abort();

@@ -8,6 +8,7 @@
 
 #include "cli/error.h"
 #include "cli/file.h"
+#include "reports/page/again.h"
 #include "reports/page/known.h"
 #include "reports/page/matrix.h"
 #include "reports/page/plots.h"
@@ -71,6 +72,18 @@ void write_known(const fs::path& folder, const std::string& findings, const std:
   }
 }
 
+// What was new on other rows, for each row that it has to be tried on, as those directories are.
+void write_again(const fs::path& folder, const std::string& findings) {
+  const std::vector<MatrixRow> rows = read_rows(folder / "matrix");
+  const json examined = findings.empty() ? json::object() : read_json(findings);
+  for (const MatrixRow& row : rows) {
+    const std::vector<cli::KnownCase> again = to_try_again(rows, examined, row.id);
+    const fs::path directory = folder / "matrix" / "again" / row.id;
+    if (!again.empty()) fs::create_directories(directory);
+    for (const cli::KnownCase& known : again) cli::write_to_corpus(directory, known);
+  }
+}
+
 void write_page(const fs::path& folder, Results results) {
   results.verify = read_json(folder / "verify.json");
   results.laws = read_json(folder / "laws.json");
@@ -115,10 +128,14 @@ int main(int argc, char** argv) {
       "known",
       "the cases that its matrix tries first on a row, from the findings and from its folder "
       "corpus, to its folder matrix/known/ID");
+  CLI::App* again = app.add_subcommand(
+      "again",
+      "what its matrix has newly found on a row and has to try on others, to matrix/again/ID");
+  again->add_option("--findings", findings, "as for matrix");
   std::string row;
   known->add_option("--findings", findings, "as for matrix");
   known->add_option("--row", row, "the row's ID")->required();
-  for (CLI::App* command : {plots, worst, html, matrix, known})
+  for (CLI::App* command : {plots, worst, html, matrix, known, again})
     command->add_option("folder", folder)->required();
   html->add_option("--revision", results.revision, "what source this is about");
   html->add_option("--unmeasured", results.unmeasured, "why there is no bench.json");
@@ -132,6 +149,8 @@ int main(int argc, char** argv) {
       std::cout << worst_case_lines(read_json(fs::path(folder) / "stability.json"));
     else if (matrix->parsed())
       return write_matrix(folder, findings) ? 0 : 1;
+    else if (again->parsed())
+      write_again(folder, findings);
     else if (known->parsed())
       write_known(folder, findings, row);
     else

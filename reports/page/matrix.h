@@ -17,7 +17,8 @@ struct MatrixRow {
   std::string error;               // and then why
 };
 
-// Rows in the order of matrix/rows.tsv. Throws UserError for files that are missing or damaged.
+// Rows in the order of matrix/rows.tsv, each with what its second pass found. Throws UserError for
+// files that are missing or damaged.
 [[nodiscard]] std::vector<MatrixRow> read_rows(const std::filesystem::path& folder);
 
 // The whole matrix as one value. `findings` holds, by the row's id, what is known of a subject: its

@@ -3,6 +3,7 @@
 
 #include "cli/error.h"
 #include "cli/file.h"
+#include "reports/page/again.h"
 #include "reports/page/matrix.h"
 
 namespace selvage::reports {
@@ -77,6 +78,16 @@ json subject_of(const MatrixRow& row, const json& laws, const json& known) {
   return subject;
 }
 
+json read_verdict(const fs::path& path) {
+  return cli::about(path.string(), [&] {
+    try {
+      return json::parse(cli::read_text_file(path));
+    } catch (const json::exception& error) {
+      throw cli::UserError(std::string("not JSON: ") + error.what());
+    }
+  });
+}
+
 }  // namespace
 
 std::vector<MatrixRow> read_rows(const fs::path& folder) {
@@ -87,18 +98,14 @@ std::vector<MatrixRow> read_rows(const fs::path& folder) {
     if (tab == std::string::npos) throw cli::UserError("rows.tsv: no tab in '" + line + "'");
     MatrixRow row{line.substr(0, tab), line.substr(tab + 1), nullptr, ""};
     const fs::path verdict = folder / (row.id + ".json");
+    const fs::path second = folder / (row.id + ".again.json");
     if (!fs::exists(verdict)) {
       row.error = cli::read_text_file(folder / (row.id + ".error"));
       rows.push_back(std::move(row));
       continue;
     }
-    row.verdict = cli::about(verdict.string(), [&] {
-      try {
-        return json::parse(cli::read_text_file(verdict));
-      } catch (const json::exception& error) {
-        throw cli::UserError(std::string("not JSON: ") + error.what());
-      }
-    });
+    row.verdict = read_verdict(verdict);
+    if (fs::exists(second)) row.verdict = with_second(row.verdict, read_verdict(second));
     rows.push_back(std::move(row));
   }
   return rows;

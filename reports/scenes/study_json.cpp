@@ -55,6 +55,7 @@ json json_of(const Study& study) {
           {"tolerance", tolerance_name(study.tolerance_texel)},
           {"faces", study.counts.faces},
           {"faces_from_behind", study.counts.backs},
+          {"faces_edge_on", study.counts.edge_on},
           {"faces_seen", study.counts.seen},
           {"faces_shown", study.faces_shown},
           {"shown_px", study.shown_px},

@@ -66,7 +66,12 @@ std::vector<KnownCase> read_corpus(const std::filesystem::path& directory) {
   }
   std::sort(paths.begin(), paths.end());
   std::vector<KnownCase> known;
-  for (const auto& path : paths) known.push_back(read_known(path));
+  for (const auto& path : paths) {
+    if (!std::filesystem::is_regular_file(path, error)) {
+      throw UserError("'" + path.string() + "' is no regular file; a corpus has no other *.case");
+    }
+    known.push_back(read_known(path));
+  }
   return known;
 }
 
@@ -80,6 +85,17 @@ std::string corpus_name(std::string_view law, const spec::Case& c) {
 void write_to_corpus(const std::filesystem::path& directory, const KnownCase& known) {
   write_text_file(directory / corpus_name(known.law, known.found),
                   known.law + " " + spec::to_hex(known.found) + "\n");
+}
+
+void add_to_corpus(const std::filesystem::path& directory, const VerifyRun& run) {
+  if (directory.empty() || run.replay) return;
+  std::error_code error;
+  std::filesystem::create_directories(directory, error);  // else writing tells why not
+  for (const Verdict& verdict : run.verdicts) {
+    if (!verdict.found.violation || verdict.from_corpus) continue;
+    write_to_corpus(directory,
+                    {std::string(verdict.found.law->name), *verdict.found.counterexample});
+  }
 }
 
 }  // namespace selvage::cli

@@ -35,17 +35,25 @@ template <class Function, class Answer>
 
 }  // namespace
 
-Raster counterexample_picture(const spec::Subject& judged, const spec::Violation& violation) {
-  const spec::Subject subject = unfailing(judged);
+Raster counterexample_picture(const spec::Subject& judged, const spec::Violation& violation,
+                              const spec::Drawings* drawings) {
   const spec::Case& shown = violation.shown;
   // A mixed pixel tells no texel: these are shown with a texture of colours, that of law FILTER.
   const bool colours = shown.filter != SELVAGE_FILTER_NEAREST || violation.law == "FILTER";
-  const spec::TexelAt texture = colours ? spec::filter_texture(shown) : spec::TexelAt();
+  spec::TexelAt texture =
+      colours ? spec::filter_texture(shown) : spec::coordinate_texture(shown.format);
+  const spec::Picture* noted = drawings != nullptr ? drawings->find(shown, texture) : nullptr;
+  if (noted == nullptr && drawings != nullptr && colours) {
+    // A law that does not judge colours was broken by a call that did not end as calls do.
+    const spec::TexelAt places = spec::coordinate_texture(shown.format);
+    noted = drawings->find(shown, places);
+    if (noted != nullptr) texture = places;
+  }
   return comparison_picture(
       {.scene = shown,
        .colours = colours,
-       .drawn = colours ? spec::draw(subject, shown, texture) : spec::draw(subject, shown),
-       .expected = colours ? spec::expected(shown, texture) : spec::expected(shown),
+       .drawn = noted != nullptr ? *noted : spec::draw(unfailing(judged), shown, texture),
+       .expected = spec::expected(shown, texture),
        .x_px = violation.x_px,
        .y_px = violation.y_px,
        .difference = [](const auto&, const auto&) {

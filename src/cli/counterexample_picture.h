@@ -2,13 +2,16 @@
 #pragma once
 
 #include "cli/raster.h"
+#include "spec/drawings.h"
 #include "spec/laws.h"
 #include "spec/subject.h"
 
 namespace selvage::cli {
 
-// As comparison_picture.h has it: what differs is red, the blamed pixel framed.
+// As comparison_picture.h has it: what differs is red, the blamed pixel framed. What was drawn is
+// looked up in `drawings`, if there are some, and drawn by the subject else.
 [[nodiscard]] Raster counterexample_picture(const spec::Subject& subject,
-                                            const spec::Violation& violation);
+                                            const spec::Violation& violation,
+                                            const spec::Drawings* drawings = nullptr);
 
 }  // namespace selvage::cli

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <numbers>
 
 #include "spec/profiles.h"
@@ -42,7 +43,29 @@ using scene::Vector3;
   }
 }
 
-void step(int32_t& value, int32_t by, int32_t most) { value = std::clamp(value + by, -most, most); }
+// A key that makes a number more or less.
+struct Step {
+  DemoKey key;
+  int32_t DemoState::*number;
+  int32_t by, most;
+};
+constexpr Step kSteps[] = {{DemoKey::kFaster, &DemoState::speed_quarters, 1, kMostSpeed_quarters},
+                           {DemoKey::kSlower, &DemoState::speed_quarters, -1, kMostSpeed_quarters},
+                           {DemoKey::kLeft, &DemoState::right_steps, -1, kMostMove_steps},
+                           {DemoKey::kRight, &DemoState::right_steps, 1, kMostMove_steps},
+                           {DemoKey::kUp, &DemoState::up_steps, 1, kMostMove_steps},
+                           {DemoKey::kDown, &DemoState::up_steps, -1, kMostMove_steps},
+                           {DemoKey::kNearer, &DemoState::near_steps, 1, kMostMove_steps},
+                           {DemoKey::kFarther, &DemoState::near_steps, -1, kMostMove_steps}};
+
+// Whether the key is one of these.
+[[nodiscard]] bool take_step(DemoState& state, DemoKey key) {
+  const Step* const step = std::ranges::find(kSteps, key, &Step::key);
+  if (step == std::end(kSteps)) return false;
+  int32_t& number = state.*step->number;
+  number = std::clamp(number + step->by, -step->most, step->most);
+  return true;
+}
 
 void turn_about(DemoState& state, const Vector3& axis, const char* name) {
   state.axis = axis;
@@ -72,11 +95,8 @@ DemoState demo_start(const scene::Scene& scene) {
 }
 
 void press(DemoState& state, DemoKey key) {
+  if (take_step(state, key)) return;
   switch (key) {
-    case DemoKey::kFaster:
-      return step(state.speed_quarters, 1, kMostSpeed_quarters);
-    case DemoKey::kSlower:
-      return step(state.speed_quarters, -1, kMostSpeed_quarters);
     case DemoKey::kAxisX:
       return turn_about(state, Vector3::UnitX(), "x");
     case DemoKey::kAxisY:
@@ -85,18 +105,6 @@ void press(DemoState& state, DemoKey key) {
       return turn_about(state, Vector3::UnitZ(), "z");
     case DemoKey::kFlipAxis:
       return flip_axis(state);
-    case DemoKey::kLeft:
-      return step(state.right_steps, -1, kMostMove_steps);
-    case DemoKey::kRight:
-      return step(state.right_steps, 1, kMostMove_steps);
-    case DemoKey::kUp:
-      return step(state.up_steps, 1, kMostMove_steps);
-    case DemoKey::kDown:
-      return step(state.up_steps, -1, kMostMove_steps);
-    case DemoKey::kNearer:
-      return step(state.near_steps, 1, kMostMove_steps);
-    case DemoKey::kFarther:
-      return step(state.near_steps, -1, kMostMove_steps);
     case DemoKey::kFilter:
       state.filter = next(state.filter);
       return;
@@ -114,6 +122,8 @@ void press(DemoState& state, DemoKey key) {
       return;
     case DemoKey::kQuit:
       state.quit = true;
+      return;
+    default:
       return;
   }
 }
@@ -141,7 +151,7 @@ void pose(const scene::Scene& scene, const DemoState& state, scene::Scene& now) 
   scene::Camera& camera = now.camera;
   camera = scene.camera;
   const Vector3 back = camera.position - camera.target;
-  const Vector3 right = camera.up.cross(back).normalized();
+  const Vector3 right = camera.up.stableNormalized().cross(back).normalized();
   const Vector3 up = back.cross(right).normalized();
   // The scene goes to the right where the camera goes to the left.
   const Vector3 aside = (right * state.right_steps + up * state.up_steps) * (back.norm() / 16);

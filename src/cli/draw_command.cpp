@@ -58,8 +58,10 @@ void check_png_name(const std::string& output) {
       polygon.options.address = about("--address", [&] { return parse_address(options.address); });
     }
     if (!options.tolerance.empty()) {
-      polygon.options.tolerance =
+      constexpr double kUnits = SELVAGE_SUBTEXELS;
+      const double texels =
           about("--tolerance", [&] { return parse_tolerance(options.tolerance); });
+      polygon.options.tolerance = static_cast<int32_t>(texels * kUnits);
     }
     if (!options.filter.empty()) {
       polygon.options.filter = about("--filter", [&] { return parse_filter(options.filter); });

@@ -55,10 +55,14 @@ selvage_filter parse_filter(std::string_view name) {
   throw UserError("'" + std::string(name) + "' is no filter; nearest, four, bilinear and area are");
 }
 
-int32_t parse_tolerance(std::string_view texels) {
-  constexpr double kUnits = SELVAGE_SUBTEXELS, kMost = 32767;
-  const std::optional<double> value = parse_double(texels);
-  if (value && *value >= 0 && *value <= kMost) return static_cast<int32_t>(*value * kUnits);
+double checked_tolerance(double texels) {
+  constexpr double kMost_texel = 32767;  // selvage_options holds no more
+  if (texels >= 0 && texels <= kMost_texel) return texels;
+  throw UserError("'" + show(texels) + "' is no tolerance; 0 to 32767 texels are");
+}
+
+double parse_tolerance(std::string_view texels) {
+  if (const std::optional<double> value = parse_double(texels)) return checked_tolerance(*value);
   throw UserError("'" + std::string(texels) + "' is no tolerance; 0 to 32767 texels are");
 }
 
@@ -68,6 +72,12 @@ std::string_view method_name(selvage_method method) {
       "subdivided",    "exact affine", "exact perspective",
       "filter",        "historic"};
   return kNames[static_cast<size_t>(method)];
+}
+
+std::string_view kernel_name(selvage_kernel kernel) {
+  constexpr std::array<std::string_view, SELVAGE_KERNEL_NEON + 1> kNames = {
+      "fastest", "scalar", "sse4", "avx2", "avx512", "neon"};
+  return kNames[static_cast<size_t>(kernel)];
 }
 
 std::vector<std::vector<selvage_vertex>> snap(const Job& job) {

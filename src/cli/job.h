@@ -30,10 +30,13 @@ using Job = std::vector<JobPolygon>;
 [[nodiscard]] selvage_profile parse_profile(std::string_view name);
 [[nodiscard]] selvage_address parse_address(std::string_view name);
 [[nodiscard]] selvage_filter parse_filter(std::string_view name);
-// Texels, decimal; in 1/65536 texel, rounded down.
-[[nodiscard]] int32_t parse_tolerance(std::string_view texels);
+// A tolerance that is given, in texels, whether as text or as a number; else a UserError.
+[[nodiscard]] double parse_tolerance(std::string_view texels);
+[[nodiscard]] double checked_tolerance(double texels);
 // "exact perspective", "subdivided", ...
 [[nodiscard]] std::string_view method_name(selvage_method method);
+// "fastest", "scalar", "sse4", ...
+[[nodiscard]] std::string_view kernel_name(selvage_kernel kernel);
 
 // Each polygon's vertices on the mapper's grid. The least w of the whole job is the near one, so
 // that polygons that share an edge agree on it. Errors name the polygon and the vertex.

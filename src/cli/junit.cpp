@@ -62,6 +62,7 @@ namespace {
   if (!verdict.found.violation) return "the law judged nothing, which shows nothing";
   std::string text = spec::explain(*verdict.found.violation);
   if (!text.ends_with('\n')) text += '\n';
+  for (const std::string& note : notes_on(verdict)) text += "note: " + note + "\n";
   text += "replay: " + replay_line(run, verdict) + "\n";
   if (!verdict.picture.empty()) text += "picture: " + verdict.picture + "\n";
   return text;

@@ -11,6 +11,7 @@ void LawRun::try_known(const std::vector<KnownCase>& known) {
   const spec::Law& law = *verification_.verdict().law;
   for (const KnownCase& one : known) {
     if (is_violated() || one.law != law.name) continue;
+    if (is_over_ && is_over_()) return;
     const spec::Case c = within(subject_.claims, spec::to_profile(one.found, subject_.profile));
     const spec::Judgement judgement = spec::judge(law, subject_, c);
     ++known_.tried;
@@ -31,8 +32,12 @@ void LawRun::hunt(uint64_t seed, uint64_t climb, uint64_t most) {
 }
 
 void LawRun::replay(const spec::Case& c) {
-  spec::Judgement judgement = spec::judge(*verification_.verdict().law, subject_, c);
+  auto drawings = std::make_shared<spec::Drawings>();
+  spec::Subject noted = subject_;
+  noted.noted_in = drawings.get();
+  spec::Judgement judgement = spec::judge(*verification_.verdict().law, noted, c);
   replayed_ = verification_.verdict();
+  replayed_->drawings = std::move(drawings);
   replayed_->cases = 1;
   replayed_->judged_px = judgement.judged_px;
   replayed_->margin = judgement.margin;

@@ -14,8 +14,10 @@ namespace selvage::cli {
 
 class LawRun {
  public:
-  LawRun(const spec::Law& law, const spec::Subject& subject)
-      : subject_(subject), verification_(law, subject) {}
+  // Where the time is over, what is left to do is cut short; empty: it never is.
+  LawRun(const spec::Law& law, const spec::Subject& subject,
+         const spec::Verification::IsOver& is_over = {})
+      : subject_(subject), is_over_(is_over), verification_(law, subject, is_over) {}
 
   // Adds the time that the work takes to the law's.
   template <typename Work>
@@ -26,6 +28,8 @@ class LawRun {
   }
 
   [[nodiscard]] bool is_violated() const { return verification_.verdict().violation.has_value(); }
+
+  [[nodiscard]] bool hangs() const { return verification_.verdict().hung; }
 
   // Known violations of this law, each as the subject's profile and claims take it. They count
   // among the cases only where they still are some.
@@ -46,6 +50,7 @@ class LawRun {
   using Clock = std::chrono::steady_clock;
 
   const spec::Subject& subject_;
+  spec::Verification::IsOver is_over_;
   spec::Verification verification_;
   std::optional<spec::LawVerdict> replayed_;
   Known known_;

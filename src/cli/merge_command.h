@@ -11,6 +11,7 @@ namespace selvage::cli {
 
 struct MergeOptions {
   std::vector<std::string> files;  // as `verify --shard I/N --json` prints them
+  std::string corpus{};            // a directory for the violations that are new; empty: none
   std::string junit;
   bool json = false;
 };

@@ -1,11 +1,21 @@
 #include "cli/mtl_lines.h"
 
 #include <algorithm>
+#include <array>
 
 #include "cli/statement.h"
 
 namespace selvage::cli {
 namespace {
+
+// Statements of the format and of its usual extensions that have no say in a picture here.
+constexpr std::array<std::string_view, 42> kLeftOut = {
+    "Ka",     "Ks",     "Ke",     "Km",       "Ns",       "Ni",        "d",
+    "Tr",     "Tf",     "map_Ka", "map_Ks",   "map_Ke",   "map_Ns",    "map_Ni",
+    "map_d",  "map_Tr", "map_Tf", "map_bump", "map_Bump", "bump",      "Bump",
+    "disp",   "decal",  "refl",   "map_refl", "norm",     "map_aat",   "map_disp",
+    "Pr",     "Pm",     "Ps",     "Pc",       "Pcr",      "aniso",     "anisor",
+    "map_Pr", "map_Pm", "map_Ps", "map_RMA",  "map_ORM",  "sharpness", "Kt"};
 
 void add_material(const std::string& file, const Statement& statement, MtlLines& lines) {
   const std::string& name = only_word(file, statement);
@@ -53,8 +63,11 @@ MtlLines check_mtl_lines(const std::string& file, std::string_view text) {
       check_illumination(file, statement);
     } else if (keyword == "map_Kd") {
       check_texture(file, statement);
-    } else {
+    } else if (std::ranges::find(kLeftOut, keyword) != kLeftOut.end()) {
       continue;
+    } else {
+      throw UserError(file + ":" + std::to_string(statement.line) + ": " + quoted(keyword) +
+                      " begins no statement of materials; newmtl, Kd, illum and map_Kd are read");
     }
     if (lines.materials.empty()) throw wrong(file, statement, "a newmtl is needed before");
     if (keyword == "map_Kd") lines.materials.back().texture_line = statement.line;

@@ -18,7 +18,8 @@ struct MtlLines {
 };
 
 // Numbers that are none, materials that stand twice and options of textures that are not heeded are
-// UserErrors "FILE:LINE: KEYWORD: what is wrong". Other statements than these four are left out.
+// UserErrors "FILE:LINE: KEYWORD: what is wrong", and so is what begins no statement of such a
+// file. Other statements than these four are left out.
 [[nodiscard]] MtlLines check_mtl_lines(const std::string& file, std::string_view text);
 
 }  // namespace selvage::cli

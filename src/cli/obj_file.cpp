@@ -14,7 +14,8 @@
 #include "cli/mtl_lines.h"
 #include "cli/obj_lines.h"
 #include "cli/picture_file.h"
-#include "scene/look.h"
+#include "scene/face_shape.h"
+#include "scene/problem.h"
 
 namespace selvage::cli {
 namespace {
@@ -34,7 +35,7 @@ struct Libraries {
   Libraries libraries;
   for (const auto& [line, name] : lines.libraries) {
     const std::filesystem::path library = path.parent_path() / name;
-    const std::string text = about(path.string() + ":" + std::to_string(line),
+    const std::string text = about(path.string() + ":" + std::to_string(line) + ": mtllib",
                                    [&, &library = library] { return files.text(library); });
     MtlLines checked = check_mtl_lines(library.string(), text);
     libraries.texts.push_back(std::move(checked.statements));
@@ -188,8 +189,20 @@ void set_texture(scene::Face& face, const std::vector<scene::Vector2>& uv,
   return faces.first(count);
 }
 
+void add_vertices(const Parsed& parsed, const std::string& file, const ObjLines& lines,
+                  scene::Object& object) {
+  const std::vector<double>& v = parsed.attributes.vertices;
+  for (size_t i = 0; i < v.size() / 3; ++i) {
+    object.vertices.emplace_back(v[3 * i], v[3 * i + 1], v[3 * i + 2]);
+    if (scene::is_near(object.vertices.back())) continue;
+    throw UserError(file + ":" + std::to_string(lines.vertices.at(i)) +
+                    ": v: farther than 1000000000 from the origin");
+  }
+}
+
 void add_faces(const Parsed& parsed, const std::string& file, const ObjLines& lines,
                const scene::Scene& scene, scene::Object& object) {
+  const double rounding = corner_rounding(object);
   for (const tinyobj::shape_t& shape : parsed.shapes) {
     std::span<const tinyobj::index_t> corners = shape.mesh.indices;
     const int* material = shape.mesh.material_ids.data();
@@ -200,7 +213,8 @@ void add_faces(const Parsed& parsed, const std::string& file, const ObjLines& li
         scene::Face face =
             face_of(parsed, corners.first(at.corners), object.materials[used].texture, scene);
         face.material = used;
-        if (!is_convex(object, face)) throw UserError("the face is not convex; cut it into such");
+        const std::string fault = shape_problem(object, face, rounding);
+        if (!fault.empty()) throw UserError("f: the face " + fault);
         object.faces.push_back(std::move(face));
       });
       corners = corners.subspan(at.corners);
@@ -226,18 +240,16 @@ bool SceneFiles::has(const std::filesystem::path& path) const {
   return read || std::filesystem::exists(path, ignored);
 }
 
-scene::Object read_obj(const std::filesystem::path& path, const SceneFiles& files,
-                       const OtherPictures& others, scene::Scene& scene) {
+scene::Object read_obj(const std::filesystem::path& path, const std::string& text,
+                       const SceneFiles& files, const OtherPictures& others, scene::Scene& scene) {
   const std::string file = path.string();
-  const ObjLines lines = check_obj_lines(file, files.text(path));
+  const ObjLines lines = check_obj_lines(file, text);
   const Libraries libraries = read_libraries(path, lines, files);
   const Parsed parsed = parse(file, lines, libraries);
   expect_materials(parsed, file, lines);
   scene::Object object;
   object.name = path.stem().string();
-  const std::vector<double>& v = parsed.attributes.vertices;
-  for (size_t i = 0; i + 2 < v.size(); i += 3)
-    object.vertices.emplace_back(v[i], v[i + 1], v[i + 2]);
+  add_vertices(parsed, file, lines, object);
   for (size_t i = 0; i < parsed.materials.size(); ++i) {
     object.materials.push_back(
         material_of(parsed.materials[i], libraries.places.at(i), files, others, scene));

@@ -37,8 +37,10 @@ struct OtherPicture {
 };
 using OtherPictures = std::map<std::string, OtherPicture>;
 
-// Textures are added to the scene's. Errors name the file and, where it is one line's, the line.
-[[nodiscard]] scene::Object read_obj(const std::filesystem::path& path, const SceneFiles& files,
-                                     const OtherPictures& others, scene::Scene& scene);
+// The object of an OBJ file's text; `path` is where its libraries are named from. Textures are
+// added to the scene's. Errors name the file and, where it is one line's, the line.
+[[nodiscard]] scene::Object read_obj(const std::filesystem::path& path, const std::string& text,
+                                     const SceneFiles& files, const OtherPictures& others,
+                                     scene::Scene& scene);
 
 }  // namespace selvage::cli

@@ -75,6 +75,7 @@ ObjLines check_obj_lines(const std::string& file, std::string_view text) {
       lines.statements += "usemtl " + statement.words[0] + '\n';
     } else if (keyword == "v" || keyword == "vt") {
       const bool is_vertex = keyword == "v";  // may have a w or a colour behind, textures a w
+      if (is_vertex) lines.vertices.push_back(statement.line);
       lines.statements +=
           keyword + " " + numbers(file, statement, is_vertex ? 3 : 2, is_vertex ? 7 : 3) + '\n';
     } else if (std::find(kLeftOut.begin(), kLeftOut.end(), keyword) == kLeftOut.end()) {

@@ -16,6 +16,7 @@ struct ObjFace {
 
 struct ObjLines {
   std::string statements;                              // v, vt, f and usemtl alone, for the parser
+  std::vector<int> vertices;                           // the line of each v, in order
   std::vector<ObjFace> faces;                          // each f, in order
   std::vector<std::pair<int, std::string>> libraries;  // line and file, each file once
   std::vector<std::pair<int, std::string>> materials;  // of each usemtl: line and name

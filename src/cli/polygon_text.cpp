@@ -5,7 +5,6 @@
 
 #include "cli/error.h"
 #include "cli/number.h"
-#include "cli/raster.h"
 
 namespace selvage::cli {
 namespace {
@@ -68,7 +67,7 @@ selvage_rect parse_clip_text(std::string_view text) {
   return {sides[0], sides[1], sides[2], sides[3]};
 }
 
-Size parse_size_text(std::string_view text) {
+Size parse_size_text(std::string_view text, const SizeLimits& limits) {
   const std::vector<std::string_view> fields = split(text, 'x');
   std::optional<int32_t> width;
   std::optional<int32_t> height;
@@ -79,7 +78,7 @@ Size parse_size_text(std::string_view text) {
   if (!width || !height) {
     throw UserError(quoted(text) + " is no size; WIDTHxHEIGHT in pixels is, as in 256x192");
   }
-  check_size(*width, *height);
+  check_size(*width, *height, limits);
   return {*width, *height};
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/job.h"
+#include "cli/raster.h"
 
 namespace selvage::cli {
 
@@ -19,6 +20,6 @@ struct Size {
   int32_t width_px = 0, height_px = 0;
 };
 // "256x192", within SizeLimits.
-[[nodiscard]] Size parse_size_text(std::string_view text);
+[[nodiscard]] Size parse_size_text(std::string_view text, const SizeLimits& limits = {});
 
 }  // namespace selvage::cli

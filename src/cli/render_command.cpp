@@ -21,6 +21,7 @@ namespace selvage::cli {
 namespace {
 
 inline constexpr int32_t kMostFrames = 99999;
+inline constexpr double kMostTime_s = 1e9;
 inline constexpr int32_t kMostSide_px = 16384;  // the scene's guard band
 
 [[nodiscard]] scene::Hidden parse_hidden(const std::string& name) {
@@ -31,16 +32,17 @@ inline constexpr int32_t kMostSide_px = 16384;  // the scene's guard band
 
 [[nodiscard]] std::optional<selvage_filter> parse_wished_filter(const std::string& name) {
   if (name == "auto") return std::nullopt;
-  return parse_filter(name);
+  try {
+    return parse_filter(name);
+  } catch (const UserError&) {
+    throw UserError("'" + name + "' is no filter; auto, nearest, four, bilinear and area are");
+  }
 }
 
 [[nodiscard]] Size parse_picture_size(const std::string& text) {
-  const Size size = parse_size_text(text);
-  if (size.width_px > kMostSide_px || size.height_px > kMostSide_px) {
-    throw UserError("pictures of scenes have sides of at most " + std::to_string(kMostSide_px) +
-                    " px");
-  }
-  return size;
+  SizeLimits limits;
+  limits.side_px = kMostSide_px;
+  return parse_size_text(text, limits);
 }
 
 [[nodiscard]] bool is_animation(const RenderOptions& options) {
@@ -66,13 +68,19 @@ void check(const RenderOptions& options) {
   if (options.frames < 1 || options.frames > kMostFrames) {
     throw UserError("--frames: 1 to " + std::to_string(kMostFrames) + " are possible");
   }
-  if (!std::isfinite(options.start_s)) throw UserError("--time: a number of seconds is needed");
   if (!(options.frames_per_s > 0) || !std::isfinite(options.frames_per_s)) {
     throw UserError("--rate: a number of frames a second, above 0, is needed");
+  }
+  const double last_s = options.start_s + (options.frames - 1) / options.frames_per_s;
+  if (!(std::abs(options.start_s) <= kMostTime_s && std::abs(last_s) <= kMostTime_s)) {
+    throw UserError("--time: all frames must lie within 1000000000 s of 0");
   }
   if (std::filesystem::path(options.output).extension() != ".png" && !is_animation(options)) {
     throw UserError("cannot write '" + options.output +
                     "': the output is a PNG or an animated PNG; name it .png or .apng");
+  }
+  if (options.json && !options.explain && !options.stats) {
+    throw UserError("--json: it prints what --explain and --stats tell; give one of them too");
   }
 }
 
@@ -114,11 +122,12 @@ class Output {
 struct Frame {
   Bitmap picture;
   scene::Drawing drawing;
-  int64_t compose_ns = 0, draw_ns = 0;
+  int64_t compose_ns = 0, light_ns = 0, draw_ns = 0;
 };
 
 [[nodiscard]] Frame draw_frame(const scene::Scene& scene, double time_s, const Size& size,
-                               const scene::Wish& wish, scene::Hidden hidden) {
+                               const scene::Wish& wish, scene::Hidden hidden,
+                               scene::Paints& paints) {
   Frame frame;
   const auto start = std::chrono::steady_clock::now();
   frame.drawing = compose(scene, time_s, {size.width_px, size.height_px}, wish, hidden);
@@ -126,12 +135,60 @@ struct Frame {
   frame.picture = to_bitmap(filled(size.width_px, size.height_px, {}), SELVAGE_RGBA8888);
   const selvage_image target = frame.picture.image();
   clear(scene, target);
+  const int64_t lit_before_ns = paints.light_ns();
   const auto drawing = std::chrono::steady_clock::now();
-  const selvage_status status = draw_pieces(scene, frame.drawing, target);
+  const selvage_status status = draw_pieces(scene, frame.drawing, target, paints);
   frame.draw_ns = since_ns(drawing);
+  frame.light_ns = paints.light_ns() - lit_before_ns;
+  frame.draw_ns -= frame.light_ns;
   if (status != SELVAGE_OK) throw UserError(selvage_status_text(status));
   return frame;
 }
+
+[[nodiscard]] scene::Wish wish_of(const RenderOptions& options, const scene::Scene& scene) {
+  scene::Wish wish;
+  wish.filter = about("--filter", [&] { return parse_wished_filter(options.filter); });
+  wish.tolerance_texel = scene.tolerance_texel;
+  if (!options.tolerance.empty()) {
+    wish.tolerance_texel = about("--tolerance", [&] { return parse_tolerance(options.tolerance); });
+  }
+  return wish;
+}
+
+// What --explain and --stats tell, gathered from the frames.
+class Told {
+ public:
+  explicit Told(const RenderOptions& options) : options_(options) {}
+
+  void add(const scene::Scene& scene, Frame& frame, double tolerance_texel) {
+    if (options_.explain && faces_.is_null()) {  // of the first frame
+      faces_ = explanation(scene, frame.drawing, tolerance_texel, frame.picture);
+    }
+    if (!options_.stats) return;
+    RenderStats one = stats_of(scene, frame.drawing, frame.picture);
+    one.compose_ns = frame.compose_ns;
+    one.light_ns = frame.light_ns;
+    one.draw_ns = frame.draw_ns;
+    stats_.add(one);
+  }
+
+  void print(std::ostream& out) const {
+    if (!options_.json) {
+      if (options_.explain) out << explanation_text(faces_);
+      if (options_.stats) out << stats_text(stats_, options_.frames);
+      return;
+    }
+    nlohmann::ordered_json told;
+    if (options_.explain) told["faces"] = faces_;
+    if (options_.stats) told["stats"] = stats_json(stats_, options_.frames);
+    out << told.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  }
+
+ private:
+  const RenderOptions& options_;
+  nlohmann::ordered_json faces_;
+  RenderStats stats_;
+};
 
 }  // namespace
 
@@ -139,44 +196,26 @@ int run_render(const RenderOptions& options, const Console& console) {
   check(options);
   const Size size = about("--size", [&] { return parse_picture_size(options.size); });
   const scene::Hidden hidden = about("--hidden", [&] { return parse_hidden(options.hidden); });
-  scene::Wish wish;
-  wish.filter = about("--filter", [&] { return parse_wished_filter(options.filter); });
+  static_cast<void>(wish_of(options, {}));  // before any file is read
   const SceneFiles files = about("--texture", [&] { return parse_textures(options.textures); });
   Output output(options);
   const scene::Scene scene = read_scene(options.scene, files);
-  wish.tolerance_texel = scene.tolerance_texel;
-  if (!options.tolerance.empty()) {
-    wish.tolerance_texel = about(
-        "--tolerance", [&] { return parse_tolerance(options.tolerance) / scene::kSubtexels; });
-  }
+  const scene::Wish wish = wish_of(options, scene);
   StatusLine status(console);
-  RenderStats stats;
   RoundingWarning rounding(wish.tolerance_texel);
-  nlohmann::ordered_json told;
+  Told told(options);
+  scene::Paints paints(scene, scene::kLitBytes);
   for (int32_t i = 0; i < options.frames; ++i) {
     status.count("drawing frame", static_cast<uint64_t>(i), static_cast<uint64_t>(options.frames));
-    Frame frame = draw_frame(scene, options.start_s + i / options.frames_per_s, size, wish, hidden);
+    const double time_s = options.start_s + i / options.frames_per_s;
+    Frame frame = draw_frame(scene, time_s, size, wish, hidden, paints);
     rounding.add(scene, frame.drawing);
-    if (options.explain && i == 0) {
-      told["faces"] = explanation(scene, frame.drawing, wish.tolerance_texel, frame.picture);
-    }
-    if (options.stats) {
-      RenderStats one = stats_of(scene, frame.drawing, frame.picture);
-      one.compose_ns = frame.compose_ns;
-      one.draw_ns = frame.draw_ns;
-      stats.add(one);
-    }
+    told.add(scene, frame, wish.tolerance_texel);
     output.add(i, to_raster(std::move(frame.picture)));
   }
   status.show("");
   console.err << rounding.line();
-  if (options.stats) told["stats"] = stats_json(stats, options.frames);
-  if (options.json) {
-    console.out << told.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-  } else {
-    if (options.explain) console.out << explanation_text(told["faces"]);
-    if (options.stats) console.out << stats_text(stats, options.frames);
-  }
+  told.print(console.out);
   return kExitFine;
 }
 

@@ -30,54 +30,64 @@ or into files of their own, x-00001.png and so on.
 Exit codes: 0 fine; 2 wrong use, or a file that cannot be read or written.
 )";
 
-}  // namespace
-
-CLI::App* add_render(CLI::App& program, RenderOptions& options) {
-  CLI::App* render =
-      program.add_subcommand("render", "Draw a scene of moving objects, to PNG or animated PNG");
-  render->add_option("scene", options.scene, "Scene: JSON, see below")
+// Which picture of the scene, and where it goes.
+void add_picture_options(CLI::App& render, RenderOptions& options) {
+  render.add_option("scene", options.scene, "Scene: JSON, see below")
       ->required()
       ->type_name("FILE");
-  render->add_option("-o,--output", options.output, "PNG to write, or animated PNG (.apng)")
+  render.add_option("-o,--output", options.output, "PNG to write, or animated PNG (.apng)")
       ->required()
       ->type_name("FILE");
-  render->add_option("--size", options.size, "Size of the picture")
+  render.add_option("--size", options.size, "Size of the picture")
       ->type_name("WxH")
       ->capture_default_str();
-  render->add_option("--frames", options.frames, "Draw so many, one after another")
+  render.add_option("--frames", options.frames, "Draw so many, one after another")
       ->type_name("N")
       ->capture_default_str();
-  render->add_option("--time", options.start_s, "Time of the first frame, s")
+  render.add_option("--time", options.start_s, "Time of the first frame, s")
       ->type_name("T")
       ->capture_default_str();
-  render->add_option("--rate", options.frames_per_s, "Frames a second")
+  render.add_option("--rate", options.frames_per_s, "Frames a second")
       ->type_name("R")
       ->capture_default_str();
+}
+
+// What it is drawn by.
+void add_drawing_options(CLI::App& render, RenderOptions& options) {
   render
-      ->add_option("--filter", options.filter,
-                   "auto (nearest where magnified, area where minified), nearest, four, bilinear "
-                   "or area")
+      .add_option("--filter", options.filter,
+                  "auto (nearest where magnified, area where minified), nearest, four, bilinear "
+                  "or area")
       ->type_name("NAME")
       ->capture_default_str();
   render
-      ->add_option(
+      .add_option(
           "--tolerance", options.tolerance,
           "How far u and v may be off, in texels, by mapping and by rounding to the grid; what "
           "the scene says if left out. Where rounding alone may be more, a warning says so")
       ->type_name("TEXELS");
   render
-      ->add_option("--hidden", options.hidden,
-                   "What hides what: scan-line (exact, at every pixel) or painter (by faces)")
+      .add_option("--hidden", options.hidden,
+                  "What hides what: scan-line (exact, at every pixel) or painter (by faces)")
       ->type_name("WAY")
       ->capture_default_str();
   render
-      ->add_option("--texture", options.textures,
-                   "Another picture in the place of a material's texture; may be given again")
+      .add_option("--texture", options.textures,
+                  "Another picture in the place of a material's texture; may be given again")
       ->type_name("MATERIAL=FILE");
+}
+
+}  // namespace
+
+CLI::App* add_render(CLI::App& program, RenderOptions& options) {
+  CLI::App* render =
+      program.add_subcommand("render", "Draw a scene of moving objects, to PNG or animated PNG");
+  add_picture_options(*render, options);
+  add_drawing_options(*render, options);
   render->add_flag("--explain", options.explain,
                    "Print what each face of the first frame is drawn by, and why");
   render->add_flag("--stats", options.stats, "Print how much was drawn, and how fast");
-  render->add_flag("--json", options.json, "Print both as JSON");
+  render->add_flag("--json", options.json, "Print what these two tell as JSON");
   render->footer(kRenderText);
   return render;
 }

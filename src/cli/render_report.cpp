@@ -2,6 +2,7 @@
 
 #include <sstream>
 
+#include "cli/drawn_kernel.h"
 #include "cli/error.h"
 #include "cli/job.h"
 #include "cli/number.h"
@@ -55,12 +56,18 @@ FaceChoice choice_of(const scene::Scene& scene, const scene::Drawing& drawing, s
   const selvage_status status = selvage_choose(&image, nullptr, vertices.data(), vertices.size(),
                                                &texture, &plan.options, &choice);
   if (status != SELVAGE_OK) throw UserError(selvage_status_text(status));
+  const std::string kernel = drawn_kernel(image, vertices, texture, plan.options, choice.method);
+  if (choice.method == SELVAGE_METHOD_FILTER) {
+    const bool is_affine = plan.affine || plan.depth_ratio == 1;
+    choice.method = is_affine ? SELVAGE_METHOD_EXACT_AFFINE : SELVAGE_METHOD_EXACT_PERSPECTIVE;
+  }
   const bool instead = plan.affine && plan.depth_ratio > 1 && seen.paint.texture.has_value();
   const bool by_rows = choice.method == SELVAGE_METHOD_EXACT_PERSPECTIVE && choice.bound > 0;
   return {instead   ? "affine for perspective, whole face"
           : by_rows ? "exact perspective, cheaper in wide rows"
                     : std::string(method_name(choice.method)),
-          choice.segment_px, plan.affine ? plan.bound_texel : choice.bound / scene::kSubtexels};
+          filter_name(plan.options.filter), kernel, choice.segment_px,
+          plan.affine ? plan.bound_texel : choice.bound / scene::kSubtexels};
 }
 
 ordered_json explanation(const scene::Scene& scene, const scene::Drawing& drawing, double tolerance,
@@ -74,7 +81,8 @@ ordered_json explanation(const scene::Scene& scene, const scene::Drawing& drawin
                      {"face", face.face + 1},
                      {"method", choice.method},
                      {"segment_px", choice.segment_px},
-                     {"filter", filter_name(plan.options.filter)},
+                     {"filter", choice.filter},
+                     {"kernel", choice.kernel},
                      {"bound_texel", choice.mapping_bound_texel + plan.rounding_bound_texel},
                      {"mapping_bound_texel", choice.mapping_bound_texel},
                      {"rounding_bound_texel", plan.rounding_bound_texel},
@@ -93,12 +101,13 @@ std::string explanation_text(const ordered_json& faces) {
     text << face["object"].get<std::string>() << " face " << face["face"] << ": "
          << face["method"].get<std::string>();
     if (face["segment_px"] > 0) text << " every " << face["segment_px"] << " px";
-    text << ", " << face["filter"].get<std::string>() << "; off by at most "
-         << show(face["bound_texel"]) << " texel (mapping " << show(face["mapping_bound_texel"])
-         << ", rounding " << show(face["rounding_bound_texel"])
-         << "); depths 1:" << show(face["depth_ratio"]) << ", affine "
-         << show(face["affine_bound_texel"]) << " texel, " << show(face["texels_per_px"])
-         << " texels a pixel; " << face["reason"].get<std::string>() << '\n';
+    text << ", " << face["filter"].get<std::string>() << ", kernel "
+         << face["kernel"].get<std::string>() << "; off by at most " << show(face["bound_texel"])
+         << " texel (mapping " << show(face["mapping_bound_texel"]) << ", rounding "
+         << show(face["rounding_bound_texel"]) << "); depths 1:" << show(face["depth_ratio"])
+         << ", affine " << show(face["affine_bound_texel"]) << " texel, "
+         << show(face["texels_per_px"]) << " texels a pixel; " << face["reason"].get<std::string>()
+         << '\n';
   }
   return text.str();
 }

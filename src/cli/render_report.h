@@ -12,9 +12,10 @@
 
 namespace selvage::cli {
 
-// What a face is drawn by: the mapper's own word, by selvage_choose, for the whole face.
+// What a face is drawn by: the mapper's own word, by selvage_choose, for the whole face. Filters
+// other than nearest map exactly what they are given.
 struct FaceChoice {
-  std::string method;
+  std::string method, filter, kernel;
   int32_t segment_px = 0;
   double mapping_bound_texel = 0;  // from the map on the grid
 };

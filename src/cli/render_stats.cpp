@@ -65,6 +65,22 @@ class PixelCounter {
   const Bitmap ones_{SELVAGE_INDEX8, 1, 1, {1}};
 };
 
+[[nodiscard]] RenderStats::Way of_both(const RenderStats::Way& a, const RenderStats::Way& b) {
+  const auto common = [](const std::string& one, const std::string& other) {
+    return one == other ? one : "several";
+  };
+  return {common(a.method, b.method), common(a.filter, b.filter), common(a.kernel, b.kernel)};
+}
+
+// An element of "drawn_by".
+[[nodiscard]] std::string way_text(const ordered_json& way) {
+  std::ostringstream text;
+  text << way["method"].get<std::string>() << ", " << way["filter"].get<std::string>()
+       << ", kernel " << way["kernel"].get<std::string>() << ": " << way["faces"] << " faces, "
+       << way["pixels"] << " pixels";
+  return text.str();
+}
+
 }  // namespace
 
 void RenderStats::add(const RenderStats& other) {
@@ -74,17 +90,19 @@ void RenderStats::add(const RenderStats& other) {
   counts.faces += other.counts.faces;
   counts.clipped_away += other.counts.clipped_away;
   counts.backs += other.counts.backs;
+  counts.edge_on += other.counts.edge_on;
   counts.off_screen += other.counts.off_screen;
   counts.refused += other.counts.refused;
   counts.seen += other.counts.seen;
-  for (const auto& [method, work] : other.drawn_by) {
-    drawn_by[method].faces += work.faces;
-    drawn_by[method].pixels += work.pixels;
+  for (const auto& [way, work] : other.drawn_by) {
+    drawn_by[way].faces += work.faces;
+    drawn_by[way].pixels += work.pixels;
   }
   draw_calls += other.draw_calls;
   written_px += other.written_px;
   shown_px += other.shown_px;
   compose_ns += other.compose_ns;
+  light_ns += other.light_ns;
   draw_ns += other.draw_ns;
 }
 
@@ -93,7 +111,7 @@ RenderStats stats_of(const scene::Scene& scene, const scene::Drawing& drawing, B
   stats.counts = drawing.view.counts;
   stats.draw_calls = static_cast<int64_t>(drawing.pieces.size());
   struct Drawn {
-    std::string method;
+    RenderStats::Way way;
     int64_t pixels = 0;
   };
   std::map<std::pair<size_t, size_t>, Drawn> faces;  // by object, and face of it
@@ -102,15 +120,15 @@ RenderStats stats_of(const scene::Scene& scene, const scene::Drawing& drawing, B
     const scene::ScreenFace& seen = drawing.view.faces[piece.face];
     const int64_t pixels = counter.written_px(piece, seen);
     if (pixels == 0) continue;
-    const std::string method = choice_of(scene, drawing, piece.face, target).method;
+    const FaceChoice choice = choice_of(scene, drawing, piece.face, target);
     Drawn& drawn = faces[{seen.object, seen.face}];
-    const bool is_first = drawn.pixels == 0;
-    drawn.method = is_first || drawn.method == method ? method : "several methods";
+    const RenderStats::Way way{choice.method, choice.filter, choice.kernel};
+    drawn.way = drawn.pixels == 0 ? way : of_both(drawn.way, way);
     drawn.pixels += pixels;
   }
   for (const auto& [face, drawn] : faces) {
-    ++stats.drawn_by[drawn.method].faces;
-    stats.drawn_by[drawn.method].pixels += drawn.pixels;
+    ++stats.drawn_by[drawn.way].faces;
+    stats.drawn_by[drawn.way].pixels += drawn.pixels;
     stats.written_px += drawn.pixels;
   }
   stats.shown_px = counter.shown_px();
@@ -120,10 +138,14 @@ RenderStats stats_of(const scene::Scene& scene, const scene::Drawing& drawing, B
 ordered_json stats_json(const RenderStats& stats, int32_t frames) {
   const scene::Counts& counts = stats.counts;
   int64_t drawn = 0;
-  ordered_json drawn_by = ordered_json::object();
-  for (const auto& [method, work] : stats.drawn_by) {
+  ordered_json drawn_by = ordered_json::array();
+  for (const auto& [way, work] : stats.drawn_by) {
     drawn += work.faces;
-    drawn_by[method] = {{"faces", work.faces}, {"pixels", work.pixels}};
+    drawn_by.push_back({{"method", way.method},
+                        {"filter", way.filter},
+                        {"kernel", way.kernel},
+                        {"faces", work.faces},
+                        {"pixels", work.pixels}});
   }
   const double written = static_cast<double>(std::max<int64_t>(stats.written_px, 1));
   return {{"frames", frames},
@@ -134,6 +156,7 @@ ordered_json stats_json(const RenderStats& stats, int32_t frames) {
            {{"with their object", counts.faces_rejected},
             {"clipped away", counts.clipped_away},
             {"from behind", counts.backs},
+            {"edge-on", counts.edge_on},
             {"off screen", counts.off_screen},
             {"refused", counts.refused},
             {"without a pixel", static_cast<int64_t>(counts.seen) - drawn}}},
@@ -143,6 +166,7 @@ ordered_json stats_json(const RenderStats& stats, int32_t frames) {
           {"pixels_written", stats.written_px},
           {"pixels_shown", stats.shown_px},
           {"compose_ns", stats.compose_ns},
+          {"light_ns", stats.light_ns},
           {"draw_ns", stats.draw_ns},
           {"draw_ns_per_pixel", static_cast<double>(stats.draw_ns) / written}};
 }
@@ -152,17 +176,16 @@ std::string stats_text(const RenderStats& stats, int32_t frames) {
   const ordered_json values = stats_json(stats, frames);
   for (const auto& item : values.items()) {
     text << item.key() << ':';
-    if (!item.value().is_object()) {
+    if (!item.value().is_structured()) {
       text << ' ' << item.value() << '\n';
       continue;
     }
     text << '\n';
     for (const auto& part : item.value().items()) {
-      text << "  " << part.key() << ": ";
       if (part.value().is_object()) {
-        text << part.value()["faces"] << " faces, " << part.value()["pixels"] << " pixels\n";
+        text << "  " << way_text(part.value()) << '\n';
       } else {
-        text << part.value() << '\n';
+        text << "  " << part.key() << ": " << part.value() << '\n';
       }
     }
   }

@@ -1,6 +1,7 @@
 // What `selvage render` tells of how much was done, and how fast.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -13,15 +14,21 @@ namespace selvage::cli {
 
 // Faces are the scene's, also where one is drawn as several triangles or under several clips.
 struct RenderStats {
+  struct Way {  // "several" where a face's triangles differ
+    std::string method, filter, kernel;
+    friend auto operator<=>(const Way&, const Way&) = default;
+  };
   struct Work {
     int64_t faces = 0, pixels = 0;
   };
   scene::Counts counts;
-  std::map<std::string, Work> drawn_by;  // by method; "several methods" of a face's triangles
+  std::map<Way, Work> drawn_by;
   int64_t draw_calls = 0;
   int64_t written_px = 0;  // each as often as it was written
   int64_t shown_px = 0;    // of the picture, where a face shows
-  int64_t compose_ns = 0, draw_ns = 0;
+  int64_t compose_ns = 0;
+  int64_t light_ns = 0;  // of textures
+  int64_t draw_ns = 0;   // of selvage_draw, without the above
 
   void add(const RenderStats& other);
 };

@@ -2,14 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <string>
 
 #include "cli/error.h"
+#include "cli/job.h"
 #include "cli/located_json.h"
 #include "cli/obj_file.h"
 #include "cli/raster.h"
-#include "scene/look.h"
+#include "scene/problem.h"
 
 namespace selvage::cli {
 namespace {
@@ -26,10 +28,14 @@ void set(const JsonNode& node, const char* key, scene::Vector3& value) {
   if (node.has(key)) value = to_vector(node.at(key));
 }
 
-// What would keep the scene from being drawn is the fault of this node.
-void expect_no_problem(const JsonNode& node, const scene::Scene& scene) {
-  const std::string problem = scene::problem(scene);
-  if (!problem.empty()) node.fail(problem);
+// What would keep a part of the scene from being drawn is the fault of the key that names it, or of
+// the node where it is left out.
+template <typename Part>
+void expect_no_fault(const JsonNode& node, const Part& part) {
+  const std::optional<scene::Fault> fault = scene::fault(part);
+  if (!fault) return;
+  if (node.has(fault->key)) node.at(fault->key).fail(fault->what);
+  node.fail(fault->key + " " + fault->what);
 }
 
 [[nodiscard]] scene::Camera camera_of(const JsonNode& node) {
@@ -41,9 +47,7 @@ void expect_no_problem(const JsonNode& node, const scene::Scene& scene) {
   set(node, "view_deg", camera.view_deg);
   set(node, "nearest", camera.nearest_w);
   set(node, "farthest", camera.farthest_w);
-  scene::Scene alone;
-  alone.camera = camera;
-  expect_no_problem(node, alone);
+  expect_no_fault(node, camera);
   return camera;
 }
 
@@ -52,9 +56,7 @@ void expect_no_problem(const JsonNode& node, const scene::Scene& scene) {
   scene::Lamp lamp;
   lamp.towards = to_vector(node.at("towards"));
   set(node, "level", lamp.level);
-  scene::Scene alone;
-  alone.lighting.lamps = {lamp};
-  expect_no_problem(node, alone);
+  expect_no_fault(node, lamp);
   return lamp;
 }
 
@@ -66,7 +68,15 @@ void expect_no_problem(const JsonNode& node, const scene::Scene& scene) {
   set(node, "angle_deg", motion.angle_deg);
   set(node, "spin_deg", motion.spin_deg);
   set(node, "scale", motion.scale);
+  expect_no_fault(node, motion);
   return motion;
+}
+
+void expect_near(const JsonNode& scale, const scene::Object& object) {
+  for (const scene::Vector3& vertex : object.vertices) {
+    if (scene::is_near(vertex * object.motion.scale)) continue;
+    scale.fail("puts a vertex farther than 1000000000 from the object's origin");
+  }
 }
 
 [[nodiscard]] scene::Shading shading_of(const JsonNode& node) {
@@ -139,16 +149,13 @@ void add_object(const JsonNode& node, const std::filesystem::path& folder, const
   node.expect_keys({"file", "position", "velocity", "axis", "angle_deg", "spin_deg", "scale",
                     "two_sided", "shading", "textures"});
   const JsonNode file = node.at("file");
-  scene::Object alone;
-  alone.name = file.text();
-  alone.motion = motion_of(node);
-  scene::Scene with_motion;
-  with_motion.objects = {alone};
-  expect_no_problem(node, with_motion);
-  scene::Object object =
-      read_obj(folder / file.text(), files, pictures_of(node, folder, files), scene);
+  const std::filesystem::path path = folder / file.text();
+  const scene::Motion motion = motion_of(node);
+  const std::string text = file.about([&] { return files.text(path); });
+  scene::Object object = read_obj(path, text, files, pictures_of(node, folder, files), scene);
   if (node.has("textures")) expect_textured(node.at("textures"), object);
-  object.motion = alone.motion;
+  object.motion = motion;
+  if (node.has("scale")) expect_near(node.at("scale"), object);
   if (node.has("two_sided")) object.two_sided = node.at("two_sided").boolean();
   if (node.has("shading")) set_shadings(node.at("shading"), object);
   scene.objects.push_back(std::move(object));
@@ -161,9 +168,8 @@ void add_object(const JsonNode& node, const std::filesystem::path& folder, const
 }
 
 [[nodiscard]] double tolerance_of(const JsonNode& node) {
-  const double tolerance_texel = node.number();
-  if (!(tolerance_texel >= 0)) node.fail("texels, 0 or more, are needed");
-  return tolerance_texel;
+  const double texels = node.number();
+  return node.about([&] { return checked_tolerance(texels); });
 }
 
 }  // namespace
@@ -186,7 +192,7 @@ scene::Scene read_scene(const std::filesystem::path& path, const SceneFiles& fil
   if (objects.empty()) root.at("objects").fail("at least one object is needed");
   for (const JsonNode& object : objects) add_object(object, path.parent_path(), files, scene);
   expect_used(files, scene);
-  expect_no_problem(root, scene);
+  if (const std::string problem = scene::problem(scene); !problem.empty()) root.fail(problem);
   return scene;
 }
 

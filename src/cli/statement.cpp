@@ -10,6 +10,7 @@ namespace selvage::cli {
 namespace {
 
 constexpr size_t kMostQuoted = 60;
+constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
 // What strtod takes besides (hexadecimal, inf, nan) is no number of these files.
 [[nodiscard]] std::optional<double> finite_number(const std::string& word) {
@@ -44,6 +45,7 @@ std::string quoted(const std::string& word) {
 }
 
 std::vector<Statement> statements_of(std::string_view text) {
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   std::vector<Statement> statements;
   std::istringstream stream{std::string(text)};
   for (int lines = 0; stream.good();) {

@@ -15,7 +15,8 @@ struct Statement {
   std::vector<std::string> words;
 };
 
-// All that is neither blank nor a comment, which a word that begins with # opens.
+// All that is neither blank nor a comment, which a word that begins with # opens. A byte order mark
+// in front is none of it.
 [[nodiscard]] std::vector<Statement> statements_of(std::string_view text);
 
 // For error texts: no more than its beginning, and nothing that a terminal would take amiss.

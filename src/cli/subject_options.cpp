@@ -1,7 +1,6 @@
 #include "cli/subject_options.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <string_view>
@@ -50,16 +49,12 @@ void read_set(const char* option, const std::vector<std::string>& names, Parse p
   }
 }
 
-constexpr std::array<std::string_view, SELVAGE_KERNEL_NEON + 1> kKernels = {
-    "fastest", "scalar", "sse4", "avx2", "avx512", "neon"};
-
 [[nodiscard]] selvage_kernel parse_kernel(const std::string& name) {
-  const auto* const found = std::ranges::find(kKernels, name);
-  const auto kernel = static_cast<selvage_kernel>(found - kKernels.begin());
-  if (found != kKernels.end() && selvage_has_kernel(kernel) != 0) return kernel;
   std::string known;
   for (selvage_kernel i = 0; i < SELVAGE_KERNEL_NEON + 1; ++i) {
-    if (selvage_has_kernel(i) != 0) known += " " + std::string(kKernels[static_cast<size_t>(i)]);
+    if (selvage_has_kernel(i) == 0) continue;
+    if (kernel_name(i) == name) return i;
+    known += " " + std::string(kernel_name(i));
   }
   throw UserError("--kernel: '" + name + "' is none of this machine; there are" + known);
 }
@@ -82,7 +77,7 @@ void take_kernel(selvage_kernel kernel, spec::Subject* subject) {
     const selvage_options changed = options_with(options);
     return draw(target, clip, polygons, count, &changed, threads);
   };
-  subject->name += ", kernel " + std::string(kKernels[static_cast<size_t>(kernel)]);
+  subject->name += ", kernel " + std::string(kernel_name(kernel));
 }
 
 void read_number(const char* option, const std::string& text, int32_t least, int32_t* number) {

@@ -96,6 +96,21 @@ std::string replay_line(const VerifyRun& run, const Verdict& verdict) {
          " --case " + spec::to_hex(*verdict.found.counterexample);
 }
 
+std::vector<std::string> notes_on(const Verdict& verdict) {
+  std::vector<std::string> notes;
+  if (!verdict.found.violation) return notes;
+  if (!verdict.found.is_smallest) {
+    notes.emplace_back("shrinking was cut short: this is not the smallest counterexample");
+  }
+  const auto& [tried, failed] = verdict.found.replays;
+  if (failed < tried) {
+    notes.push_back("it depends on earlier calls or on chance: tried again by itself it failed " +
+                    std::to_string(failed) + " of " + std::to_string(tried) +
+                    " times, so that the replay may show nothing");
+  }
+  return notes;
+}
+
 std::string margin_text(const Verdict& verdict) {
   if (outcome(verdict) != "holds") return "";
   if (!verdict.found.margin) return "0 wrong";
@@ -154,6 +169,7 @@ std::string explanations(const VerifyRun& run) {
     if (!verdict.found.violation) continue;
     const std::string explanation = spec::explain(*verdict.found.violation);
     text += "\n" + explanation + (explanation.ends_with('\n') ? "" : "\n");
+    for (const std::string& note : notes_on(verdict)) text += "note: " + note + "\n";
     text += "replay: " + replay_line(run, verdict) + "\n";
     if (verdict.picture.empty()) continue;
     text += "picture: " + verdict.picture + " (drawn | expected | difference)\n";

@@ -70,6 +70,10 @@ struct VerifyRun {
 // The command that shows the counterexample again.
 [[nodiscard]] std::string replay_line(const VerifyRun& run, const Verdict& verdict);
 
+// What else is to be known of a counterexample, a sentence each: that it is not the smallest, or
+// that by itself it does not always fail.
+[[nodiscard]] std::vector<std::string> notes_on(const Verdict& verdict);
+
 // "0.71 of bound", "0 wrong" of an exact law; empty where the law does not hold.
 [[nodiscard]] std::string margin_text(const Verdict& verdict);
 

@@ -61,6 +61,12 @@ template <std::integral Integer = uint64_t>
   if (violation.x_px >= 0) values["pixel_px"] = {violation.x_px, violation.y_px};
   if (!run.replay) values["case_number"] = verdict.found.failed_case;
   if (!run.replay) values["found_by"] = found_by(verdict);
+  if (!run.replay) {
+    const spec::Replays& replays = verdict.found.replays;
+    values["smallest"] = verdict.found.is_smallest;
+    values["replays"] = {{"tried", replays.tried}, {"failed", replays.failed}};
+  }
+  if (const auto notes = notes_on(verdict); !notes.empty()) values["notes"] = notes;
   if (verdict.found.counterexample) {
     values["case"] = spec::to_hex(*verdict.found.counterexample);
     values["replay"] = replay_line(run, verdict);
@@ -105,8 +111,14 @@ template <std::integral Integer = uint64_t>
 }
 
 [[nodiscard]] spec::Case read_case(const ordered_json& hex) {
-  const std::optional<spec::Case> c = spec::from_hex(hex.get<std::string>());
+  const auto digits = hex.get<std::string>();
+  const std::optional<spec::Case> c = spec::from_hex(digits);
   if (!c) throw UserError("a case is no hexadecimal number");
+  if (spec::to_hex(*c) != digits) {
+    throw UserError("the " + std::to_string(digits.size()) +
+                    " digits of a case are no whole one as verify prints it, but one that was cut "
+                    "off, lengthened or changed");
+  }
   return *c;
 }
 
@@ -149,6 +161,9 @@ template <std::integral Integer = uint64_t>
   found.violation = read_violation(violation, name);
   found.counterexample = read_case(violation.at("case"));
   found.failed_case = whole(violation, "case_number");
+  found.is_smallest = violation.at("smallest");
+  found.replays = {whole(violation.at("replays"), "tried"),
+                   whole(violation.at("replays"), "failed")};
   const std::string found_by = violation.at("found_by");
   verdict.from_corpus = found_by == "corpus";
   found.hunted.found = found_by == "hunt";

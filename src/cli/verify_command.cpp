@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "cli/corpus.h"
 #include "cli/counterexample_picture.h"
 #include "cli/error.h"
 #include "cli/file.h"
@@ -96,6 +97,16 @@ constexpr size_t kMaxCaseBytes = size_t{1} << 20;
       .string();
 }
 
+// Thrown by a drawing for a picture alone, where the time of the run is over.
+struct OutOfTime {};
+
+// A subject that hangs would take the time of a call for each.
+[[nodiscard]] spec::Subject for_pictures(const spec::Subject& subject, bool hangs) {
+  spec::Subject patient = subject;
+  if (hangs) patient.draw = [](auto...) -> selvage_status { throw OutOfTime{}; };
+  return patient;
+}
+
 // A picture that cannot be written is no reason to lose the verdict: it is reported beside it.
 void write_pictures(const VerifyOptions& options, const spec::Subject& subject, VerifyRun& run,
                     const Console& console) {
@@ -105,8 +116,10 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
     const std::string name = picture_name(options, std::string(verdict.found.law->name), run.shard,
                                           std::exchange(first, false));
     try {
-      write_file(name, encode_png(counterexample_picture(subject, *verdict.found.violation)));
+      write_file(name, encode_png(counterexample_picture(subject, *verdict.found.violation,
+                                                         verdict.found.drawings.get())));
       verdict.picture = name;
+    } catch (const OutOfTime&) {
     } catch (const spec::NotClaimed&) {  // an outline that the subject draws in tiles alone
     } catch (const UserError& error) {
       console.err << "selvage: no picture of the violation: " << error.what() << '\n';
@@ -193,14 +206,6 @@ void keep_output(const VerifyOptions& options, const ChosenSubject& chosen,
   }
 }
 
-void add_to_corpus(const std::string& corpus, const VerifyRun& run) {
-  if (corpus.empty() || run.replay) return;
-  for (const Verdict& verdict : run.verdicts) {
-    if (!verdict.found.violation || verdict.from_corpus) continue;
-    write_to_corpus(corpus, {std::string(verdict.found.law->name), *verdict.found.counterexample});
-  }
-}
-
 }  // namespace
 
 int run_verify(const VerifyOptions& options, const spec::Subject& built_in,
@@ -219,8 +224,10 @@ int run_verify(const VerifyOptions& options, const spec::Subject& built_in,
     if (show) console.out << table_row(verdict) << std::flush;
   });
   if (show) console.out << table_summary(run);
-  write_pictures(options, chosen.subject, run, console);
-  add_to_corpus(options.corpus, run);
+  const bool hangs =
+      std::ranges::any_of(run.verdicts, [](const Verdict& verdict) { return verdict.found.hung; });
+  write_pictures(options, for_pictures(chosen.subject, hangs && plan.time), run, console);
+  if (run.shard.count == 1) add_to_corpus(options.corpus, run);
   if (!options.junit.empty()) write_text_file(options.junit, junit_xml(run));
   console.out << (show ? explanations(run) : verdict_json(run));
   keep_output(options, chosen, console);

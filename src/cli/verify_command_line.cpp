@@ -22,7 +22,8 @@ constexpr const char* kVerifyExamples = R"(Examples:
 A law that found no pixel to judge has shown nothing and counts as failed; in a replay, only if no
 law found any; in a shard never, for the other shards have the other cases.
 A corpus may be shared: what breaks a law on one subject is tried on all others, as their profile and
-claims take it. New violations are added to it, shrunk, a file each, MAP-0123456789abcdef.case.
+claims take it. New violations are added to it, shrunk, a file each, MAP-0123456789abcdef.case; a shard only reads it,
+and 'selvage merge --corpus' adds what the shards have found.
 A subject runs in a process of its own, so that it may crash, hang or write where it must not: that
 is reported as a violation. What it claims, it says by selvage_subject.h, or the command line does.
 )";
@@ -32,7 +33,7 @@ constexpr const char* kMergeExamples = R"(Examples:
 of the shards that this has made:
   for i in 1 2 3 4; do selvage verify --seed 1 --cases 4000 --shard $i/4 --json >$i.json; done
 
-All shards of one run are needed. The verdict is that of the run in one piece, its times are summed.
+All shards of one run are needed. What they knew from a corpus may differ: each violation is one. The verdict is that of the run in one piece, its times are summed.
 )";
 
 [[nodiscard]] std::string footer(const char* examples) {
@@ -129,7 +130,8 @@ void add_cases(CLI::App& verify, VerifyOptions& options) {
           ->excludes(cases, shard);
   CLI::Option* corpus = verify
                             .add_option("--corpus", options.corpus,
-                                        "Known violations: tried first; new ones are written there")
+                                        "Known violations: tried first; new ones are written there "
+                                        "(with --shard: by merge)")
                             ->type_name("DIR");
   CLI::Option* hex = verify.add_option("--case", options.case_hex, "Replay this one case")
                          ->type_name("HEX")
@@ -167,6 +169,10 @@ CLI::App* add_merge(CLI::App& program, MergeOptions& options) {
   merge->add_option("FILES", options.files, "What 'verify --shard I/N --json' has printed")
       ->required()
       ->type_name("FILE");
+  merge
+      ->add_option("--corpus", options.corpus,
+                   "The shards' corpus, which they only read: what is new is written there")
+      ->type_name("DIR");
   merge->add_flag("--json", options.json, "Print the verdict as JSON");
   merge->add_option("--junit", options.junit, "Write it as JUnit XML, too")->type_name("FILE");
   merge->footer(footer(kMergeExamples));

@@ -15,6 +15,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr uint64_t kCasesPerRound = 20;
+constexpr auto kFirstRoundGrace = std::chrono::seconds(5);
 constexpr double kMostTime_s = 1e6;
 
 void check_shard(const VerifyPlan& plan, const Console& console, LawRun* run,
@@ -39,18 +40,28 @@ void hunt_shard(const VerifyPlan& plan, const Console& console, LawRun* run, std
   }
 }
 
-// Every law gets a round of cases and a climb in turn, and each at least one round.
-void check_rounds(const VerifyPlan& plan, const Console& console, std::deque<LawRun>* runs) {
+// A round that has to be cut short has no more cases for its law.
+void check_round(const VerifyPlan& plan, uint64_t first, Clock::time_point end, bool is_first,
+                 LawRun* run) {
+  for (uint64_t i = 0; i < kCasesPerRound; ++i) {
+    if (!is_first && Clock::now() >= end) return;
+    if (Clock::now() >= end + kFirstRoundGrace) return;
+    run->check(plan.seed, first + i);
+  }
+  if (Clock::now() < end) run->hunt(plan.seed, first / kCasesPerRound, plan.hunted);
+}
+
+// Every law gets a round of cases and a climb in turn, and each at least one round: of a subject
+// that hangs, and where the time has long been over, the laws before have had all there was.
+void check_rounds(const VerifyPlan& plan, const Console& console, Clock::time_point end,
+                  std::deque<LawRun>* runs) {
   StatusLine status(console);
-  const auto end = Clock::now() + *plan.time;
   const auto most = static_cast<uint64_t>(plan.time->count() / 1'000'000'000);
   for (uint64_t first = 0; first == 0 || Clock::now() < end; first += kCasesPerRound) {
     for (LawRun& run : *runs) {
-      if (first > 0 && Clock::now() >= end) return;
-      run.timed([&] {
-        for (uint64_t i = 0; i < kCasesPerRound; ++i) run.check(plan.seed, first + i);
-        if (Clock::now() < end) run.hunt(plan.seed, first / kCasesPerRound, plan.hunted);
-      });
+      const bool waits = first == 0 && std::ranges::none_of(*runs, &LawRun::hangs);
+      if (!waits && Clock::now() >= end) return;
+      run.timed([&] { check_round(plan, first, end, waits, &run); });
       const auto left_s =
           static_cast<uint64_t>(std::max<int64_t>(0, (end - Clock::now()).count()) / 1'000'000'000);
       status.count("second", most - std::min(most, left_s), most);
@@ -99,9 +110,12 @@ std::chrono::nanoseconds parse_time(const std::string& text) {
 std::vector<Verdict> carry_out(const VerifyPlan& plan, const spec::Subject& subject,
                                const Console& console,
                                const std::function<void(const Verdict&)>& done) {
+  const auto end = Clock::now() + plan.time.value_or(std::chrono::nanoseconds(0));
+  spec::Verification::IsOver is_over;
+  if (plan.time) is_over = [end] { return Clock::now() >= end; };
   std::deque<LawRun> runs;  // which stay where they are
   for (const spec::Law* law : plan.laws) {
-    LawRun& run = runs.emplace_back(*law, subject);
+    LawRun& run = runs.emplace_back(*law, subject, is_over);
     run.timed([&] {
       run.try_known(plan.known);
       if (plan.replayed) run.replay(*plan.replayed);
@@ -111,7 +125,7 @@ std::vector<Verdict> carry_out(const VerifyPlan& plan, const spec::Subject& subj
     });
     if (!plan.time) done(run.verdict(plan.cases));
   }
-  if (plan.time) check_rounds(plan, console, &runs);
+  if (plan.time) check_rounds(plan, console, end, &runs);
   std::vector<Verdict> verdicts;
   for (const LawRun& run : runs) {
     verdicts.push_back(plan.time ? run.verdict() : run.verdict(plan.cases));

@@ -36,19 +36,19 @@ void draw_copies(const Polygon& polygon, const selvage_rect& visible, const Surf
 // One map for all spans.
 template <class Map, class Spans>
 void draw_plane(const Map& plane, const Polygon& polygon, const selvage_rect& visible,
-                const Surface& surface, const RowKernel& rows,
+                const Surface& surface, FindSpans find_spans,
                 void (*draw)(const Spans& spans, const Surface& surface)) {
-  BatchWalk walk(polygon, visible, rows);
+  BatchWalk walk(polygon, visible, find_spans);
   SpanBatch batch;
-  while (walk.next(&batch)) draw({batch, plane.lanes(), ExactMap(plane)}, surface);
+  while (walk.next(&batch)) draw({batch, plane.lanes(), polygon.texels, ExactMap(plane)}, surface);
 }
 
 static_assert(kGentleRatio <= kMostReach, "kernels count on lanes that lack no more");
 
-void draw_in_perspective(const SpanMap& map, const Span& span, const Surface& surface,
-                         const Kernels& kernels) {
+void draw_in_perspective(const SpanMap& map, const Span& span, const TexelBox& texels,
+                         const Surface& surface, const Kernels& kernels) {
   const auto draw = [&](const Span& part, const ProjectiveLanes& lanes) {
-    kernels.draw_projective({one_span(part), lanes.field(part), ExactMap(map)}, surface);
+    kernels.draw_projective({one_span(part), lanes.field(part), texels, ExactMap(map)}, surface);
   };
   const ProjectiveLanes whole(map, span);
   if (whole.ratio() <= kGentleRatio) return draw(span, whole);
@@ -64,10 +64,11 @@ void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surfa
     const SpanMap map = walk.map();
     const Span& span = walk.span();
     if (polygon.affine) {
-      kernels.draw_affine({one_span(span), AffineLanes(map, span).field(span), ExactMap(map)},
-                          surface);
+      kernels.draw_affine(
+          {one_span(span), AffineLanes(map, span).field(span), polygon.texels, ExactMap(map)},
+          surface);
     } else {
-      draw_in_perspective(map, span, surface, kernels);
+      draw_in_perspective(map, span, polygon.texels, surface, kernels);
     }
   }
 }
@@ -96,10 +97,11 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
   }
   if (polygon.affine) {
     if (const std::optional<Plane> plane = Plane::of(polygon, visible)) {
-      return draw_plane(*plane, polygon, visible, surface, kernels.rows, kernels.draw_affine);
+      return draw_plane(*plane, polygon, visible, surface, kernels.find_spans, kernels.draw_affine);
     }
   } else if (const auto plane = ProjectivePlane::of(polygon, visible)) {
-    return draw_plane(*plane, polygon, visible, surface, kernels.rows, kernels.draw_projective);
+    return draw_plane(*plane, polygon, visible, surface, kernels.find_spans,
+                      kernels.draw_projective);
   }
   draw_ruled(polygon, visible, surface, kernels);
 }

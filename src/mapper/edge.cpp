@@ -1,8 +1,5 @@
 #include "mapper/edge.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace selvage::mapper {
 namespace {
 
@@ -13,24 +10,7 @@ namespace {
 
 static_assert(kPositionBits + kPositionBits + kSubpixelBits < 63, "Edge steps fit int64_t");
 
-static_assert(kPositionBits - 1 + kPositionBits < 53, "EdgeLine's dividend is exact in double");
-
 }  // namespace
-
-Edge::Edge(const selvage_vertex& a, const selvage_vertex& b) : top_(&a), bottom_(&b) {
-  if (bottom_->y < top_->y) std::swap(top_, bottom_);
-  bottom_row_ = first_centre_px(bottom_->y);
-}
-
-// ceil((x - 128 height) / (256 height)), as a floor, x being 256 dx more a row.
-EdgeLine Edge::line_from(int32_t row) const {
-  const int64_t height = int64_t{bottom_->y} - top_->y;
-  const int64_t dx = int64_t{bottom_->x} - top_->x;
-  const int64_t x = top_->x * height + dx * (centre_fx8(row) - top_->y);
-  const int64_t divisor = kSubpixels * height;
-  return {static_cast<double>(x - kHalfPixel * height + divisor - 1),
-          static_cast<double>(kSubpixels * dx), static_cast<double>(divisor)};
-}
 
 void Edge::seek(int32_t row) {
   const int64_t height = int64_t{bottom_->y} - top_->y;
@@ -65,20 +45,6 @@ EdgeChange Edge::change() const {
       .vq = int64_t{bottom_->v} * bottom_->q - int64_t{top_->v} * top_->q,
       .q = int64_t{bottom_->q} - top_->q,
   };
-}
-
-Chain::Chain(const Polygon& polygon, Direction direction)
-    : polygon_(&polygon), direction_(direction), vertex_(polygon.top) {}
-
-void Chain::next_edge() {
-  const size_t count = polygon_->vertices.size();
-  const size_t from = vertex_;
-  if (direction_ == Direction::kForward) {
-    vertex_ = from + 1 == count ? 0 : from + 1;
-  } else {
-    vertex_ = from == 0 ? count - 1 : from - 1;
-  }
-  edge_ = Edge(polygon_->vertices[from], polygon_->vertices[vertex_]);
 }
 
 const Edge& Chain::at_row(int32_t row) {

@@ -30,6 +30,7 @@ struct EdgePoint {
 struct EdgeLine {
   double dividend, step, divisor;
 };
+static_assert(kPositionBits - 1 + kPositionBits < 53, "the dividend is exact in double");
 
 // floor(a / b) for whole a and b > 0. Rounded once, the quotient floors right: a whole one is
 // exact, any other is at least 1 / b from the next whole number, and rounding moves it by less
@@ -53,7 +54,14 @@ class Edge {
  public:
   // An edge that crosses no row.
   Edge() = default;
-  Edge(const selvage_vertex& a, const selvage_vertex& b);
+  Edge(const selvage_vertex& a, const selvage_vertex& b) { join(a, b); }
+
+  void join(const selvage_vertex& a, const selvage_vertex& b) {
+    const bool down = a.y <= b.y;
+    top_ = down ? &a : &b;
+    bottom_ = down ? &b : &a;
+    bottom_row_ = first_centre_px(bottom_->y);
+  }
 
   // The first row below it: it crosses the rows whose centres lie in [y of its top, y of its
   // bottom).
@@ -71,8 +79,16 @@ class Edge {
     }
   }
 
-  // Of the rows from this one on, which it crosses.
-  [[nodiscard]] EdgeLine line_from(int32_t row) const;
+  // Of the rows from this one on, which it crosses:
+  // ceil((x - 128 height) / (256 height)), as a floor, x being 256 dx more a row.
+  [[nodiscard]] EdgeLine line_from(int32_t row) const {
+    const int64_t height = int64_t{bottom_->y} - top_->y;
+    const int64_t dx = int64_t{bottom_->x} - top_->x;
+    const int64_t x = top_->x * height + dx * (centre_fx8(row) - top_->y);
+    const int64_t divisor = kSubpixels * height;
+    return {static_cast<double>(x - kHalfPixel * height + divisor - 1),
+            static_cast<double>(kSubpixels * dx), static_cast<double>(divisor)};
+  }
 
   // The least column whose centre is at or right of the edge: ceil(x - 1/2), at the current row.
   [[nodiscard]] int32_t first_px() const { return static_cast<int32_t>(first_px_); }
@@ -93,7 +109,8 @@ class Edge {
 class Chain {
  public:
   enum class Direction { kForward, kBackward };  // through the vertices
-  Chain(const Polygon& polygon, Direction direction);
+  Chain(const Polygon& polygon, Direction direction)
+      : polygon_(&polygon), direction_(direction), vertex_(polygon.top) {}
 
   // The edge that crosses `row`, at that row. Rows must rise from call to call and stay within the
   // polygon's; they may jump.
@@ -112,7 +129,16 @@ class Chain {
   }
 
  private:
-  void next_edge();
+  void next_edge() {
+    const size_t count = polygon_->vertices.size();
+    const size_t from = vertex_;
+    if (direction_ == Direction::kForward) {
+      vertex_ = from + 1 == count ? 0 : from + 1;
+    } else {
+      vertex_ = from == 0 ? count - 1 : from - 1;
+    }
+    edge_.join(polygon_->vertices[from], polygon_->vertices[vertex_]);
+  }
 
   const Polygon* polygon_;
   Direction direction_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "mapper/number.h"
 #include "mapper/sums.h"
 
 namespace selvage::mapper {
@@ -40,16 +41,21 @@ struct Footprint {
   return footprint(texture.texels, rows_of_bytes(texture), texture.pitch);
 }
 
+// Of a power of two.
+[[nodiscard]] bool is_multiple(uintptr_t value, ptrdiff_t unit) {
+  return (value & static_cast<uintptr_t>(unit - 1)) == 0;
+}
+
 // |pitch| holds a row and is a multiple of `unit`, and the image spans at most PTRDIFF_MAX bytes.
 [[nodiscard]] bool pitch_is_valid(RowsOfBytes size, ptrdiff_t pitch, ptrdiff_t unit) {
   const uintptr_t stride = magnitude(pitch);
   const auto row = static_cast<uintptr_t>(size.row_bytes);
-  if (stride < row || stride % static_cast<uintptr_t>(unit) != 0) return false;
-  const auto steps = static_cast<uintptr_t>(size.rows - 1);
-  return steps == 0 || stride <= (static_cast<uintptr_t>(PTRDIFF_MAX) - row) / steps;
+  if (stride < row || !is_multiple(stride, unit)) return false;
+  const uint128 above_last_row = uint128{stride} * static_cast<uintptr_t>(size.rows - 1);
+  return above_last_row + row <= static_cast<uintptr_t>(PTRDIFF_MAX);
 }
 
-// What addresses and pitches are multiples of: a texel, or a tile.
+// What addresses and pitches are multiples of, a power of two: a texel, or a tile.
 [[nodiscard]] ptrdiff_t unit_bytes(selvage_layout layout, selvage_format format) {
   return (layout == SELVAGE_LAYOUT_TILES ? kTileTexels : 1) * bytes_per_pixel(format);
 }
@@ -59,7 +65,7 @@ struct Footprint {
 }
 
 [[nodiscard]] bool is_aligned(const void* pixels, ptrdiff_t unit) {
-  return reinterpret_cast<uintptr_t>(pixels) % static_cast<uintptr_t>(unit) == 0;
+  return is_multiple(reinterpret_cast<uintptr_t>(pixels), unit);
 }
 
 // Two rectangles of one bitmap: equal strides, and column ranges that never meet.

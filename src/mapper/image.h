@@ -8,9 +8,12 @@
 
 namespace selvage::mapper {
 
-// The format must be valid.
+// Bytes of a pixel, as a power of two. The format must be valid.
+[[nodiscard]] constexpr int pixel_shift(selvage_format format) {
+  return format == SELVAGE_INDEX8 ? 0 : format == SELVAGE_RGB565 ? 1 : 2;
+}
 [[nodiscard]] constexpr ptrdiff_t bytes_per_pixel(selvage_format format) {
-  return format == SELVAGE_INDEX8 ? 1 : format == SELVAGE_RGB565 ? 2 : 4;
+  return ptrdiff_t{1} << pixel_shift(format);
 }
 
 // Addresses of bytes, [begin, end).

@@ -25,21 +25,23 @@ struct Surface {
 // Spans of consecutive rows under one affine map.
 struct AffineSpans {
   const SpanBatch& batch;
-  AffineField field;
-  ExactMap exact;  // decides near-ties
+  const AffineField& field;
+  const TexelBox& texels;  // of all pixels, and maybe of more
+  ExactMap exact;          // decides near-ties
 };
 
 // Spans of consecutive rows under one projective map.
 struct ProjectiveSpans {
   const SpanBatch& batch;
-  ProjectiveField field;
+  const ProjectiveField& field;
+  const TexelBox& texels;
   ExactMap exact;
 };
 
 // Each draw_... writes all pixels of the spans by its filter, exactly; the last, which only nearest
 // has, shows the texels of its lanes.
 struct Kernels {
-  const RowKernel& rows;
+  FindSpans find_spans;
   void (*draw_affine)(const AffineSpans& spans, const Surface& surface);
   void (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
   void (*draw_stepped)(const SteppedRow& row, const Surface& surface) = nullptr;

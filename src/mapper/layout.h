@@ -52,7 +52,7 @@ inline constexpr int64_t kLineBytes = 64;
 }
 
 [[nodiscard]] constexpr ptrdiff_t pitch_texel_of(const selvage_texture& texture) {
-  return texture.pitch / bytes_per_pixel(texture.format);
+  return texture.pitch >> pixel_shift(texture.format);
 }
 
 // The bytes from a texture's first texel to this one.

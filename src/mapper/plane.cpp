@@ -24,10 +24,24 @@ static_assert(kTexelBits + 1 + kPositionBits + 1 <= 57, "A and B of a plane are 
   return quotient;
 }
 
+[[nodiscard]] PlaneCoordinate coordinate(const PlaneFrame& frame, int32_t selvage_vertex::*of) {
+  const int32_t value_fx16 = frame.origin().*of;
+  const auto gradient = frame.gradient<int64_t>(int64_t{frame.second().*of} - value_fx16,
+                                                int64_t{frame.third().*of} - value_fx16);
+  return {value_fx16, gradient.along_x, gradient.along_y};
+}
+
 static_assert(kPlaneAreaBits + 3 < 63 && kPlaneEstimateError_fx32 + 2 <= 8,
               "the remainder fits int64_t");
 
 }  // namespace
+
+Plane::Plane(const PlaneFrame& frame)
+    : x_fx8_(frame.origin().x),
+      y_fx8_(frame.origin().y),
+      doubled_area_(frame.doubled_area()),
+      u_(coordinate(frame, &selvage_vertex::u)),
+      v_(coordinate(frame, &selvage_vertex::v)) {}
 
 bool Plane::passes_through(const selvage_vertex& vertex) const {
   const int64_t dx = int64_t{vertex.x} - x_fx8_, dy = int64_t{vertex.y} - y_fx8_;
@@ -40,7 +54,7 @@ bool Plane::passes_through(const selvage_vertex& vertex) const {
 
 // In fx32, a step of a pixel is 2^16 * 2^8 A / D, and the start is 2^16 (dx A + dy B) / D above the
 // origin's. spec/proofs/plane_estimate.g bounds the error of the estimates.
-bool Plane::set_lanes(const PlaneCoordinate& c, int64_t Lane::*axis) {
+bool Plane::set_lane(const PlaneCoordinate& c, int64_t Lane::*axis) {
   const double texel = 65536.0 / static_cast<double>(doubled_area_);
   const double step_x = static_cast<double>(c.along_x) * (texel * kSubpixels);
   const double step_y = static_cast<double>(c.along_y) * (texel * kSubpixels);
@@ -62,35 +76,28 @@ bool Plane::set_lanes(const PlaneCoordinate& c, int64_t Lane::*axis) {
   return true;
 }
 
-std::optional<Plane> Plane::of(const Polygon& polygon, const selvage_rect& visible) {
-  if (!polygon.affine) return std::nullopt;
-  const std::optional<PlaneFrame> frame = PlaneFrame::of(polygon.vertices);
-  if (!frame) return std::nullopt;
-  Plane plane;
-  plane.x_fx8_ = frame->origin().x;
-  plane.y_fx8_ = frame->origin().y;
-  plane.doubled_area_ = frame->doubled_area();
-  const auto coordinate = [&](int32_t selvage_vertex::*of) {
-    const int64_t value = frame->origin().*of;
-    const auto gradient =
-        frame->gradient<int64_t>(frame->second().*of - value, frame->third().*of - value);
-    return PlaneCoordinate{frame->origin().*of, gradient.along_x, gradient.along_y};
-  };
-  plane.u_ = coordinate(&selvage_vertex::u);
-  plane.v_ = coordinate(&selvage_vertex::v);
-  const auto& vertices = polygon.vertices;
-  for (size_t i = 1; vertices.size() > 3 && i < vertices.size(); ++i) {
-    if (!plane.passes_through(vertices[i])) return std::nullopt;
-  }
-  AffineField& lanes = plane.lanes_;
-  lanes.first_px = std::max(visible.left, polygon.left_px);
-  lanes.first_row = std::max(visible.top, polygon.top_row);
+bool Plane::is_of(std::span<const selvage_vertex> vertices) const {
+  if (doubled_area_ == 0) return false;
+  const auto is_on = [&](const selvage_vertex& vertex) { return passes_through(vertex); };
+  return vertices.size() == 3 || std::ranges::all_of(vertices.subspan(1), is_on);
+}
+
+bool Plane::set_lanes(const Polygon& polygon, const selvage_rect& visible) {
+  lanes_.first_px = std::max(visible.left, polygon.left_px);
+  lanes_.first_row = std::max(visible.top, polygon.top_row);
   const int32_t end_px = std::min(visible.right, polygon.right_px);
   const int32_t end_row = std::min(visible.bottom, polygon.bottom_row);
-  const int32_t steps = std::max(end_px - lanes.first_px + end_row - lanes.first_row, 0) + 1;
-  lanes.margin_fx32 = kPlaneErrorPerStep_fx32 * static_cast<uint32_t>(steps);
-  if (!plane.set_lanes(plane.u_, &Lane::u_fx32) || !plane.set_lanes(plane.v_, &Lane::v_fx32)) {
-    return std::nullopt;
+  const int32_t steps = std::max(end_px - lanes_.first_px + end_row - lanes_.first_row, 0) + 1;
+  lanes_.margin_fx32 = kPlaneErrorPerStep_fx32 * static_cast<uint32_t>(steps);
+  return set_lane(u_, &Lane::u_fx32) && set_lane(v_, &Lane::v_fx32);
+}
+
+// The plane is made in its place: a copy would load by sixteens of bytes what was just stored by
+// eights, and wait for it.
+std::optional<Plane> Plane::of(const Polygon& polygon, const selvage_rect& visible) {
+  std::optional<Plane> plane(std::in_place, PlaneFrame::of(polygon.vertices));
+  if (!polygon.affine || !plane->is_of(polygon.vertices) || !plane->set_lanes(polygon, visible)) {
+    plane.reset();
   }
   return plane;
 }

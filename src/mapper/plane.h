@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "mapper/lanes.h"
 #include "mapper/number.h"
@@ -34,6 +35,9 @@ class Plane {
   // is not empty: spans lie within it.
   [[nodiscard]] static std::optional<Plane> of(const Polygon& polygon, const selvage_rect& visible);
 
+  // Through the three vertices of a frame; without lanes.
+  explicit Plane(const PlaneFrame& frame);
+
   // Of all visible pixels of the polygon.
   [[nodiscard]] const AffineField& lanes() const { return lanes_; }
 
@@ -45,17 +49,20 @@ class Plane {
   [[nodiscard]] int128 denominator() const { return int128{doubled_area_} << kTexelFraction; }
 
  private:
+  // Whether the frame has an area and all vertices lie on its plane.
+  [[nodiscard]] bool is_of(std::span<const selvage_vertex> vertices) const;
   [[nodiscard]] bool passes_through(const selvage_vertex& vertex) const;
+  [[nodiscard]] bool set_lanes(const Polygon& polygon, const selvage_rect& visible);
   // The start and the steps of one coordinate of the lanes.
-  [[nodiscard]] bool set_lanes(const PlaneCoordinate& coordinate, int64_t Lane::*axis);
+  [[nodiscard]] bool set_lane(const PlaneCoordinate& coordinate, int64_t Lane::*axis);
   [[nodiscard]] int128 numerator(const PlaneCoordinate& c, int32_t px, int32_t row) const {
     return int128{c.origin_fx16} * doubled_area_ + int128{centre_fx8(px) - x_fx8_} * c.along_x +
            int128{centre_fx8(row) - y_fx8_} * c.along_y;
   }
 
-  int32_t x_fx8_ = 0, y_fx8_ = 0;  // of the origin vertex
-  int64_t doubled_area_ = 0;       // D, in (1/256 px)^2: 0 < D < 2^49
-  PlaneCoordinate u_{}, v_{};
+  int32_t x_fx8_, y_fx8_;  // of the origin vertex
+  int64_t doubled_area_;   // D, in (1/256 px)^2: 0 <= D < 2^49
+  PlaneCoordinate u_, v_;
   AffineField lanes_{};
 };
 

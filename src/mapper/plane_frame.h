@@ -12,7 +12,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <optional>
 #include <span>
 #include <utility>
 
@@ -30,8 +29,8 @@ class PlaneFrame {
     Integer along_x, along_y;  // A and B
   };
 
-  // Empty where all vertices are on one line. The three run so that the area is positive.
-  [[nodiscard]] static std::optional<PlaneFrame> of(std::span<const selvage_vertex> vertices) {
+  // Of no area where all vertices are on one line. The three run so that it is positive.
+  [[nodiscard]] static PlaneFrame of(std::span<const selvage_vertex> vertices) {
     const selvage_vertex& origin = vertices[0];
     size_t second = 1;
     while (second + 1 < vertices.size() && vertices[second].x == origin.x &&
@@ -39,17 +38,16 @@ class PlaneFrame {
       ++second;
     }
     for (size_t third = second + 1; third < vertices.size(); ++third) {
-      const PlaneFrame frame(origin, vertices[second], vertices[third]);
-      if (frame.doubled_area_ > 0) return frame;
-      if (frame.doubled_area_ < 0) return PlaneFrame(origin, vertices[third], vertices[second]);
+      const int64_t area = doubled_area(origin, vertices[second], vertices[third]);
+      if (area > 0) return PlaneFrame(origin, vertices[second], vertices[third]);
+      if (area < 0) return PlaneFrame(origin, vertices[third], vertices[second]);
     }
-    return std::nullopt;
+    return PlaneFrame(origin, origin, origin);
   }
 
   // The same however the vertices are ordered, but for those in one place: the first and the last
   // of them by y and x, and the one furthest from the line through both.
-  [[nodiscard]] static std::optional<PlaneFrame> canonical(
-      std::span<const selvage_vertex> vertices) {
+  [[nodiscard]] static PlaneFrame canonical(std::span<const selvage_vertex> vertices) {
     const auto before = [](const selvage_vertex& a, const selvage_vertex& b) {
       return std::pair(a.y, a.x) < std::pair(b.y, b.x);
     };
@@ -60,15 +58,14 @@ class PlaneFrame {
       const int64_t area = std::abs(frame.doubled_area_), most = std::abs(best.doubled_area_);
       if (area > most || (area == most && before(third, *best.third_))) best = frame;
     }
-    if (best.doubled_area_ == 0) return std::nullopt;
-    return best.doubled_area_ > 0 ? best : PlaneFrame(*first, *best.third_, *last);
+    return best.doubled_area_ >= 0 ? best : PlaneFrame(*first, *best.third_, *last);
   }
 
   [[nodiscard]] const selvage_vertex& origin() const { return *origin_; }
   [[nodiscard]] const selvage_vertex& second() const { return *second_; }
   [[nodiscard]] const selvage_vertex& third() const { return *third_; }
 
-  // D, in (1/256 px)^2: 0 < D < 2^kPlaneAreaBits.
+  // D, in (1/256 px)^2: 0 <= D < 2^kPlaneAreaBits; 0 of no plane.
   [[nodiscard]] int64_t doubled_area() const { return doubled_area_; }
 
   // Of what changes by so much from the origin to the second vertex and to the third.
@@ -79,6 +76,11 @@ class PlaneFrame {
   }
 
  private:
+  [[nodiscard]] static int64_t doubled_area(const selvage_vertex& a, const selvage_vertex& b,
+                                            const selvage_vertex& c) {
+    return (int64_t{b.x} - a.x) * (int64_t{c.y} - a.y) -
+           (int64_t{c.x} - a.x) * (int64_t{b.y} - a.y);
+  }
   PlaneFrame(const selvage_vertex& origin, const selvage_vertex& second,
              const selvage_vertex& third)
       : origin_(&origin),
@@ -88,7 +90,7 @@ class PlaneFrame {
         y2_(int64_t{second.y} - origin.y),
         x3_(int64_t{third.x} - origin.x),
         y3_(int64_t{third.y} - origin.y),
-        doubled_area_(x2_ * y3_ - x3_ * y2_) {}
+        doubled_area_(doubled_area(origin, second, third)) {}
 
   const selvage_vertex *origin_, *second_, *third_;
   int64_t x2_, y2_, x3_, y3_;  // from the origin, 1/256 px

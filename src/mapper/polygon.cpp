@@ -29,9 +29,8 @@ namespace {
   for (const selvage_vertex& to : vertices) {
     const int32_t direction = (to.y > from->y) - (to.y < from->y);
     from = &to;
-    if (direction == 0) continue;
-    if (last != 0 && direction != last) ++turns;
-    last = direction;
+    turns += direction * last < 0 ? 1 : 0;
+    last = direction != 0 ? direction : last;
   }
   return turns <= 2;
 }
@@ -64,24 +63,31 @@ selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygo
   if (vertices.size() < 3) return SELVAGE_ERROR_VERTEX_COUNT;
   const selvage_status ranges = check_ranges(vertices);
   if (ranges != SELVAGE_OK) return ranges;
-  if (!is_monotone(vertices)) return SELVAGE_ERROR_NOT_MONOTONE;
+  // A triangle turns twice at most.
+  if (vertices.size() > 3 && !is_monotone(vertices)) return SELVAGE_ERROR_NOT_MONOTONE;
 
   *polygon = Polygon{.vertices = vertices};
-  int32_t bottom_fx8 = vertices[0].y, left_fx8 = vertices[0].x, right_fx8 = left_fx8;
-  int32_t least_fx16 = std::min(vertices[0].u, vertices[0].v);
+  const selvage_vertex& first = vertices[0];
+  int32_t top_fx8 = first.y, bottom_fx8 = first.y, left_fx8 = first.x, right_fx8 = first.x;
+  TexelBox texels{first.u, first.u, first.v, first.v};
   for (size_t i = 1; i < vertices.size(); ++i) {
-    if (vertices[i].y < vertices[polygon->top].y) polygon->top = i;
-    if (vertices[i].y > bottom_fx8) bottom_fx8 = vertices[i].y;
-    if (vertices[i].x < left_fx8) left_fx8 = vertices[i].x;
-    if (vertices[i].x > right_fx8) right_fx8 = vertices[i].x;
-    if (vertices[i].q != vertices[0].q) polygon->affine = false;
-    least_fx16 = std::min(least_fx16, std::min(vertices[i].u, vertices[i].v));
+    const selvage_vertex& v = vertices[i];
+    if (v.y < top_fx8) polygon->top = i;
+    top_fx8 = std::min(top_fx8, v.y);
+    bottom_fx8 = std::max(bottom_fx8, v.y);
+    left_fx8 = std::min(left_fx8, v.x);
+    right_fx8 = std::max(right_fx8, v.x);
+    texels.least_u_fx16 = std::min(texels.least_u_fx16, v.u);
+    texels.most_u_fx16 = std::max(texels.most_u_fx16, v.u);
+    texels.least_v_fx16 = std::min(texels.least_v_fx16, v.v);
+    texels.most_v_fx16 = std::max(texels.most_v_fx16, v.v);
+    if (v.q != first.q) polygon->affine = false;
   }
-  polygon->top_row = first_centre_px(vertices[polygon->top].y);
+  polygon->top_row = first_centre_px(top_fx8);
   polygon->bottom_row = first_centre_px(bottom_fx8);
   polygon->left_px = first_centre_px(left_fx8);
   polygon->right_px = first_centre_px(right_fx8);
-  polygon->least_texel_fx16 = least_fx16;
+  polygon->texels = texels;
   find_shift(polygon);
   return SELVAGE_OK;
 }

@@ -9,16 +9,21 @@
 
 namespace selvage::mapper {
 
+// The least and the most of u and v at the vertices, and so of all that lies between them.
+struct TexelBox {
+  int32_t least_u_fx16, most_u_fx16, least_v_fx16, most_v_fx16;
+};
+
 struct Polygon {
   std::span<const selvage_vertex> vertices;
   size_t top = 0;                       // a vertex of least y
   int32_t top_row = 0, bottom_row = 0;  // rows whose centres lie in [least y, greatest y)
   // Columns whose centres lie in [least x, greatest x).
   int32_t left_px = 0, right_px = 0;
-  int32_t least_texel_fx16 = 0;  // of all u and v
-  bool affine = true;            // all q are equal
-  bool untransformed = false;    // u = x + ds and v = y + dt, ds and dt whole, everywhere
-  int32_t ds = 0, dt = 0;        // texels; of an untransformed polygon
+  TexelBox texels{};
+  bool affine = true;          // all q are equal
+  bool untransformed = false;  // u = x + ds and v = y + dt, ds and dt whole, everywhere
+  int32_t ds = 0, dt = 0;      // texels; of an untransformed polygon
 };
 
 // Checks count, ranges and y-monotonicity. On SELVAGE_OK *polygon refers to `vertices`.

@@ -56,6 +56,12 @@ bool ProjectivePlane::passes_through(const selvage_vertex& vertex) const {
          lies_on(vq_, times_q(vertex.v, vertex.q));
 }
 
+bool ProjectivePlane::is_of(std::span<const selvage_vertex> vertices) const {
+  if (doubled_area_ == 0) return false;
+  const auto is_on = [&](const selvage_vertex& vertex) { return passes_through(vertex); };
+  return vertices.size() == 3 || std::ranges::all_of(vertices, is_on);
+}
+
 template <class Integer>
 ProjectiveField::Linear ProjectivePlane::line(const Quantity<Integer>& quantity,
                                               double unit) const {
@@ -104,15 +110,10 @@ bool ProjectivePlane::set_lanes(const Polygon& polygon, const selvage_rect& visi
   return true;
 }
 
-std::optional<ProjectivePlane> ProjectivePlane::by(const std::optional<PlaneFrame>& frame,
-                                                   const Polygon& polygon,
+std::optional<ProjectivePlane> ProjectivePlane::by(const PlaneFrame& frame, const Polygon& polygon,
                                                    const selvage_rect& visible) {
-  if (!frame) return std::nullopt;
-  ProjectivePlane plane(*frame);
-  for (size_t i = 0; polygon.vertices.size() > 3 && i < polygon.vertices.size(); ++i) {
-    if (!plane.passes_through(polygon.vertices[i])) return std::nullopt;
-  }
-  if (!plane.set_lanes(polygon, visible)) return std::nullopt;
+  std::optional<ProjectivePlane> plane(std::in_place, frame);
+  if (!plane->is_of(polygon.vertices) || !plane->set_lanes(polygon, visible)) plane.reset();
   return plane;
 }
 

@@ -15,6 +15,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "mapper/lanes.h"
 #include "mapper/number.h"
@@ -56,6 +57,9 @@ class ProjectivePlane {
   // however its vertices are ordered.
   [[nodiscard]] static std::optional<ProjectivePlane> of_all(const Polygon& polygon);
 
+  // Through the three vertices of a frame; without lanes.
+  explicit ProjectivePlane(const PlaneFrame& frame);
+
   // Of all visible pixels of the polygon.
   [[nodiscard]] const ProjectiveField& lanes() const { return lanes_; }
 
@@ -81,10 +85,11 @@ class ProjectivePlane {
   template <class Integer, class Of>
   [[nodiscard]] static Quantity<Integer> quantity(const PlaneFrame& frame, const Of& of);
 
-  explicit ProjectivePlane(const PlaneFrame& frame);
-  [[nodiscard]] static std::optional<ProjectivePlane> by(const std::optional<PlaneFrame>& frame,
+  [[nodiscard]] static std::optional<ProjectivePlane> by(const PlaneFrame& frame,
                                                          const Polygon& polygon,
                                                          const selvage_rect& visible);
+  // Whether the frame has an area and all vertices lie on its plane.
+  [[nodiscard]] bool is_of(std::span<const selvage_vertex> vertices) const;
   [[nodiscard]] bool passes_through(const selvage_vertex& vertex) const;
   [[nodiscard]] bool set_lanes(const Polygon& polygon, const selvage_rect& visible);
   template <class Integer>
@@ -100,7 +105,7 @@ class ProjectivePlane {
   int64_t doubled_area_;   // D
   Quantity<int128> uq_, vq_;
   Quantity<int64_t> q_;
-  ProjectiveField lanes_{};
+  ProjectiveField lanes_;
 };
 
 }  // namespace selvage::mapper

@@ -44,9 +44,9 @@ void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
 
 }  // namespace
 
-constexpr Kernels kFourScalar = {kScalarRowKernel, draw_affine<blend_four>,
+constexpr Kernels kFourScalar = {find_spans_scalar, draw_affine<blend_four>,
                                  draw_projective<blend_four>};
-constexpr Kernels kBilinearScalar = {kScalarRowKernel, draw_affine<blend_bilinear>,
+constexpr Kernels kBilinearScalar = {find_spans_scalar, draw_affine<blend_bilinear>,
                                      draw_projective<blend_bilinear>};
 
 }  // namespace selvage::mapper

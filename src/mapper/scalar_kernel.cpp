@@ -98,7 +98,7 @@ void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
   }
 }
 
-constexpr Kernels kScalar = {kScalarRowKernel, draw_affine, draw_projective, draw_stepped_scalar};
+constexpr Kernels kScalar = {find_spans_scalar, draw_affine, draw_projective, draw_stepped_scalar};
 
 }  // namespace
 

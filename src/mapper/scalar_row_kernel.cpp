@@ -36,8 +36,20 @@ void make_spans(int32_t left_px, int32_t right_px, SpanBatch* batch) {
   }
 }
 
+void find_columns_of(Chain* chain, const SpanBatch& batch, int32_t* first_px) {
+  chain->for_each_line(batch.first_row, batch.first_row + batch.rows,
+                       [&](const EdgeLine& line, int32_t rows, int32_t first) {
+                         find_columns(line, rows, first_px + first);
+                       });
+}
+
 }  // namespace
 
-constexpr RowKernel kScalarRowKernel = {find_columns, make_spans};
+void find_spans_scalar(Chain* forward, Chain* backward, int32_t left_px, int32_t right_px,
+                       SpanBatch* batch) {
+  find_columns_of(forward, *batch, batch->left_px.data());
+  find_columns_of(backward, *batch, batch->right_px.data());
+  make_spans(left_px, right_px, batch);
+}
 
 }  // namespace selvage::mapper

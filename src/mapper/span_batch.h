@@ -36,23 +36,19 @@ struct SpanBatch {
   return batch;
 }
 
-// From where edges cross rows to spans.
-struct RowKernel {
-  // Columns of the first pixel centres at or right of an edge, one for each row; may write up to
-  // kMostDoubles - 1 more.
-  void (*find_columns)(const EdgeLine& line, int32_t rows, int32_t* first_px);
-  // From the columns of either chain, of which the left one is decided row by row, to spans within
-  // these bounds and to the widest of them.
-  void (*make_spans)(int32_t left_px, int32_t right_px, SpanBatch* batch);
-};
+// From edges to the spans of a batch's rows within these columns, and to the widest of them. Of the
+// two chains, the left one is decided row by row.
+using FindSpans = void (*)(Chain* forward, Chain* backward, int32_t left_px, int32_t right_px,
+                           SpanBatch* batch);
 
-extern const RowKernel kScalarRowKernel;
+void find_spans_scalar(Chain* forward, Chain* backward, int32_t left_px, int32_t right_px,
+                       SpanBatch* batch);
 
 // All rows of a polygon that are visible, a batch at a time.
 class BatchWalk {
  public:
-  BatchWalk(const Polygon& polygon, const selvage_rect& visible, const RowKernel& kernel)
-      : kernel_(kernel),
+  BatchWalk(const Polygon& polygon, const selvage_rect& visible, FindSpans find_spans)
+      : find_spans_(find_spans),
         visible_(visible),
         row_(std::max(polygon.top_row, visible.top)),
         end_row_(std::min(polygon.bottom_row, visible.bottom)),
@@ -65,21 +61,12 @@ class BatchWalk {
     batch->first_row = row_;
     batch->rows = std::min(end_row_ - row_, kRowsPerBatch);
     row_ += batch->rows;
-    find_columns(&forward_, *batch, batch->left_px.data());
-    find_columns(&backward_, *batch, batch->right_px.data());
-    kernel_.make_spans(visible_.left, visible_.right, batch);
+    find_spans_(&forward_, &backward_, visible_.left, visible_.right, batch);
     return true;
   }
 
  private:
-  void find_columns(Chain* chain, const SpanBatch& batch, int32_t* first_px) const {
-    chain->for_each_line(batch.first_row, batch.first_row + batch.rows,
-                         [&](const EdgeLine& line, int32_t rows, int32_t first) {
-                           kernel_.find_columns(line, rows, first_px + first);
-                         });
-  }
-
-  const RowKernel& kernel_;
+  FindSpans find_spans_;
   selvage_rect visible_;
   int32_t row_, end_row_;
   Chain forward_, backward_;

@@ -33,10 +33,12 @@ namespace {
 class PlaneRows {
  public:
   PlaneRows(const ProjectivePlane& plane, const Polygon& polygon, const selvage_rect& visible,
-            const RowKernel& kernel, int32_t tolerance_fx16)
+            FindSpans find_spans, int32_t tolerance_fx16)
       : plane_(plane),
+        texels_(polygon.texels),
         visible_(visible),
-        walk_(polygon, {polygon.left_px, visible.top, polygon.right_px, visible.bottom}, kernel),
+        walk_(polygon, {polygon.left_px, visible.top, polygon.right_px, visible.bottom},
+              find_spans),
         tolerance_fx16_(tolerance_fx16) {}
 
   // The next rows, clipped by nothing, and their choices; false where none is left.
@@ -65,7 +67,7 @@ class PlaneRows {
       exact.widest_px = std::max(exact.widest_px, span.width_px());
     }
     if (exact.widest_px == 0) return;
-    kernels.draw_projective({exact, plane_.lanes(), ExactMap(plane_)}, surface);
+    kernels.draw_projective({exact, plane_.lanes(), texels_, ExactMap(plane_)}, surface);
   }
 
   // Calls visit(choice) for each visible row.
@@ -87,6 +89,7 @@ class PlaneRows {
   }
 
   const ProjectivePlane& plane_;
+  const TexelBox& texels_;
   selvage_rect visible_;
   BatchWalk walk_;
   int32_t tolerance_fx16_;
@@ -108,7 +111,7 @@ struct RuledRow {
         choice(choose_row(lanes, whole.width_px(), tolerance_fx16)) {}
 };
 
-void draw_row(const RuledRow& row, const Span& span, const Surface& surface,
+void draw_row(const RuledRow& row, const Span& span, const TexelBox& texels, const Surface& surface,
               const Kernels& kernels) {
   if (!is_exact(row.choice)) {
     return kernels.draw_stepped(stepped_row(span, row.whole, row.lanes, row.choice), surface);
@@ -116,7 +119,7 @@ void draw_row(const RuledRow& row, const Span& span, const Surface& surface,
   const bool clipped = span.width_px() != row.whole.width_px();
   const ProjectiveLanes lanes = clipped ? ProjectiveLanes(row.map, span) : row.lanes;
   const SpanBatch batch = one_span(span);
-  kernels.draw_projective({batch, lanes.field(span), ExactMap(row.map)}, surface);
+  kernels.draw_projective({batch, lanes.field(span), texels, ExactMap(row.map)}, surface);
 }
 
 [[nodiscard]] std::optional<ProjectivePlane> plane_of(const Polygon& polygon) {
@@ -130,12 +133,13 @@ void draw_row(const RuledRow& row, const Span& span, const Surface& surface,
 void draw_tolerantly(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
                      const Kernels& kernels, int32_t tolerance_fx16) {
   if (const auto plane = plane_of(polygon)) {
-    PlaneRows rows(*plane, polygon, visible, kernels.rows, tolerance_fx16);
+    PlaneRows rows(*plane, polygon, visible, kernels.find_spans, tolerance_fx16);
     while (rows.next()) rows.draw(surface, kernels);
     return;
   }
   SpanWalk walk(polygon, visible);
-  while (walk.next()) draw_row({walk, tolerance_fx16}, walk.span(), surface, kernels);
+  while (walk.next())
+    draw_row({walk, tolerance_fx16}, walk.span(), polygon.texels, surface, kernels);
 }
 
 RowChoice choose_tolerantly(const selvage_rect& visible, const Polygon& polygon,
@@ -148,7 +152,7 @@ RowChoice choose_tolerantly(const selvage_rect& visible, const Polygon& polygon,
     all.bound_fx16 = std::max(all.bound_fx16, row.bound_fx16);
   };
   if (const auto plane = plane_of(polygon)) {
-    PlaneRows rows(*plane, polygon, visible, kScalarRowKernel, tolerance_fx16);
+    PlaneRows rows(*plane, polygon, visible, find_spans_scalar, tolerance_fx16);
     while (rows.next()) rows.for_each_choice(add);
     return all;
   }

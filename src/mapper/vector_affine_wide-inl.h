@@ -6,7 +6,7 @@
 #define SELVAGE_VECTOR_AFFINE_WIDE_INL_H
 #endif
 
-#include "mapper/vector_affine_lanes-inl.h"
+#include "mapper/vector_affine_window-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -48,10 +48,6 @@ HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume
   }
   left->count = left_count;
   *at = {i, from_px};
-}
-
-[[nodiscard]] HWY_INLINE int32_t floor_texel(int64_t lane_fx32) {
-  return static_cast<int32_t>(lane_fx32 >> kLaneFraction);
 }
 
 template <class Pixel, class Address>
@@ -96,71 +92,6 @@ HWY_NOINLINE void draw_windows(const AffineSpans& spans, const Surface& surface,
       });
 }
 
-// Where the texels of all pixels of a batch are; no rows where one window does not hold them.
-struct Footprint {
-  Origin s{}, t{};
-  int32_t rows = 0;
-};
-
-struct TexelRange {
-  int32_t first, last;
-};
-
-// Of what a coordinate is at a corner, and what it changes by to the right end and to the lower
-// one.
-[[nodiscard]] HWY_INLINE TexelRange texel_range(int64_t corner_fx32, int64_t right, int64_t down) {
-  return {floor_texel(corner_fx32 + HWY_MIN(right, 0) + HWY_MIN(down, 0)),
-          floor_texel(corner_fx32 + HWY_MAX(right, 0) + HWY_MAX(down, 0))};
-}
-
-// Steps to the right are at most a texel.
-template <class Address>
-[[nodiscard]] HWY_INLINE Footprint footprint_of(const AffineSpans& spans,
-                                                const selvage_texture& texture) {
-  int32_t left_px = INT32_MAX, right_px = INT32_MIN;
-  for (int32_t i = 0; i < spans.batch.rows; ++i) {
-    const Span span = spans.batch.span(i);
-    left_px = HWY_MIN(left_px, span.left_px);
-    right_px = HWY_MAX(right_px, span.right_px);
-  }
-  const int64_t across = int64_t{right_px} - left_px, down = spans.batch.rows - 1;
-  const AffineField& field = spans.field;
-  const Lane corner = field.at(left_px, spans.batch.first_row);
-  const TexelRange s =
-      texel_range(corner.u_fx32, field.step_x.u_fx32 * across, field.step_y.u_fx32 * down);
-  const TexelRange t =
-      texel_range(corner.v_fx32, field.step_x.v_fx32 * across, field.step_y.v_fx32 * down);
-  const int32_t rows = whole_rows(t.last - t.first + 1);
-  if (s.last - s.first >= kLanes || rows > HWY_MIN(kMostWindowRows, texture.height)) return {};
-  const int32_t last_column = texture.width - kLanes, last_row = texture.height - rows;
-  const Footprint footprint{Address::origin(s.first, last_column, texture.width),
-                            Address::origin(t.first, last_row, texture.height), rows};
-  return footprint.s.index <= last_column && footprint.t.index <= last_row ? footprint
-                                                                           : Footprint{};
-}
-
-// All texels of a batch from one window, whose least texel is `least`.
-template <class Pixel, class Address>
-HWY_NOINLINE void draw_one_window(const AffineSpans& spans, const Surface& surface,
-                                  const Footprint& footprint, Resume* at, Left* left) {
-  const AffineBatch<Address> batch(spans, surface);
-  const Extent extent = extent_of(surface.texture);
-  const V32 origin = hn::Set(D32(), (footprint.t.texel << kWindowColumnBits) + footprint.s.texel);
-  const Pixel* const window = static_cast<const Pixel*>(surface.texture.texels) +
-                              footprint.t.index * ptrdiff_t{extent.pitch_texel} + footprint.s.index;
-  char* const pixels = static_cast<char*>(surface.target.pixels);
-  const ptrdiff_t pitch = surface.target.pitch;
-  for_each_vector(spans, batch.to_anchor(), at, left,
-                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR {
-                    const LaneVectors lanes = batch.lanes_from(anchor);
-                    if (batch.any_near(lanes)) return false;
-                    store_pixels(pick(window, extent.pitch_texel, footprint.rows,
-                                      batch.window_index(lanes, origin)),
-                                 count_px, reinterpret_cast<Pixel*>(pixels + row * pitch) + px);
-                    return true;
-                  });
-}
-
 // A load for each pixel of a vector of them.
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, Resume* at,
@@ -184,16 +115,14 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
 // By windows of so many rows, or, where there are none, by loads.
 template <class Pixel, class Address>
 void draw_wide(const AffineSpans& spans, const Surface& surface, int32_t rows) {
-  Footprint footprint;
-  if (rows != 0 && spans.batch.widest_px <= kNarrow_px) {
-    footprint = footprint_of<Address>(spans, surface.texture);
+  if (rows != 0 && spans.batch.widest_px <= kNarrow_px &&
+      draw_one_window<Pixel, Address>(spans, surface)) {
+    return;
   }
   Resume at;
   Left left;
   do {
-    if (kHasWindows && footprint.rows != 0) {
-      draw_one_window<Pixel, Address>(spans, surface, footprint, &at, &left);
-    } else if (kHasWindows && rows != 0) {
+    if (kHasWindows && rows != 0) {
       draw_windows<Pixel, Address>(spans, surface, rows, &at, &left);
     } else {
       draw_loads<Pixel, Address>(spans, surface, &at, &left);

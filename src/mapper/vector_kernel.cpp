@@ -23,9 +23,9 @@
 
 namespace selvage::mapper::HWY_NAMESPACE {
 
-constexpr Kernels kNearest = {kRowKernel, draw_affine, draw_projective, draw_stepped};
-constexpr Kernels kFour = {kRowKernel, draw_blended_affine<true>, draw_blended_projective<true>};
-constexpr Kernels kBilinear = {kRowKernel, draw_blended_affine<false>,
+constexpr Kernels kNearest = {find_spans, draw_affine, draw_projective, draw_stepped};
+constexpr Kernels kFour = {find_spans, draw_blended_affine<true>, draw_blended_projective<true>};
+constexpr Kernels kBilinear = {find_spans, draw_blended_affine<false>,
                                draw_blended_projective<false>};
 
 const Kernels& kernels(selvage_filter filter) {

@@ -1,6 +1,7 @@
 // The vector kernels' limits, and where their tables are.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -49,7 +50,8 @@ inline constexpr int32_t kAnchoredTruncations_fx16 = 2;
 
 // 16.16 lanes fit 32 bits although they may be low by a little.
 [[nodiscard]] inline bool lanes_fit(const Polygon& polygon) {
-  return polygon.least_texel_fx16 >= INT32_MIN + (1 << kTexelFraction);
+  return std::min(polygon.texels.least_u_fx16, polygon.texels.least_v_fx16) >=
+         INT32_MIN + (1 << kTexelFraction);
 }
 
 // And so do places in the texture, in texels from its first.
@@ -58,7 +60,7 @@ inline constexpr int32_t kAnchoredTruncations_fx16 = 2;
   constexpr int64_t kMost = INT32_MAX;
   const int64_t pitch_texel = pitch_texel_of(surface.texture);
   const int64_t stride_texel = pitch_texel < 0 ? -pitch_texel : pitch_texel;
-  return stride_texel <= kMost / rows_of_bytes(surface.texture).rows;
+  return stride_texel <= kMost && stride_texel * rows_of_bytes(surface.texture).rows <= kMost;
 }
 
 // NULL where the build or the machine has no such kernel.

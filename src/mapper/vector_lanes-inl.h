@@ -47,9 +47,12 @@ class FixedLanes {
     return hn::Sub(hn::Add(hn::ShiftLeft<kWindowColumnBits>(t), s), origin);
   }
 
-  // Whether adding all that a lane may lack changes some texel.
+  // What adding all that they may lack changes in either lane: above the low 16 bits, texels.
+  [[nodiscard]] HWY_INLINE V32 changes(const LaneVectors& lanes) const {
+    return hn::Or(change(lanes.u), change(lanes.v));
+  }
   [[nodiscard]] HWY_INLINE bool any_near(const LaneVectors& lanes) const {
-    return any_bits(hn::Or(change(lanes.u), change(lanes.v)), ~0xFFFF);
+    return any_bits(changes(lanes), ~0xFFFF);
   }
 
   // As RowOfTies asks for them.

@@ -6,6 +6,7 @@
 #define SELVAGE_VECTOR_PROJECTIVE_PIECES_INL_H
 #endif
 
+#include "mapper/vector_one_window-inl.h"
 #include "mapper/vector_projective_anchors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -104,9 +105,54 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
   return more;
 }
 
+// False where some pixel is a near-tie.
+template <class Pixel, class Address, class OneWindow>
+[[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const Surface& surface,
+                                        const AnchoredVectors& vectors, PieceWalk walk) {
+  const D32 d;
+  const FixedLanes<Address> fixed(surface.texture, vectors.lack_fx16());
+  char* const pixels = static_cast<char*>(surface.target.pixels);
+  const ptrdiff_t pitch = surface.target.pitch;
+  V32 changed = hn::Zero(d);
+  Pieces pieces;
+  Anchors anchors;
+  while (walk.next(&pieces)) {
+    for (int32_t k = 0; k < pieces.count; k += kDoubles) vectors.find(pieces, k, &anchors);
+    for (int32_t k = 0; k < pieces.count; ++k) {
+      int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
+      Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.row[k] * pitch) + pieces.left_px[k];
+      for (int32_t at = 0; at < kVectorsPerPiece && (at == 0 || count_px > 0); ++at) {
+        const LaneVectors lanes = AnchoredVectors::lanes_from(anchors, k, at);
+        const auto is_pixel = hn::FirstN(d, static_cast<size_t>(count_px));
+        changed = hn::IfThenElse(is_pixel, hn::Or(changed, fixed.changes(lanes)), changed);
+        store_pixels(window.texels(lanes), count_px, to);
+        count_px -= kLanes;
+        to += kLanes;
+      }
+    }
+  }
+  return !any_bits(changed, ~0xFFFF);
+}
+
+// Draws a narrow batch, if one window holds its texels and no pixel is a near-tie.
+template <class Pixel, class Address>
+[[nodiscard]] HWY_NOINLINE bool draw_one_window(const ProjectiveSpans& spans,
+                                                const Surface& surface,
+                                                const AnchoredVectors& vectors) {
+  return with_one_window<Pixel, Address>(
+      spans.texels, surface.texture, [&](const auto& window) HWY_ATTR {
+        return draw_from<Pixel, Address>(window, surface, vectors,
+                                         PieceWalk(spans, surface.texture));
+      });
+}
+
 template <class Pixel, class Address>
 void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
   const AnchoredVectors vectors(spans.field);
+  if (spans.batch.widest_px <= kPiece_px &&
+      draw_one_window<Pixel, Address>(spans, surface, vectors)) {
+    return;
+  }
   PieceWalk walk(spans, surface.texture);
   LeftOfPieces left;
   bool more = true;

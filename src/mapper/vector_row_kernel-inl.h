@@ -13,7 +13,7 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-void find_columns(const EdgeLine& line, int32_t rows, int32_t* HWY_RESTRICT first_px) {
+HWY_INLINE void find_columns(const EdgeLine& line, int32_t rows, int32_t* HWY_RESTRICT first_px) {
   const hn::CappedTag<double, kMostDoubles> d;
   const hn::Rebind<int32_t, decltype(d)> column;
   constexpr int32_t kRows = static_cast<int32_t>(hn::MaxLanes(d));
@@ -27,7 +27,7 @@ void find_columns(const EdgeLine& line, int32_t rows, int32_t* HWY_RESTRICT firs
   }
 }
 
-void make_spans(int32_t left_px, int32_t right_px, SpanBatch* batch) {
+HWY_INLINE void make_spans(int32_t left_px, int32_t right_px, SpanBatch* batch) {
   const hn::CappedTag<int32_t, kMostDoubles> d;
   constexpr int32_t kRows = static_cast<int32_t>(hn::MaxLanes(d));
   int32_t* const left_of = batch->left_px.data();
@@ -45,7 +45,18 @@ void make_spans(int32_t left_px, int32_t right_px, SpanBatch* batch) {
   batch->widest_px = hn::GetLane(hn::MaxOfLanes(d, widest));
 }
 
-constexpr RowKernel kRowKernel = {find_columns, make_spans};
+HWY_INLINE void find_columns_of(Chain* chain, const SpanBatch& batch, int32_t* first_px) {
+  chain->for_each_line(batch.first_row, batch.first_row + batch.rows,
+                       [&](const EdgeLine& line, int32_t rows, int32_t first)
+                           HWY_ATTR { find_columns(line, rows, first_px + first); });
+}
+
+void find_spans(Chain* forward, Chain* backward, int32_t left_px, int32_t right_px,
+                SpanBatch* batch) {
+  find_columns_of(forward, *batch, batch->left_px.data());
+  find_columns_of(backward, *batch, batch->right_px.data());
+  make_spans(left_px, right_px, batch);
+}
 
 }  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE

@@ -6,8 +6,8 @@
 namespace selvage::scene {
 
 Placement world_to_eye(const Camera& camera) {
-  const Vector3 forward = (camera.target - camera.position).normalized();
-  const Vector3 right = forward.cross(camera.up).normalized();
+  const Vector3 forward = (camera.target - camera.position).stableNormalized();
+  const Vector3 right = forward.cross(camera.up.stableNormalized()).normalized();
   const Vector3 down = forward.cross(right);
   Matrix3 turn;
   turn.row(0) = right;

@@ -2,9 +2,19 @@
 
 #include <cstring>
 
-#include "scene/paints.h"
+#include "scene/reach.h"
 
 namespace selvage::scene {
+namespace {
+
+[[nodiscard]] selvage_texture texture_of(const Scene& scene, const ScreenFace& face,
+                                         const Plan& plan, Paints& paints) {
+  if (!face.paint.texture) return paints.texture(face.paint);
+  return paints.texture(face.paint, reach_texel(scene.textures[*face.paint.texture], face, plan));
+}
+
+}  // namespace
+
 Drawing compose(const Scene& scene, double time_s, Size size, const Wish& wish, Hidden way) {
   Drawing drawing;
   drawing.view = look(scene, time_s, size);
@@ -26,17 +36,17 @@ void clear(const Scene& scene, const selvage_image& target) {
 
 selvage_status draw(const Scene& scene, const Drawing& drawing, const selvage_image& target) {
   clear(scene, target);
-  return draw_pieces(scene, drawing, target);
+  Paints paints(scene, kLitBytes);
+  return draw_pieces(scene, drawing, target, paints);
 }
 
-selvage_status draw_pieces(const Scene& scene, const Drawing& drawing,
-                           const selvage_image& target) {
-  Paints paints(scene);
+selvage_status draw_pieces(const Scene& scene, const Drawing& drawing, const selvage_image& target,
+                           Paints& paints) {
   for (const Piece& piece : drawing.pieces) {
     const ScreenFace& face = drawing.view.faces[piece.face];
     const Plan& plan = drawing.plans[piece.face];
     const std::vector<selvage_vertex> vertices = vertices_to_draw(face, plan);
-    const selvage_texture texture = paints.texture(face.paint);
+    const selvage_texture texture = texture_of(scene, face, plan, paints);
     const selvage_status status = selvage_draw(&target, &piece.clip, vertices.data(),
                                                vertices.size(), &texture, &plan.options);
     if (status != SELVAGE_OK) return status;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,39 +13,21 @@ struct Linear {
   double along_x = 0, along_y = 0;
 };
 
-struct Triangle {
-  const selvage_vertex *a = nullptr, *b = nullptr, *c = nullptr;
-  double doubled_area_px = 0;
-};
+using Triangle = std::span<const selvage_vertex, 3>;
 
-[[nodiscard]] double doubled_area_px(const selvage_vertex& a, const selvage_vertex& b,
-                                     const selvage_vertex& c) {
-  const int64_t area = int64_t{b.x - a.x} * (c.y - a.y) - int64_t{c.x - a.x} * (b.y - a.y);
-  return static_cast<double>(area) / (kSubpixels * kSubpixels);
-}
+[[nodiscard]] double px(int32_t fx8) { return fx8 / kSubpixels; }
 
-[[nodiscard]] Triangle largest_triangle(std::span<const selvage_vertex> vertices) {
-  Triangle largest;
-  for (size_t i = 0; i < vertices.size(); ++i) {
-    for (size_t j = i + 1; j < vertices.size(); ++j) {
-      for (size_t k = j + 1; k < vertices.size(); ++k) {
-        const double area = doubled_area_px(vertices[i], vertices[j], vertices[k]);
-        if (std::abs(area) > std::abs(largest.doubled_area_px)) {
-          largest = {&vertices[i], &vertices[j], &vertices[k], area};
-        }
-      }
-    }
-  }
-  return largest;
+[[nodiscard]] double doubled_area_px(Triangle t) {
+  return px(t[1].x - t[0].x) * px(t[2].y - t[0].y) - px(t[2].x - t[0].x) * px(t[1].y - t[0].y);
 }
 
 template <class Value>
-[[nodiscard]] Linear slopes(const Triangle& t, Value value) {
-  const double b = value(*t.b) - value(*t.a), c = value(*t.c) - value(*t.a);
-  const auto px = [](int32_t fx8) { return fx8 / kSubpixels; };
-  const double bx = px(t.b->x - t.a->x), by = px(t.b->y - t.a->y);
-  const double cx = px(t.c->x - t.a->x), cy = px(t.c->y - t.a->y);
-  return {(b * cy - c * by) / t.doubled_area_px, (c * bx - b * cx) / t.doubled_area_px};
+[[nodiscard]] Linear slopes(Triangle t, Value value) {
+  const double b = value(t[1]) - value(t[0]), c = value(t[2]) - value(t[0]);
+  const double bx = px(t[1].x - t[0].x), by = px(t[1].y - t[0].y);
+  const double cx = px(t[2].x - t[0].x), cy = px(t[2].y - t[0].y);
+  const double area_px = doubled_area_px(t);
+  return {(b * cy - c * by) / area_px, (c * bx - b * cx) / area_px};
 }
 
 // The greatest of (a + b t) / (c + d t)^2 for t in [0, 1], a, a + b >= 0 and c, c + d > 0: at an
@@ -61,8 +42,7 @@ template <class Value>
 // du/dx = (U_x q - U q_x) / q^2 with U = u q. The numerator is linear on the screen, so the sum of
 // the two magnitudes is at most the mean of its values at the corners, weighted as q is; and of all
 // such weights with one q those of two corners give the greatest.
-[[nodiscard]] double bound_of(std::span<const selvage_vertex> vertices, const Triangle& triangle,
-                              int32_t selvage_vertex::*coordinate) {
+[[nodiscard]] double bound_of(Triangle triangle, int32_t selvage_vertex::*coordinate) {
   const auto q = [](const selvage_vertex& vertex) { return static_cast<double>(vertex.q); };
   const auto texel = [&](const selvage_vertex& vertex) { return vertex.*coordinate / kSubtexels; };
   const Linear q_slopes = slopes(triangle, q);
@@ -73,8 +53,8 @@ template <class Value>
            std::abs(uq_slopes.along_y * q(p) - texel(p) * q(p) * q_slopes.along_y);
   };
   double bound = 0;
-  for (const selvage_vertex& a : vertices) {
-    for (const selvage_vertex& b : vertices) {
+  for (const selvage_vertex& a : triangle) {
+    for (const selvage_vertex& b : triangle) {
       bound = std::max(
           bound, greatest_quotient(numerator(a), numerator(b) - numerator(a), q(a), q(b) - q(a)));
     }
@@ -85,11 +65,10 @@ template <class Value>
 }  // namespace
 
 double texels_per_px_bound(std::span<const selvage_vertex> vertices) {
-  if (vertices.size() > 3) return ruled_texels_per_px_bound(vertices);
-  const Triangle triangle = largest_triangle(vertices);
-  if (triangle.a == nullptr) return std::numeric_limits<double>::infinity();
-  return std::max(bound_of(vertices, triangle, &selvage_vertex::u),
-                  bound_of(vertices, triangle, &selvage_vertex::v)) *
+  if (vertices.size() != 3) return ruled_texels_per_px_bound(vertices);
+  const Triangle triangle = vertices.first<3>();
+  if (doubled_area_px(triangle) == 0) return std::numeric_limits<double>::infinity();
+  return std::max(bound_of(triangle, &selvage_vertex::u), bound_of(triangle, &selvage_vertex::v)) *
          (1 + 0x1p-20);  // holds the roundings, which cancellation may enlarge
 }
 

@@ -118,7 +118,9 @@ View look(const Scene& scene, double time_s, Size size) {
       continue;
     }
     const int64_t area = doubled_area_seen(face.vertices);
-    if (area == 0 || (area < 0 && !scene.objects[candidate.object].two_sided)) {
+    if (area == 0) {
+      ++view.counts.edge_on;
+    } else if (area < 0 && !scene.objects[candidate.object].two_sided) {
       ++view.counts.backs;
     } else if (!is_in_picture(face.vertices, size)) {
       ++view.counts.off_screen;

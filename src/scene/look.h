@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
 #include "scene/scene.h"
@@ -17,6 +16,7 @@ struct Counts {
   size_t faces_rejected = 0;  // with their objects
   size_t faces = 0;           // of objects that were not rejected; each is one of the following
   size_t clipped_away = 0, backs = 0, off_screen = 0, seen = 0;
+  size_t edge_on = 0;  // without area on the grid
   size_t refused = 0;  // beyond the mapper's grid; none of a sound scene
 };
 
@@ -25,14 +25,7 @@ struct View {
   Counts counts;
 };
 
-// What keeps a scene from being drawn, and where; empty if nothing does.
-[[nodiscard]] std::string problem(const Scene& scene);
-
-// Texture coordinates that the mapper's grid holds: selvage_snap takes u and v in [-32768, 32768).
-inline constexpr double kMostTexel = 32767;
-[[nodiscard]] bool is_texture_place(const Vector2& texel);
-
-// What is towards the eye and in the picture at that time. The scene has no problem.
+// What is towards the eye and in the picture at that time. The scene has no problem (problem.h).
 [[nodiscard]] View look(const Scene& scene, double time_s, Size size);
 
 }  // namespace selvage::scene

@@ -49,7 +49,4 @@ struct Object {
 // components are the areas of the projections, so that no three corners are trusted alone.)
 [[nodiscard]] Vector3 normal(const Object& object, const Face& face);
 
-// Every corner turns the same way, seen along the normal, or lies straight within rounding.
-[[nodiscard]] bool is_convex(const Object& object, const Face& face);
-
 }  // namespace selvage::scene

@@ -3,12 +3,15 @@
 // The mapper copies texels and mixes nothing in, so the light is put into the texels beforehand: a
 // face of one colour is drawn from a texture of one texel, a textured face in a light from a copy
 // of the texture, each texel times that light. Light comes in 255 steps, so faces that reflect the
-// same share one copy.
+// same share one copy, and of a copy only what is asked for is lit.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <list>
 #include <map>
-#include <utility>
+#include <memory>
 #include <vector>
 
 #include "scene/scene.h"
@@ -19,20 +22,37 @@ namespace selvage::scene {
 
 class Paints {
  public:
-  explicit Paints(const Scene& scene) : scene_(scene) {}
+  // Copies are kept while all of them have at most so many bytes, and the last one always.
+  explicit Paints(const Scene& scene, size_t most_bytes = std::numeric_limits<size_t>::max())
+      : scene_(scene), most_bytes_(most_bytes) {}
 
-  // Good as long as this and the scene's textures are.
+  // With all texels, or in a light only those of that rectangle. Good as long as this and the
+  // scene's textures are, and copies are not too many.
   [[nodiscard]] selvage_texture texture(const Paint& paint);
+  [[nodiscard]] selvage_texture texture(const Paint& paint, const selvage_rect& texels);
+
+  // What lighting has cost until now.
+  [[nodiscard]] int64_t light_ns() const { return light_ns_; }
+  [[nodiscard]] int64_t lit_texels() const { return lit_texels_; }
 
  private:
-  using Texels = std::vector<uint8_t>;
+  struct Copy {
+    size_t texture;
+    Light light;
+    size_t bytes;
+    std::unique_ptr<uint8_t[]> rgba;  // of the whole texture; set within `lit`
+    selvage_rect lit;
+  };
 
-  [[nodiscard]] const Texels& colour(const Colour& colour);
-  [[nodiscard]] const Texels& lit_copy(size_t texture, const Light& light);
+  [[nodiscard]] const std::vector<uint8_t>& colour(const Colour& colour);
+  [[nodiscard]] Copy& copy_of(size_t texture, const Light& light);
+  void light_texels(Copy& copy, const selvage_rect& texels);
 
   const Scene& scene_;
-  std::map<uint32_t, Texels> colours_;
-  std::map<std::pair<size_t, Light>, Texels> lit_copies_;
+  size_t most_bytes_, bytes_ = 0;
+  int64_t light_ns_ = 0, lit_texels_ = 0;
+  std::map<uint32_t, std::vector<uint8_t>> colours_;
+  std::list<Copy> copies_;  // the one that was used last in front
 };
 
 }  // namespace selvage::scene

@@ -1,5 +1,8 @@
 #include "scene/piece_list.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace selvage::scene {
 
 void PieceList::add(int32_t row, const RowSpan& span, int32_t first_px, int32_t end_px) {
@@ -16,6 +19,11 @@ void PieceList::add(int32_t row, const RowSpan& span, int32_t first_px, int32_t 
   }
   last.push_back(pieces_.size());
   pieces_.push_back({span.face(), {left_px, row, right_px, row + 1}});
+}
+
+std::vector<Piece> PieceList::take() && {
+  std::ranges::stable_sort(pieces_, {}, &Piece::face);
+  return std::move(pieces_);
 }
 
 }  // namespace selvage::scene

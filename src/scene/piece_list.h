@@ -18,7 +18,8 @@ class PieceList {
   // Rows in order from top to bottom.
   void add(int32_t row, const RowSpan& span, int32_t first_px, int32_t end_px);
 
-  [[nodiscard]] std::vector<Piece> take() && { return std::move(pieces_); }
+  // One face after another, so that what is made ready for it is used up.
+  [[nodiscard]] std::vector<Piece> take() &&;
 
  private:
   std::vector<Piece> pieces_;

@@ -26,8 +26,12 @@ void sleep_while(Control& control, State state, const timespec* most) {
 
 void set_state(Control& control, State state) {
   control.state.store(static_cast<uint32_t>(state), std::memory_order_release);
-  syscall(SYS_futex, reinterpret_cast<uint32_t*>(&control.state), FUTEX_WAKE, INT_MAX, nullptr,
-          nullptr, 0);
+  wake(control);
+}
+
+void wake(const Control& control) {
+  syscall(SYS_futex, reinterpret_cast<const uint32_t*>(&control.state), FUTEX_WAKE, INT_MAX,
+          nullptr, nullptr, 0);
 }
 
 State wait_while(Control& control, State state, std::optional<std::chrono::nanoseconds> most) {

@@ -40,6 +40,7 @@ struct End {
   bool is_address_known = false;
   bool was_sent = false;  // by a process: it tells of no fault
   bool threw = false;     // an exception came out of the call
+  int fork_error = 0;     // as in errno: there was no worker at all
   int wait_status = 0;    // as by waitpid
 };
 
@@ -83,6 +84,7 @@ struct Call {
 struct Answer {
   selvage_status status = SELVAGE_OK;
   size_t bytes = 0;
+  bool changed_arithmetic = false;  // it left floating-point numbers to be rounded otherwise
 };
 
 struct Control {
@@ -93,7 +95,7 @@ struct Control {
   bool has_claims = false;
   selvage_claims claims{};  // its texts are below
   std::array<char, 128> name{}, version{};
-  std::atomic<pid_t> worker{0};
+  std::atomic<pid_t> keeper{0}, worker{0};
   uintptr_t stack = 0;  // an address near the beginning of the worker's
   Call call{};
   Answer answer{};
@@ -102,6 +104,7 @@ struct Control {
 
 // Sets the state and wakes whoever waits for it.
 void set_state(Control& control, State state);
+void wake(const Control& control);
 // Waits until the state is not `state`, or the time is over; tells what it is then.
 [[nodiscard]] State wait_while(Control& control, State state,
                                std::optional<std::chrono::nanoseconds> most = std::nullopt);

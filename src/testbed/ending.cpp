@@ -56,34 +56,44 @@ inline constexpr uintptr_t kNearNull = 65536;
   }
 }
 
-[[nodiscard]] std::string name_of(int signal) {
+}  // namespace
+
+std::string name_of_signal(int signal) {
   const char* name = sigabbrev_np(signal);
   return " (" + (name != nullptr ? "SIG" + std::string(name) : std::to_string(signal)) + ")";
 }
 
-}  // namespace
+std::string describe_status(int wait_status) {
+  if (!WIFSIGNALED(wait_status)) {
+    return "exited with status " + std::to_string(WEXITSTATUS(wait_status));
+  }
+  const int signal = WTERMSIG(wait_status);
+  return describe_signal(signal) + name_of_signal(signal);
+}
 
 std::string describe_end(const Control& control, const Placement& placement) {
   const End& end = control.end;
+  if (end.fork_error != 0) {
+    return std::string("left no process to draw in: ") + std::strerror(end.fork_error);
+  }
   if (end.threw) return "threw an exception through the C interface";
   if (const int signal = end.signal; signal != 0 && signal != SIGABRT && end.was_sent) {
-    return "was ended by a signal that was sent to it" + name_of(signal);
+    return "was ended by a signal that was sent to it" + name_of_signal(signal);
   } else if (signal == SIGSEGV || signal == SIGBUS) {
-    return describe_access(control, placement) + name_of(signal);
+    return describe_access(control, placement) + name_of_signal(signal);
   } else if (signal != 0) {
-    return describe_signal(signal) + name_of(signal);
+    return describe_signal(signal) + name_of_signal(signal);
   }
-  if (WIFSIGNALED(end.wait_status)) {
-    const int signal = WTERMSIG(end.wait_status);
-    return describe_signal(signal) + name_of(signal);
-  }
-  return "exited with status " + std::to_string(WEXITSTATUS(end.wait_status));
+  return describe_status(end.wait_status);
 }
 
 std::string describe_hang(std::chrono::nanoseconds limit) {
-  char text[64];
-  std::snprintf(text, sizeof text, "hung: no answer in %g s",
-                static_cast<double>(limit.count()) * 1e-9);
+  return "hung: no answer in " + in_seconds(limit);
+}
+
+std::string in_seconds(std::chrono::nanoseconds time) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%g s", static_cast<double>(time.count()) * 1e-9);
   return text;
 }
 

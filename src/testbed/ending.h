@@ -13,7 +13,14 @@ namespace selvage::testbed {
 // "it".
 [[nodiscard]] std::string describe_end(const Control& control, const Placement& placement);
 
+// "exited with status 3", "aborted (SIGABRT)": of a status as by waitpid, what follows "it".
+[[nodiscard]] std::string describe_status(int wait_status);
+// " (SIGABRT)".
+[[nodiscard]] std::string name_of_signal(int signal);
+
 // "hung: no answer in 2 s".
 [[nodiscard]] std::string describe_hang(std::chrono::nanoseconds limit);
+// "0.2 s".
+[[nodiscard]] std::string in_seconds(std::chrono::nanoseconds time);
 
 }  // namespace selvage::testbed

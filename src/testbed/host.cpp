@@ -1,100 +1,41 @@
 #include "testbed/host.h"
 
-#include <sys/mman.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <fcntl.h>
-#include <cerrno>
-#include <csignal>
-#include <cstdio>
-#include <cstring>
-#include <iostream>
 #include <new>
 
 #include "testbed/ending.h"
 #include "testbed/host_state.h"
-#include "testbed/keeper.h"
 #include "testbed/printable.h"
 
 namespace selvage::testbed {
 namespace {
 
-inline constexpr auto kLookAfterKeeper = std::chrono::milliseconds(100);
-inline constexpr auto kForkLimit = std::chrono::seconds(60);  // a machine may be very busy
+constexpr const char* kHolder = "the process that holds it";
 
 [[nodiscard]] LibraryError cannot_use(const std::string& name, const std::string& why) {
   return LibraryError("cannot use '" + printable(name) + "' as a subject: " + why);
 }
 
-// What is buffered would be printed by each process that inherits it.
-void flush_all() {
-  std::cout.flush();
-  std::cerr.flush();
-  std::fflush(nullptr);
+// What a call did, in words that follow "it".
+[[nodiscard]] spec::SubjectFailure failure(const Call& call, const std::string& happened,
+                                           bool hung = false) {
+  const bool is_draw = call.function == Function::kDraw;
+  return {happened, hung, is_draw ? "" : name_of(call.function)};
+}
+
+// Throws where the call ended as calls do, and yet did not what they do.
+[[nodiscard]] const Answer& checked(const Call& call, const Answer& answer) {
+  if (answer.changed_arithmetic) {
+    throw failure(call, "left its caller's floating-point numbers to be rounded otherwise");
+  }
+  if (answer.status == SELVAGE_STATUS_BEYOND_CLAIMS) {
+    throw spec::NotClaimed{"what it says itself is beyond it"};
+  }
+  return answer;
 }
 
 }  // namespace
-
-Host::Keeper::Keeper()
-    : control(*new (reinterpret_cast<void*>(control_memory.range().begin)) Control),
-      output(memfd_create("selvage-subject-output", MFD_CLOEXEC)) {}
-
-Host::Keeper::~Keeper() {
-  end_worker();
-  if (process > 0) {
-    kill(process, SIGKILL);
-    waitpid(process, nullptr, 0);
-  }
-  if (output >= 0) close(output);
-}
-
-void Host::Keeper::start(const std::string& library) {
-  fcntl(output, F_SETFL, O_APPEND);
-  flush_all();
-  const pid_t parent = getpid();
-  process = fork();
-  if (process < 0) throw std::bad_alloc();
-  if (process > 0) return;
-  for (const Arena* arena : {&arenas.texture, &arenas.other_textures, &arenas.vertices,
-                             &arenas.polygons, &arenas.structures}) {
-    arena->make_read_only();
-  }
-  for (const Arena& arena : arenas.prepared) arena.make_read_only();
-  keep(control, library, output, parent, arenas.prepared);
-}
-
-bool Host::Keeper::is_alive() {
-  if (process > 0 && waitpid(process, nullptr, WNOHANG) != 0) process = -1;
-  return process > 0;
-}
-
-State Host::Keeper::next(State state, std::chrono::nanoseconds most) {
-  const auto end = std::chrono::steady_clock::now() + most;
-  for (;;) {
-    const std::chrono::nanoseconds left = end - std::chrono::steady_clock::now();
-    if (left.count() <= 0) return state;
-    const State now =
-        wait_while(control, state, std::min<std::chrono::nanoseconds>(left, kLookAfterKeeper));
-    if (now != state || !is_alive()) return now;
-  }
-}
-
-void Host::Keeper::end_worker() const {
-  const pid_t worker = control.worker;
-  if (worker > 0) kill(worker, SIGKILL);
-}
-
-void Host::Keeper::have_worker() {
-  if (state() == State::kIdle) return;
-  control.end.signal = 0;
-  control.end.threw = control.end.was_sent = control.end.is_address_known = false;
-  control.end.access = Access::kUnknown;
-  set_state(control, State::kFork);
-  if (next(State::kFork, kForkLimit) != State::kIdle) {
-    throw LibraryError("the process that holds the subject has ended");
-  }
-}
 
 Host::Host(const std::filesystem::path& library, std::chrono::nanoseconds call_limit)
     : keeper_(std::make_unique<Keeper>()),
@@ -102,61 +43,109 @@ Host::Host(const std::filesystem::path& library, std::chrono::nanoseconds call_l
       name_(library.string()),
       call_limit_(call_limit) {
   std::error_code error;
-  if (!std::filesystem::is_regular_file(library, error)) {
-    throw cannot_use(name_, "there is no such file");
+  const std::filesystem::file_status status = std::filesystem::status(library, error);
+  if (!std::filesystem::exists(status)) {
+    const bool is_missing = status.type() == std::filesystem::file_type::not_found;
+    throw cannot_use(name_, is_missing ? "there is no such file" : error.message());
   }
-  load();
+  if (!std::filesystem::is_regular_file(status)) {
+    throw cannot_use(name_, (std::filesystem::is_directory(status) ? "it is a directory"
+                                                                   : "it is no regular file") +
+                                std::string("; the name of a shared library is right"));
+  }
+  if (const std::string fault = load(); !fault.empty()) throw cannot_use(name_, fault);
 }
 
-void Host::load() {
+// Loads the library in a process of its own; tells why it cannot be used, empty if it can.
+std::string Host::load() {
   Control& control = *new (&keeper_->control) Control;
   keeper_->start(std::filesystem::absolute(name_).string());
   const State state = keeper_->next(State::kLoading, call_limit_);
-  if (state == State::kNoWorker) return;
-  if (state == State::kRefused) throw cannot_use(name_, control.refusal.data());
+  if (state == State::kNoWorker) return {};
+  const bool has_ended = !keeper_->is_alive();
+  keeper_->end();
+  if (state == State::kRefused) return control.refusal.data();
   const bool is_described = static_cast<Step>(control.step.load()) == Step::kDescribe;
   const std::string what = is_described ? "its selvage_subject()" : "loading it";
-  const bool has_ended = !keeper_->is_alive();
-  throw cannot_use(name_, what + (has_ended ? " ends the process that does so"
-                                            : " takes longer than a call may"));
+  if (has_ended)
+    return keeper_->describe_loss(what + " ends", what + " stops", "the process that does so");
+  return what + " takes longer than a call may, " + in_seconds(call_limit_);
 }
 
 Host::~Host() = default;
 
 void Host::begin_case() { at_end_ = blocks_->at_end = true; }
 
+void Host::start_anew() {
+  keeper_->end_worker();
+  if (keeper_->is_alive()) set_state(keeper_->control, State::kNoWorker);
+}
+
 const Arenas& Host::arenas() const { return keeper_->arenas; }
 const Control& Host::control() const { return keeper_->control; }
 
+// A worker that waits for a call. Throws spec::SubjectFailure.
+void Host::have_worker(const Call& call, const Placement& placement) {
+  Control& control = keeper_->control;
+  if (!keeper_->is_alive()) {
+    if (const std::string fault = load(); !fault.empty()) {
+      throw failure(call, "cannot be loaded again: " + fault, /*hung=*/true);
+    }
+  }
+  if (keeper_->state() == State::kIdle) return;
+  if (keeper_->state() == State::kGone) {
+    set_state(control, State::kNoWorker);
+    throw failure(call, describe_end(control, placement) + ", after a call had returned");
+  }
+  control.end.signal = 0;
+  control.end.threw = control.end.was_sent = control.end.is_address_known = false;
+  control.end.fork_error = 0;
+  control.end.access = Access::kUnknown;
+  set_state(control, State::kFork);
+  const auto limit = std::max<std::chrono::nanoseconds>(call_limit_, kLeastForkLimit);
+  const State state = keeper_->next(State::kFork, limit);
+  if (state == State::kIdle) return;
+  if (state == State::kGone) {
+    set_state(control, State::kNoWorker);
+    throw failure(call, describe_end(control, placement));
+  }
+  const bool was_lost = !keeper_->is_alive();
+  keeper_->end();
+  throw failure(call,
+                was_lost ? keeper_->describe_loss("ended", "stopped", kHolder)
+                         : "left no process to draw in within " + in_seconds(limit),
+                !was_lost);
+}
+
 Answer Host::call(const Call& call) {
   Control& control = keeper_->control;
-  keeper_->have_worker();
   const Placement placement(keeper_->arenas, call, blocks_->placed, at_end_);
+  have_worker(call, placement);
   if (call.function == Function::kDraw || call.function == Function::kDrawMany) at_end_ = !at_end_;
   control.call = placement.copy_in();
-  set_state(control, State::kCall);
+  if (!keeper_->hand_over()) {
+    have_worker(call, placement);  // which tells how it has ended
+    if (!keeper_->hand_over()) throw failure(call, "ended while it waited for a call");
+  }
   State state = keeper_->next(State::kCall, call_limit_);
   const bool is_held = keeper_->is_alive();
   const bool hung = is_held && state == State::kCall;
-  if (hung) {
-    keeper_->end_worker();
-    state = keeper_->next(State::kCall, kForkLimit);
-    if (state == State::kIdle) state = keeper_->next(State::kIdle, kForkLimit);  // a tie
-  }
+  if (hung) keeper_->end_worker();
   placement.copy_out();
-  const auto failure = [&](const std::string& happened) {
-    const bool is_draw = call.function == Function::kDraw;
-    return spec::SubjectFailure{happened, hung, is_draw ? "" : name_of(call.function)};
-  };
-  if (!is_held) {
-    load();
-    throw failure("ended the process that holds it");
+  if (!is_held) throw failure(call, keeper_->describe_loss("ended", "stopped", kHolder));
+  if (hung) {
+    if (keeper_->is_alive()) set_state(control, State::kNoWorker);
+    throw failure(call, describe_hang(call_limit_), hung);
   }
-  if (hung) throw failure(describe_hang(call_limit_));
-  if (state == State::kGone) throw failure(describe_end(control, placement));
-  if (control.answer.status == SELVAGE_STATUS_BEYOND_CLAIMS)
-    throw spec::NotClaimed{"what it says itself is beyond it"};
-  return control.answer;
+  if (state == State::kGone) {
+    set_state(control, State::kNoWorker);
+    throw failure(call, describe_end(control, placement));
+  }
+  if (state != State::kIdle) {
+    keeper_->end();
+    throw failure(call, "wrote over what the testbed keeps beside it");
+  }
+  return checked(call, control.answer);
 }
 
 std::string Host::printed() const {

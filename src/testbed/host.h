@@ -19,6 +19,7 @@ struct Answer;
 struct Arenas;
 struct Call;
 struct Control;
+class Placement;
 
 // The library cannot be used; what() tells why and what would be right.
 class LibraryError : public std::runtime_error {
@@ -59,6 +60,8 @@ class Host {
 
   // Images end at a guard and begin at one in turn; from here on the next call's end there.
   void begin_case();
+  // The next call is in a process that nothing has been drawn in.
+  void start_anew();
 
   // What the library says of itself, or else its file's name and all of the exact profile; its
   // calls are this host's. Throws LibraryError where it claims what there is not.
@@ -70,7 +73,8 @@ class Host {
  private:
   struct Keeper;
   struct Blocks;  // that textures were prepared in
-  void load();    // in a process of its own; throws LibraryError
+  [[nodiscard]] std::string load();
+  void have_worker(const Call& call, const Placement& placement);
   [[nodiscard]] Answer call(const Call& call);
   [[nodiscard]] const Arenas& arenas() const;
   [[nodiscard]] const Control& control() const;

@@ -160,6 +160,7 @@ spec::Subject Host::subject(const std::shared_ptr<Host>& host) {
   if (control.version[0] != '\0') subject.name += " " + std::string(control.version.data());
   subject.draw = [host](auto... arguments) { return host->draw(arguments...); };
   subject.begin_case = [host] { host->begin_case(); };
+  subject.start_anew = [host] { host->start_anew(); };
   const auto has = [&](Function function) { return (control.exported & bit_of(function)) != 0; };
   if (has(Function::kDrawMany)) {
     subject.draw_many = [host](auto... arguments) { return host->draw_many(arguments...); };

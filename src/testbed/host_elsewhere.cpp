@@ -15,8 +15,9 @@ selvage_status Host::draw(const selvage_image*, const selvage_rect*, const selva
                           const selvage_texture*, const selvage_options*) {
   throw LibraryError("no library has been loaded");
 }
-void Host::load() {}
+std::string Host::load() { return {}; }
 void Host::begin_case() {}
+void Host::start_anew() {}
 spec::Subject Host::subject(const std::shared_ptr<Host>&) { return {}; }
 std::string Host::printed() const { return {}; }
 

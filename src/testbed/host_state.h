@@ -13,12 +13,17 @@
 
 namespace selvage::testbed {
 
+// What the keeper's own work may take at least: a machine may be very busy.
+inline constexpr auto kLeastForkLimit = std::chrono::seconds(5);
+
 struct Host::Keeper {
   Arenas arenas;
   Arena control_memory{sizeof(Control)};
   Control& control;
   int output;
-  pid_t process = -1;
+  pid_t process = -1;  // -1: there is none, and these two tell how the last one came to its end
+  int stopped_by = 0;  // a signal; 0: it was not stopped
+  int wait_status = 0;
 
   Keeper();
   Keeper(const Keeper&) = delete;
@@ -26,13 +31,24 @@ struct Host::Keeper {
   ~Keeper();
 
   void start(const std::string& library);
+  void end();  // and all that the library has forked and that is in its group
+  // One that was stopped is ended: nobody would wake it.
   [[nodiscard]] bool is_alive();
+  // "ended the process that holds it, which exited with status 3", of one that is not alive: each
+  // verb for its case, and the process.
+  [[nodiscard]] std::string describe_loss(const std::string& ended, const std::string& stopped,
+                                          const std::string& which) const;
   // Waits until the state is another; `state` itself where the time is over or the keeper dead.
   [[nodiscard]] State next(State state, std::chrono::nanoseconds most);
-  void end_worker() const;
+  // Ends the worker, if there is one, and waits for the keeper to say so. A keeper that does not is
+  // ended, too.
+  void end_worker();
   [[nodiscard]] State state() const { return static_cast<State>(control.state.load()); }
-  // A worker that waits for a call.
-  void have_worker();
+  // Gives a worker that waits its call; false where it has ended before.
+  [[nodiscard]] bool hand_over();
+
+ private:
+  void kill_worker() const;
 };
 
 // The memory that textures have been prepared in, as the caller and as the subject sees it.

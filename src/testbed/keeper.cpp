@@ -2,7 +2,6 @@
 
 #include <dlfcn.h>
 #include <fcntl.h>
-#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -88,39 +87,68 @@ void describe(Control& control, const selvage_claims* claims) {
   control.has_claims = true;
 }
 
+// A library that forks while it is loaded goes on twice, and a call that jumps back to where it was
+// loaded does so in the worker: only the keeper answers. It does not rely on the stack.
+void end_copy(const Control& control) {
+  if (getpid() != control.keeper) _exit(0);
+}
+
 [[nodiscard]] Functions load(Control& control, const std::string& path) {
   void* library = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
+  end_copy(control);
   if (library == nullptr) {
     const char* why = dlerror();
     refuse(control, why != nullptr ? why : "it cannot be loaded");
   }
   const Functions functions = find_functions(library);
+  end_copy(control);  // the address of a function may be found by one of the library's
   if (const std::string fault = fault_of(functions); !fault.empty()) refuse(control, fault);
   control.exported = exported(functions);
   using Describe = const selvage_claims* (*)();
   if (const auto about = reinterpret_cast<Describe>(dlsym(library, "selvage_subject"))) {
     control.step = static_cast<uint32_t>(Step::kDescribe);
-    describe(control, about());
+    const selvage_claims* claims = about();
+    end_copy(control);
+    describe(control, claims);
   }
   return functions;
 }
 
-// Ends with its parent, whatever becomes of that.
-void die_with(pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(0);
+// What the library made of this process's signals.
+struct Signals {
+  sigset_t blocked{};
+  struct sigaction on_child {};
+};
+
+// No signal but those that cannot be kept off ends the keeper, and it learns how each worker did.
+[[nodiscard]] Signals keep_signals_off() {
+  Signals before;
+  sigset_t all{};
+  sigfillset(&all);
+  sigprocmask(SIG_BLOCK, &all, &before.blocked);
+  struct sigaction usual {};
+  usual.sa_handler = SIG_DFL;
+  sigaction(SIGCHLD, &usual, &before.on_child);
+  return before;
 }
 
-void fork_worker(Control& control, const Functions& functions,
+void put_back(const Signals& signals) {
+  sigaction(SIGCHLD, &signals.on_child, nullptr);
+  sigprocmask(SIG_SETMASK, &signals.blocked, nullptr);
+}
+
+void fork_worker(Control& control, const Functions& functions, const Signals& signals,
                  std::span<const Arena> to_prepare_in) {
   const pid_t keeper = getpid();
   const pid_t worker = fork();
   if (worker == 0) {
     die_with(keeper);
     setpgid(0, 0);
-    work(control, functions, to_prepare_in);
+    put_back(signals);
+    work(control, functions, keeper, to_prepare_in);
   }
-  control.worker = worker;
+  control.end.fork_error = worker < 0 ? errno : 0;
+  control.worker = std::max(worker, 0);
   int status = 0;
   while (worker > 0 && waitpid(worker, &status, 0) < 0 && errno == EINTR) {
   }
@@ -134,14 +162,18 @@ void fork_worker(Control& control, const Functions& functions,
 
 void keep(Control& control, const std::string& library, int output, pid_t parent,
           std::span<const Arena> to_prepare_in) {
+  control.keeper = getpid();
   die_with(parent);
+  setpgid(0, 0);
   seal_off(output);
   limit_resources();
   const Functions functions = load(control, library);
+  die_with(parent);  // which the library may have undone
+  const Signals signals = keep_signals_off();
   control.step = static_cast<uint32_t>(Step::kDone);
   set_state(control, State::kNoWorker);
   for (State state = State::kNoWorker;;) {
-    if (state == State::kFork) fork_worker(control, functions, to_prepare_in);
+    if (state == State::kFork) fork_worker(control, functions, signals, to_prepare_in);
     state = static_cast<State>(control.state.load());  // which may be kFork again
     if (state != State::kFork) state = wait_while(control, state);
   }

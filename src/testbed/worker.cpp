@@ -1,9 +1,12 @@
 #include "testbed/worker.h"
 
+#include <sys/prctl.h>
 #include <ucontext.h>
 #include <unistd.h>
 
 #include <csignal>
+
+#include "testbed/float_control.h"
 
 namespace selvage::testbed {
 namespace {
@@ -61,9 +64,12 @@ void answer(Control& control, const Functions& functions, std::span<const Arena>
   const pid_t worker = getpid();
   const Arena* arena = arena_of(control.call, to_prepare_in);
   if (arena != nullptr) arena->make_writable();
+  const FloatControl before = float_control();
   try {
-    const Answer found = carry_out(functions, control.call);
+    Answer found = carry_out(functions, control.call);
     if (getpid() != worker) _exit(0);
+    found.changed_arithmetic = float_control() != before;
+    set_float_control(before);
     control.answer = found;
   } catch (...) {
     control.end.threw = true;
@@ -74,7 +80,13 @@ void answer(Control& control, const Functions& functions, std::span<const Arena>
 
 }  // namespace
 
-void work(Control& control, const Functions& functions, std::span<const Arena> to_prepare_in) {
+void die_with(pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(0);
+}
+
+void work(Control& control, const Functions& functions, pid_t keeper,
+          std::span<const Arena> to_prepare_in) {
   noted_in = &control;
   // A local variable may lie elsewhere, under a sanitizer.
   control.stack = reinterpret_cast<uintptr_t>(__builtin_frame_address(0));
@@ -83,6 +95,7 @@ void work(Control& control, const Functions& functions, std::span<const Arena> t
   for (set_state(control, state);; state = wait_while(control, state)) {
     if (state != State::kCall) continue;
     answer(control, functions, to_prepare_in);
+    die_with(keeper);  // which the subject may have undone
     state = State::kIdle;
     set_state(control, state);
   }

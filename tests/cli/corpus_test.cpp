@@ -1,5 +1,7 @@
 #include "cli/corpus.h"
 
+#include <sys/stat.h>
+
 #include <thread>
 
 #include "support.h"
@@ -47,6 +49,18 @@ TEST_F(Corpus, NamesTheFileThatIsNoCase) {
                   "'known/a.case': no law is called 'MOP'");
   put("file", std::string());
   expect_contains(error_of([] { (void)read_corpus("file"); }), "'file' is no directory");
+}
+
+// A pipe would be waited for.
+TEST_F(Corpus, NamesWhatIsNoFile) {
+  std::filesystem::create_directory("known");
+  ASSERT_EQ(mkfifo("known/a.case", 0600), 0);
+  expect_contains(error_of([] { (void)read_corpus("known"); }),
+                  "'known/a.case' is no regular file");
+  std::filesystem::remove("known/a.case");
+  std::filesystem::create_directory("known/b.case");
+  expect_contains(error_of([] { (void)read_corpus("known"); }),
+                  "'known/b.case' is no regular file");
 }
 
 // Whoever reads while others write sees whole cases and no half ones.

@@ -1,9 +1,12 @@
 // Shards and their sum.
 #include "cli/merge_command.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "cli/corpus.h"
 #include "cli/verify_command.h"
 #include "support.h"
 #include "wrong_subjects.h"
@@ -91,6 +94,59 @@ TEST_F(Merge, KeepsTheNearestMargin) {
   const nlohmann::json& nearest = whole["laws"][1]["nearest"];
   EXPECT_GT(nearest["measured"], 0.0);
   EXPECT_LE(nearest["measured"], nearest["bound"]);
+}
+
+// Whichever began first, and whatever was known by then: no shard writes what another one reads.
+TEST_F(Merge, TakesShardsThatShareACorpus) {
+  const std::string verify =
+      "'" SELVAGE_PROGRAM
+      "' verify --profile dkit --law PART --law COV --seed 5 --cases 60 --corpus known --json ";
+  const auto shard = [&](const std::string& i) {
+    return verify + "--shard " + i + "/4 >" + i + ".json";
+  };
+  std::string all;
+  for (const char* i : {"1", "2", "3", "4"}) all += shard(i) + " & ";
+  ASSERT_EQ(std::system((all + "wait").c_str()), 0);
+  EXPECT_TRUE(std::filesystem::is_empty("known"));
+  const std::vector<std::string> files = {"1.json", "2.json", "3.json", "4.json"};
+  const nlohmann::json whole = without_times(merge(files, kExitLawFailed));
+  (void)std::system((verify + "--shard 1/1 >whole.json").c_str());
+  EXPECT_EQ(whole, without_times(get("whole.json")));
+  ASSERT_EQ(std::distance(std::filesystem::directory_iterator("known"), {}), 1);
+
+  (void)std::system(shard("3").c_str());  // which knows the violation
+  const nlohmann::json late = without_times(merge(files, kExitLawFailed));
+  EXPECT_EQ(late["known_cases"], 1);
+  EXPECT_EQ(late["laws"][0]["known"]["tried"], 1);
+  EXPECT_EQ(late["laws"][0]["violation"]["found_by"], "corpus");
+}
+
+TEST_F(Merge, AddsWhatIsNewToACorpus) {
+  const auto shards = put_shards(shifted_texture(1), 2);
+  std::ostringstream out;
+  EXPECT_EQ(run_merge({.files = shards, .corpus = "known", .junit = "", .json = true}, {out, out}),
+            kExitLawFailed);
+  const auto known = read_corpus("known");
+  ASSERT_FALSE(known.empty());
+  for (const auto& law : nlohmann::json::parse(out.str())["laws"]) {
+    if (!law.contains("violation")) continue;
+    const auto is_it = [&](const KnownCase& one) {
+      return one.law == law["law"] && spec::to_hex(one.found) == law["violation"]["case"];
+    };
+    EXPECT_TRUE(std::ranges::any_of(known, is_it)) << law["law"];
+  }
+}
+
+TEST_F(Merge, RefusesACaseThatWasCutOff) {
+  auto damaged = nlohmann::json::parse(verified(blank(), "1/1", "5", "exact", "4", "0"));
+  for (const char* key : {"case", "shown_case"}) {
+    nlohmann::json cut_off = damaged;
+    auto& digits = cut_off["laws"][0]["violation"][key].get_ref<std::string&>();
+    digits.resize(digits.size() - 2);
+    put("damaged.json", cut_off.dump());
+    expect_contains(error_of([&] { (void)merge({"damaged.json"}, 2); }),
+                    "digits of a case are no whole one as verify prints it");
+  }
 }
 
 TEST_F(Merge, RefusesWhatIsNotAllOfOneRun) {

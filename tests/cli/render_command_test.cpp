@@ -1,55 +1,14 @@
+// Pictures of scenes.
 #include "cli/render_command.h"
 
-#include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "cli/apng.h"
 #include "cli/png.h"
-#include "support.h"
+#include "render_scene.h"
 
 namespace selvage::cli::test {
 namespace {
-
-// A square of 2 by 2 in front of the camera, of one colour as it is.
-constexpr const char* kSquare =
-    "mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nusemtl red\nf 1 2 3 4\n";
-constexpr const char* kScene =
-    R"({"camera": {"position": [0, 0, 4], "view_deg": 53.13010235415598},
-        "background": "#000040", "objects": [{"file": "square.obj", "velocity": [1, 0, 0]}]})";
-
-class Render : public InDirectory {
- protected:
-  Render() {
-    put("square.obj", std::string(kSquare));
-    put("square.mtl", std::string("newmtl red\nKd 1 0 0\nillum 0\n"));
-    put("scene.json", std::string(kScene));
-    options_.scene = "scene.json";
-    options_.output = "out.png";
-    options_.size = "80x60";
-  }
-
-  int run() {
-    err_.str("");
-    return run_render(options_, {out_, err_});
-  }
-  [[nodiscard]] static Raster picture(const std::string& name) {
-    const std::string bytes = get(name);
-    return decode_png(std::span(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()));
-  }
-  [[nodiscard]] static int red_pixels(const Raster& raster) {
-    int count = 0;
-    for (int32_t y = 0; y < raster.height_px; ++y) {
-      for (int32_t x = 0; x < raster.width_px; ++x)
-        count += raster.at(x, y) == Colour{255, 0, 0, 255};
-    }
-    return count;
-  }
-
-  RenderOptions options_;
-  std::ostringstream out_, err_;
-};
 
 // At distance 4 a picture 60 px high shows 4 units: the square is 30 px wide, in the middle.
 TEST_F(Render, DrawsTheSceneToItsScale) {
@@ -111,155 +70,6 @@ TEST_F(Render, TakesAnotherTexture) {
   expect_contains(error_of([&] { run(); }), "none.png");
 }
 
-TEST_F(Render, ExplainsAndCounts) {
-  options_.explain = options_.stats = options_.json = true;
-  EXPECT_EQ(run(), kExitFine);
-  const auto told = nlohmann::json::parse(out_.str());
-  ASSERT_EQ(told["faces"].size(), 1U);
-  EXPECT_EQ(told["faces"][0]["object"], "square");
-  EXPECT_EQ(told["faces"][0]["bound_texel"], 0);
-  EXPECT_EQ(told["stats"]["faces_drawn"], 1);
-  EXPECT_EQ(told["stats"]["pixels_written"], 900);
-}
-
-// A wall of 1024 texels from 10 to 40 units away, beside a triangle at 0.001: few bits of q are
-// left to the wall.
-TEST_F(Render, TellsWhatRoundingDepthsCosts) {
-  put("square.obj",
-      std::string("mtllib square.mtl\nv -6 -9 -10\nv 24 -9 -40\nv 24 9 -40\nv -6 9 -10\nvt 0 0\n"
-                  "vt 1024 0\nvt 1024 1\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3 4/4\n"));
-  put("square.mtl", std::string("newmtl red\nmap_Kd own.png\nillum 0\n"));
-  put("own.png", encode_png(filled(1, 1, {0, 255, 0, 255})));
-  put("near.obj", std::string("v -1e-5 0 -1e-3\nv 1e-5 0 -1e-3\nv 0 1e-5 -1e-3\nf 1 2 3\n"));
-  const auto scene = [](const std::string& more) {
-    return R"({"camera": {"position": [0, 0, 0], "target": [0, 0, -1], "nearest": 0.001,
-                          "farthest": 1000},
-               "tolerance": 0.25, "objects": [{"file": "square.obj"})" +
-           more + "]}";
-  };
-  options_.explain = options_.json = true;
-  const auto wall = [&] {
-    EXPECT_EQ(run(), kExitFine);
-    const auto face = nlohmann::json::parse(out_.str())["faces"][0];
-    out_.str("");
-    EXPECT_EQ(face["bound_texel"], face["mapping_bound_texel"].get<double>() +
-                                       face["rounding_bound_texel"].get<double>());
-    return face;
-  };
-  put("scene.json", scene(""));
-  EXPECT_LE(wall()["bound_texel"], 0.25);
-  EXPECT_EQ(err_.str(), "");
-  put("scene.json", scene(R"(, {"file": "near.obj"})"));
-  const auto face = wall();
-  // q of the far side is 2^24 0.001 / 40 = 419: half of 1024 texels times 1 / (2 * 419 - 2).
-  EXPECT_NEAR(face["rounding_bound_texel"], 512.0 / 836, 1e-3);
-  EXPECT_EQ(face["mapping_bound_texel"], 0);
-  expect_contains(face["reason"], "rounding depths alone may cost more than 0.25 texel");
-  expect_contains(err_.str(),
-                  "warning: rounding depths to whole q may move the texture of 1 face by "
-                  "more than 0.25 texel, that of square face 1 by up to 0.612");
-  const std::string warned = err_.str();
-  EXPECT_EQ(std::count(warned.begin(), warned.end(), '\n'), 1);
-  options_.tolerance = "1";
-  EXPECT_LE(wall()["bound_texel"], 1);
-  EXPECT_EQ(err_.str(), "");
-  options_.tolerance = "0";
-  (void)wall();
-  expect_contains(err_.str(), "by more than 0.0625 texel");
-}
-
-// Squares: in front, behind it, behind half of it, turned away, aside of the picture in an object
-// that reaches into it, in one that does not, behind the eye; and one between pixels' centres.
-TEST_F(Render, CountsWhatBecomesOfEveryFace) {
-  std::string all = "mtllib square.mtl\nusemtl red\n";
-  const auto square = [&](double x, double y, double z, double half, bool turned) {
-    const double at[][2] = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
-    for (const auto& corner : at) {
-      all += "v " + std::to_string(x + corner[0]) + " " + std::to_string(y + corner[1]) + " " +
-             std::to_string(z) + "\n";
-    }
-    all += turned ? "f -1 -2 -3 -4\n" : "f -4 -3 -2 -1\n";
-  };
-  square(0, 0, 0, 1, false);
-  square(0, 0, -0.5, 0.5, false);
-  square(1, 0, -1, 0.5, false);
-  square(0, 1, 0, 0.1, true);
-  square(5, 0, 0, 0.5, false);
-  square(0, 0, 5, 0.5, false);
-  square(0, 1.5, 0, 0.01, false);
-  put("square.obj", all);
-  put("scene.json",
-      std::string(R"({"camera": {"position": [0, 0, 4], "view_deg": 53.13010235415598},
-          "objects": [{"file": "square.obj"}, {"file": "square.obj", "position": [90, 0, 0]}]})"));
-  options_.stats = options_.json = true;
-  EXPECT_EQ(run(), kExitFine);
-  const auto stats = nlohmann::json::parse(out_.str())["stats"];
-  EXPECT_EQ(stats["objects"], 2);
-  EXPECT_EQ(stats["objects_culled"], 1);
-  EXPECT_EQ(stats["faces"], 14);
-  EXPECT_EQ(stats["faces_culled"], (nlohmann::json{{"with their object", 7},
-                                                   {"clipped away", 1},
-                                                   {"from behind", 1},
-                                                   {"off screen", 1},
-                                                   {"refused", 0},
-                                                   {"without a pixel", 2}}));
-  EXPECT_EQ(stats["faces_drawn"], 2);
-  // The third is 12 px wide from column 46, the first ends at 55.
-  const int pixels = 900 + 12 * (46 + 12 - 55);
-  EXPECT_EQ(stats["drawn_by"],
-            (nlohmann::json{{"exact affine", {{"faces", 2}, {"pixels", pixels}}}}));
-  EXPECT_EQ(stats["draw_calls"], 2);
-  EXPECT_EQ(stats["pixels_written"], pixels);
-  EXPECT_EQ(stats["pixels_shown"], pixels);
-  EXPECT_GT(stats["draw_ns"], 0);
-  EXPECT_DOUBLE_EQ(stats["draw_ns_per_pixel"], stats["draw_ns"].get<double>() / pixels);
-}
-
-// Painter's order draws the hidden one too, and its pixels twice.
-TEST_F(Render, CountsWhatIsPaintedOver) {
-  put("square.obj", kSquare + std::string("v -1 -1 -4\nv 1 -1 -4\nv 1 1 -4\nv -1 1 -4\n"
-                                          "f 5 6 7 8\n"));
-  options_.hidden = "painter";
-  options_.stats = options_.json = true;
-  EXPECT_EQ(run(), kExitFine);
-  const auto stats = nlohmann::json::parse(out_.str())["stats"];
-  EXPECT_EQ(stats["faces_drawn"], 2);
-  EXPECT_EQ(stats["pixels_written"], 900 + 15 * 15);
-  EXPECT_EQ(stats["pixels_shown"], 900);
-}
-
-// Corners half way between two rows of the grid: the face is drawn as triangles, and is one face.
-TEST_F(Render, CountsFacesAndNotTheirTriangles) {
-  std::string bent = "mtllib square.mtl\nusemtl red\n";
-  for (int i = 0; i < 5; ++i) {
-    bent +=
-        "v " + std::to_string(1 - i * 0.5) + (i % 2 ? " 0.99607421876 0\n" : " 0.99607421874 0\n");
-  }
-  put("square.obj", bent + "v -1 -0.5 0\nv 1 -0.5 0\nf 1 2 3 4 5 6 7\n");
-  put("scene.json", std::string(R"({"camera": {"position": [0, 0, 1], "view_deg": 90},
-                                    "objects": [{"file": "square.obj"}]})"));
-  options_.size = "320x200";
-  options_.frames = 2;
-  options_.stats = options_.json = true;
-  EXPECT_EQ(run(), kExitFine);
-  const auto stats = nlohmann::json::parse(out_.str())["stats"];
-  EXPECT_EQ(stats["faces"], 2);  // one a frame
-  EXPECT_EQ(stats["faces_drawn"], 2);
-  EXPECT_GT(stats["draw_calls"], 2);
-  EXPECT_EQ(stats["pixels_written"], 2 * 200 * 150);
-}
-
-TEST_F(Render, TellsPeopleTheSame) {
-  options_.explain = options_.stats = true;
-  EXPECT_EQ(run(), kExitFine);
-  expect_contains(out_.str(), "square face 1: ");
-  expect_contains(out_.str(), "one colour");
-  expect_contains(out_.str(), "faces_drawn: 1\n");
-  expect_contains(out_.str(), "faces_culled:\n  with their object: 0\n");
-  expect_contains(out_.str(), "drawn_by:\n  exact affine: 1 faces, 900 pixels\n");
-  expect_contains(out_.str(), "pixels_written: 900\n");
-}
-
 TEST_F(Render, HidesEitherWay) {
   for (const char* way : {"painter", "scan-line"}) {
     options_.hidden = way;
@@ -278,8 +88,20 @@ TEST_F(Render, RefusesWhatCannotBe) {
   };
   expect("--frames", [](RenderOptions& o) { o.frames = 0; });
   expect("--rate", [](RenderOptions& o) { o.frames_per_s = 0; });
-  expect("--size", [](RenderOptions& o) { o.size = "20000x10"; });
-  expect("--filter", [](RenderOptions& o) { o.filter = "best"; });
+  const std::string all_frames = "--time: all frames must lie within 1000000000 s of 0";
+  expect(all_frames, [](RenderOptions& o) { o.start_s = -1e300; });
+  expect(all_frames, [](RenderOptions& o) {
+    o.frames = 2;
+    o.frames_per_s = 1e-10;
+  });
+  expect("--size: a picture of 20000 x 10 px is not accepted; 1 to 16384 px a side",
+         [](RenderOptions& o) { o.size = "20000x10"; });
+  expect("--size: a picture of 40000 x 10 px is not accepted; 1 to 16384 px a side",
+         [](RenderOptions& o) { o.size = "40000x10"; });
+  expect("--filter: 'best' is no filter; auto, nearest, four, bilinear and area are",
+         [](RenderOptions& o) { o.filter = "best"; });
+  expect("--json: it prints what --explain and --stats tell; give one of them too",
+         [](RenderOptions& o) { o.json = true; });
   expect("--hidden", [](RenderOptions& o) { o.hidden = "magic"; });
   expect("--tolerance", [](RenderOptions& o) { o.tolerance = "-1"; });
   expect("name it .png or .apng", [](RenderOptions& o) { o.output = "out.jpg"; });

@@ -112,6 +112,8 @@ TEST(VerdictJson, IsReadAsItWasWritten) {
   run.verdicts[1].from_corpus = true;
   run.verdicts.push_back(violated("GAMUT"));
   run.verdicts.back().found.hunted = {.cases = 3, .best = {}, .found = true};
+  run.verdicts.back().found.is_smallest = false;
+  run.verdicts.back().found.replays = {.tried = 3, .failed = 1};
   run.hunted = 40;
   run.known_of_others = {{"TOTAL", 2}};
   run.not_promised = {{"SPLIT", "it cannot"}};

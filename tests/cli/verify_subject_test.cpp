@@ -1,4 +1,5 @@
 // `selvage verify` of libraries: what it prints, what it keeps, what it refuses.
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -256,6 +257,50 @@ TEST_F(VerifySubject, FitsIntoATime) {
     EXPECT_LE(laws[2]["cases"], law["cases"]);
     EXPECT_LE(law["cases"].get<int>() - laws[2]["cases"].get<int>(), kRound);
   }
+}
+
+[[nodiscard]] bool has_red(const Raster& picture) {
+  for (int32_t y = 0; y < picture.height_px; ++y) {
+    for (int32_t x = 0; x < picture.width_px; ++x) {
+      if (picture.at(x, y) == Colour{255, 0, 0}) return true;
+    }
+  }
+  return false;
+}
+
+// By itself no case of its fails, so neither a replay nor a new drawing shows what was wrong.
+TEST_F(VerifySubject, ThatFailsAfterManyCallsIsToldAndDrawnAsItFailed) {
+  const std::string note =
+      "it depends on earlier calls or on chance: tried again by itself it failed 0 of 3 times";
+  options_.laws = {"COV"};
+  options_.junit = "verdict.xml";
+  EXPECT_EQ(run("tires"), kExitLawFailed);
+  expect_contains(out(), "\nnote: " + note);
+  expect_contains(get("verdict.xml"), "note: " + note);
+  EXPECT_TRUE(has_red(read_picture("selvage-COV.png")));
+  options_.json = true;
+  EXPECT_EQ(run("tires"), kExitLawFailed);
+  const auto violation = nlohmann::json::parse(out())["laws"][0]["violation"];
+  EXPECT_EQ(violation["replays"]["tried"], 3);
+  EXPECT_EQ(violation["replays"]["failed"], 0);
+  expect_contains(violation["notes"][0].get<std::string>(), note);
+  EXPECT_EQ(run("draws_nothing"), kExitLawFailed);
+  EXPECT_FALSE(nlohmann::json::parse(out())["laws"][0]["violation"].contains("notes"));
+}
+
+// 19 laws, each of which would be shrunk and drawn.
+TEST_F(VerifySubject, ThatHangsKeepsTheTime) {
+  options_.subject.call_limit = "0.4";
+  options_.time = "1";
+  options_.json = true;
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(run("hangs"), kExitLawFailed);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  const auto violation = nlohmann::json::parse(out())["laws"][0]["violation"];
+  EXPECT_EQ(violation["smallest"], false);
+  expect_contains(violation["notes"][0].get<std::string>(),
+                  "this is not the smallest counterexample");
+  EXPECT_GT(read_picture("selvage-COV.png").width_px, 3) << "of what was drawn until then";
 }
 
 TEST_F(VerifySubject, WritesJUnit) {

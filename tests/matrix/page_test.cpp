@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "reports/page/again.h"
 #include "reports/page/known.h"
 #include "reports/page/matrix.h"
 #include "spec/case.h"
@@ -161,6 +162,40 @@ TEST(Matrix, TriesTheCasesOfItsFindingsFirst) {
   EXPECT_EQ(widths("three"), "MAP1 MAP2 COV3 CLIP4 MAP4 ");
 }
 
+TEST(Matrix, TriesAgainWhatIsNewWhereTheLawWasKept) {
+  const auto row = [](const char* id, const char* standing, const char* found_by) {
+    json values = verdict();
+    values["laws"][1]["verdict"] = standing;
+    values["laws"][1]["violation"]["found_by"] = found_by;
+    if (standing == std::string("holds")) values["laws"][1].erase("violation");
+    return MatrixRow{.group = "others", .id = id, .verdict = values, .error = ""};
+  };
+  const std::vector<MatrixRow> rows = {
+      row("new", "violated", "hunt"),
+      row("known", "violated", "corpus"),
+      row("kept", "holds", ""),
+      {.group = "others", .id = "none", .verdict = nullptr, .error = "x"}};
+  const json none = json::object();
+  ASSERT_EQ(to_try_again(rows, none, "kept").size(), 1u);
+  EXPECT_EQ(to_try_again(rows, none, "kept")[0].law, "MAP");
+  EXPECT_TRUE(to_try_again(rows, none, "new").empty());
+  EXPECT_TRUE(to_try_again(rows, none, "known").empty());
+  EXPECT_TRUE(to_try_again(rows, none, "none").empty());
+  const json examined = {{"kept", {{"laws", {{"MAP", {{"case", "02"}}}}}}}};
+  EXPECT_TRUE(to_try_again(rows, examined, "kept").empty()) << "its finding has a case of its own";
+}
+
+TEST(Matrix, TakesFromASecondPassWhatItBroke) {
+  json first = verdict(), second = verdict();
+  first["passed"] = true;
+  first["laws"][1]["verdict"] = "holds";
+  second["laws"][0]["cases"] = 1;
+  const json both = with_second(first, second);
+  EXPECT_EQ(both["laws"][0], first["laws"][0]);
+  EXPECT_EQ(both["laws"][1], second["laws"][1]);
+  EXPECT_EQ(both["passed"], false);
+}
+
 TEST(Matrix, CounterexampleTellsAllThatIsNeeded) {
   const json matrix = matrix_with(json::object());
   const json& subject = matrix.at("subjects")[0];
@@ -172,6 +207,8 @@ TEST(Matrix, CounterexampleTellsAllThatIsNeeded) {
     EXPECT_TRUE(holds(html, part)) << part;
 
   json cell = subject.at("cells")[1];
+  cell["violation"]["notes"] = {"cut <short>"};
+  EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "cut &lt;short&gt;"));
   cell["violation"]["found_by"] = "hunt";
   EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "in hunted case 12"));
   cell["violation"]["found_by"] = "corpus";

@@ -59,7 +59,8 @@ TEST(MatrixRun, HasARowForEachSubjectAndAPageForEachViolation) {
   EXPECT_TRUE(rows["right"].at("passed"));
   const json* coverage = cell_of(rows["right"], "COV");
   ASSERT_NE(coverage, nullptr);
-  EXPECT_EQ(coverage->at("cases"), 40);
+  EXPECT_EQ(coverage->at("cases"), 40 + 10);
+  EXPECT_EQ(coverage->at("hunted").at("cases"), 10);
   EXPECT_GT(coverage->at("judged_px"), 0);
 
   EXPECT_EQ(cell_of(rows["claims_little"], "TOTAL")->at("verdict"), "not promised");
@@ -83,7 +84,32 @@ TEST(MatrixRun, HasARowForEachSubjectAndAPageForEachViolation) {
   EXPECT_GT(violated, 10);
 }
 
+// A law that no case of its own broke, and that the counterexample of another row does.
+TEST(MatrixRun, TriesOnEveryRowWhatIsNewOnAnother) {
+  fs::remove_all(kOut);
+  ASSERT_EQ(run("--cases 20 --hunt 0 " + library("draws_nothing") + library("misses_dots") +
+                library("right")),
+            0)
+      << text_of(kOut.string() + ".errors");
+  const json first = json::parse(text_of(kOut / "matrix" / "misses_dots.json"));
+  for (const json& law : first.at("laws")) {
+    const bool is_broken = law.at("law") == "TOTAL" && law.at("verdict") != "holds";
+    EXPECT_FALSE(is_broken) << "there is nothing left for the second pass";
+  }
+  const json matrix = json::parse(text_of(kOut / "matrix.json"));
+  const json& misses = matrix.at("subjects")[1];
+  const json* total = cell_of(misses, "TOTAL");
+  ASSERT_EQ(total->at("verdict"), "violated");
+  EXPECT_EQ(total->at("violation").at("found_by"), "corpus");
+  EXPECT_TRUE(fs::exists(kOut / total->at("page").get<std::string>()));
+  const json& right = matrix["subjects"][2];
+  EXPECT_EQ(cell_of(right, "TOTAL")->at("verdict"), "holds");
+  EXPECT_TRUE(right.at("passed"));
+  EXPECT_TRUE(fs::exists(kOut / "matrix" / "right.again.json"));
+}
+
 TEST(MatrixRun, WrongUseIsNamed) {
+  EXPECT_EQ(run("--hunt many"), 2);
   EXPECT_EQ(run("--cases 0"), 2);
   EXPECT_EQ(run("./there_is_none.so"), 2);
   EXPECT_NE(text_of(kOut.string() + ".errors").find("there_is_none"), std::string::npos);

@@ -8,7 +8,6 @@
 #include "bodies.h"
 #include "plane_face.h"
 #include "scene/draw.h"
-#include "scene/paints.h"
 
 namespace selvage::scene {
 namespace {
@@ -52,24 +51,6 @@ using Pixel = std::array<uint8_t, 4>;
   return scene;
 }
 
-TEST(Paints, PutsTheLightIntoTheTexels) {
-  Scene scene;
-  scene.textures.push_back(checks(4));
-  Paints paints(scene);
-  const selvage_texture unlit = paints.texture({0, {}, {}});
-  EXPECT_EQ(unlit.texels, scene.textures[0].rgba.data());
-  const selvage_texture half = paints.texture({0, {128, 64, 0}, {}});
-  const auto* texel = static_cast<const uint8_t*>(half.texels) + 4;  // (1, 0): 200, 1, 7, 255
-  EXPECT_EQ(texel[0], 100);
-  EXPECT_EQ(texel[1], 0);
-  EXPECT_EQ(texel[2], 0);
-  EXPECT_EQ(texel[3], 255);
-  EXPECT_EQ(paints.texture({0, {128, 64, 0}, {}}).texels, half.texels);  // one copy for all
-  const selvage_texture colour = paints.texture({{}, {}, {9, 8, 7, 6}});
-  EXPECT_EQ(colour.width, 1);
-  EXPECT_EQ(static_cast<const uint8_t*>(colour.texels)[3], 6);
-}
-
 TEST(Draw, ShowsAFaceTowardsTheLampInItsColour) {
   Scene scene;
   scene.background = {1, 2, 3};
@@ -107,6 +88,22 @@ TEST(Draw, ScanLinesChangeNoPixelOfWhatTheyShow) {
     }
   }
   EXPECT_GT(std::count(is_shown.begin(), is_shown.end(), true), 800);
+}
+
+// Copies that are lit where they are reached, and thrown away at once, draw as whole ones do.
+TEST(Draw, FewCopiesOfLitTexturesDrawTheSame) {
+  const Scene scene = crossing_bodies();
+  for (const Hidden way : {Hidden::kPainter, Hidden::kScanLine}) {
+    const Drawing drawing = compose(scene, 0, kSize, {}, way);
+    std::vector<Pixel> few(static_cast<size_t>(kSize.width_px * kSize.height_px));
+    const selvage_image image{few.data(), kSize.width_px, kSize.height_px, kSize.width_px * 4,
+                              SELVAGE_RGBA8888};
+    clear(scene, image);
+    Paints one_copy(scene, 0);
+    ASSERT_EQ(draw_pieces(scene, drawing, image, one_copy), SELVAGE_OK);
+    EXPECT_EQ(few, picture(scene, {}, way));
+    EXPECT_GT(one_copy.lit_texels(), 0);
+  }
 }
 
 TEST(Draw, PainterAgreesOnOneConvexBody) {

@@ -7,6 +7,7 @@
 #include "plane_face.h"
 #include "scene/frustum.h"
 #include "scene/look.h"
+#include "scene/problem.h"
 
 namespace selvage::scene {
 namespace {
@@ -73,6 +74,21 @@ TEST(Look, ShowsTheFaceOfACubeThatIsTowardsTheEye) {
   EXPECT_EQ(view.counts.backs, 5U);
   ASSERT_EQ(view.faces.size(), 1U);
   EXPECT_EQ(view.faces[0].face, 1U);  // z = +1, the camera's side
+}
+
+// Neither side of a face is seen that passes through the eye: this is no back.
+TEST(Look, CountsWhatIsSeenEdgeOn) {
+  Scene scene = scene_with(cube());
+  scene.objects[0].faces.resize(1);  // z = -1
+  scene.objects[0].motion.axis = {1, 0, 0};
+  scene.objects[0].motion.angle_deg = 90;
+  scene.objects[0].motion.position = {0, -1, 0};
+  for (const bool two_sided : {false, true}) {
+    scene.objects[0].two_sided = two_sided;
+    const View view = look(scene, 0, kSize);
+    EXPECT_EQ(view.counts.edge_on, 1U);
+    EXPECT_EQ(view.counts.backs, 0U);
+  }
 }
 
 // Painter's order goes by it: the mean of what is left of a face, along the view.
@@ -186,6 +202,16 @@ TEST(Problem, NamesWhatIsWrong) {
   expect("not convex", [](Scene& s) {
     std::swap(s.objects[0].faces[0].corners[0], s.objects[0].faces[0].corners[1]);
   });
+  expect("face 1 is not plane", [](Scene& s) {
+    s.objects[0].vertices.push_back(1.01 *
+                                    s.objects[0].vertices[s.objects[0].faces[0].corners[0].vertex]);
+    s.objects[0].faces[0].corners[0].vertex = s.objects[0].vertices.size() - 1;
+  });
+  expect("a vertex is farther", [](Scene& s) { s.objects[0].vertices[0].x() = 1e300; });
+  expect("its scale puts a vertex farther", [](Scene& s) { s.objects[0].motion.scale = 1e9; });
+  expect("a lamp's towards needs a direction", [](Scene& s) {
+    s.lighting.lamps = {{Vector3::Zero(), Vector3::Ones()}};
+  });
   expect("no material", [](Scene& s) { s.objects[0].faces[0].material = 1; });
   expect("no texture", [](Scene& s) { s.objects[0].materials[0].texture = 0; });
   expect("32767", [](Scene& s) { s.objects[0].faces[0].corners[0].texture_texel = {0, 40000}; });
@@ -238,7 +264,8 @@ TEST(Look, RefusesNoFaceOfASoundScene) {
     seen += view.counts.seen;
     clipped_away += view.counts.clipped_away;
     EXPECT_EQ(view.counts.faces, view.counts.clipped_away + view.counts.backs +
-                                     view.counts.off_screen + view.counts.seen);
+                                     view.counts.edge_on + view.counts.off_screen +
+                                     view.counts.seen);
     for (const ScreenFace& face : view.faces) EXPECT_TRUE(is_y_monotone(face.vertices));
   }
   EXPECT_GT(seen, 1000U);

@@ -1,28 +1,59 @@
-# Copies the template out of the tree, builds it there, has it judged, and checks the verdict: what
-# its README says.
-#   cmake -DTEMPLATE=spec/template -DINCLUDE=src -DPROGRAM=build/selvage -DWORK=/tmp/t -DC=cc -P ...
+# Copies the template to a temporary folder, builds it there with installed headers and with nothing
+# of the source and build trees, has it judged, and checks the verdict: what its README says.
+#   cmake -DTEMPLATE=spec/template -DSOURCE=$PWD -DBUILD=$PWD/build -DPROGRAM=$PWD/build/selvage -DC=cc -P ...
 cmake_minimum_required(VERSION 3.25)
-foreach(variable IN ITEMS TEMPLATE INCLUDE PROGRAM WORK C)
+foreach(variable IN ITEMS TEMPLATE SOURCE BUILD PROGRAM C)
   if(NOT ${variable})
     message(FATAL_ERROR "give -D${variable}=... (see the example at the top of this script)")
   endif()
 endforeach()
 
-file(REMOVE_RECURSE ${WORK})
+execute_process(COMMAND mktemp -d -t selvage-template-XXXXXX OUTPUT_VARIABLE WORK
+  OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+# Removes the folder, which is nobody's but this test's, before it fails.
+function(fail)
+  file(REMOVE_RECURSE ${WORK})
+  message(FATAL_ERROR ${ARGV})
+endfunction()
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE code)
+  if(NOT code EQUAL 0)
+    fail("exit code ${code} of: ${ARGV}")
+  endif()
+endfunction()
+foreach(tree IN ITEMS ${SOURCE} ${BUILD})
+  cmake_path(IS_PREFIX tree ${WORK} NORMALIZE is_within)
+  if(is_within)
+    fail("the temporary folder ${WORK} lies in ${tree}: set TMPDIR to one outside of it")
+  endif()
+endforeach()
+
 file(COPY ${TEMPLATE}/ DESTINATION ${WORK}/project)
-execute_process(COMMAND ${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/build -G Ninja
-  -DCMAKE_C_COMPILER=${C} -DSELVAGE_INCLUDE=${INCLUDE} "-DCMAKE_C_FLAGS=-Wall -Wextra -Werror"
-  COMMAND_ERROR_IS_FATAL ANY)
-execute_process(COMMAND ${CMAKE_COMMAND} --build ${WORK}/build COMMAND_ERROR_IS_FATAL ANY)
+run(${CMAKE_COMMAND} --install ${BUILD} --component headers --prefix ${WORK}/installed)
+run(${CMAKE_COMMAND} -S ${WORK}/project -B ${WORK}/build -G Ninja -DCMAKE_C_COMPILER=${C}
+  -DSELVAGE_INCLUDE=${WORK}/installed/include "-DCMAKE_C_FLAGS=-Wall -Wextra -Werror")
+run(${CMAKE_COMMAND} --build ${WORK}/build)
+# The compiler names every header that it has read.
+execute_process(COMMAND ninja -C ${WORK}/build -t deps OUTPUT_VARIABLE read COMMAND_ERROR_IS_FATAL ANY)
+foreach(tree IN ITEMS ${SOURCE}/src ${BUILD})
+  string(FIND "${read}" "${tree}/" at)
+  if(NOT at EQUAL -1)
+    fail("a header of ${tree} was read:\n${read}")
+  endif()
+endforeach()
+string(FIND "${read}" "installed/include/selvage_subject.h" at)
+if(at EQUAL -1)
+  fail("the installed header was not read:\n${read}")
+endif()
 execute_process(COMMAND ${PROGRAM} verify --subject build/mine.so --cases 500 --seed 1 --json
   WORKING_DIRECTORY ${WORK} OUTPUT_VARIABLE json RESULT_VARIABLE code)
 if(NOT code EQUAL 1)
-  message(FATAL_ERROR "exit code ${code}, and 1 is right: some laws are violated\n${json}")
+  fail("exit code ${code}, and 1 is right: some laws are violated\n${json}")
 endif()
 
 string(JSON subject GET "${json}" subject)
 if(NOT subject STREQUAL "textbook 1")
-  message(FATAL_ERROR "the subject is called '${subject}'")
+  fail("the subject is called '${subject}'")
 endif()
 string(JSON count LENGTH "${json}" laws)
 math(EXPR last "${count} - 1")
@@ -33,13 +64,14 @@ foreach(i RANGE ${last})
 endforeach()
 foreach(law IN ITEMS COV PART PINWHEEL CLIP MEM)
   if(NOT verdict_${law} STREQUAL "holds")
-    message(FATAL_ERROR "${law}: ${verdict_${law}}, and it holds for this mapper")
+    fail("${law}: ${verdict_${law}}, and it holds for this mapper")
   endif()
 endforeach()
 if(NOT verdict_MAP STREQUAL "violated" OR NOT EXISTS ${WORK}/selvage-MAP.png)
-  message(FATAL_ERROR "MAP is ${verdict_MAP}: its steps in 16.16 were not noticed, or not drawn")
+  fail("MAP is ${verdict_MAP}: its steps in 16.16 were not noticed, or not drawn")
 endif()
 string(JSON unpromised LENGTH "${json}" not_promised)
 if(unpromised LESS 2 OR DEFINED verdict_TOTAL OR DEFINED verdict_IDENTITY)
-  message(FATAL_ERROR "TOTAL and IDENTITY are not promised by the template")
+  fail("TOTAL and IDENTITY are not promised by the template")
 endif()
+file(REMOVE_RECURSE ${WORK})

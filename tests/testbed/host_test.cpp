@@ -2,8 +2,13 @@
 #include "testbed/host.h"
 
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <fstream>
+#include <thread>
 
 #include "spec/generate_historic.h"
 #include "spec/picture.h"
@@ -34,7 +39,12 @@ void expect_refused(const std::filesystem::path& path, const std::string& why,
 
 TEST(Host, RefusesWhatIsNoSubject) {
   expect_refused(library("not_there"), "there is no such file");
-  expect_refused(SELVAGE_SUBJECTS, "there is no such file");
+  expect_refused(SELVAGE_SUBJECTS, "it is a directory; the name of a shared library is right");
+  const auto fifo =
+      std::filesystem::temp_directory_path() / ("selvage-fifo-" + std::to_string(getpid()));
+  ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+  expect_refused(fifo, "it is no regular file; the name of a shared library is right");
+  std::filesystem::remove(fifo);
   expect_refused(library("no_draw"), "it exports no selvage_draw");
   expect_refused(library("prepares_half"),
                  "it exports selvage_prepare and no selvage_prepare_bytes; both are needed");
@@ -45,9 +55,49 @@ TEST(Host, RefusesWhatIsNoSubject) {
 }
 
 TEST(Host, OutlivesALibraryThatCannotBeLoaded) {
-  expect_refused(library("crashes_on_load"), "loading it ends the process that does so");
-  expect_refused(library("hangs_on_load"), "loading it takes longer than a call may",
-                 std::chrono::milliseconds(300));
+  const std::string described = "its selvage_subject()", process = " the process that does so";
+  const std::pair<const char*, std::string> endings[] = {
+      {"exits", " ends" + process + ", which exited with status 7"},
+      {"crashes", " ends" + process + ", which touched memory that it was not given (SIGSEGV)"},
+      {"stops", " stops" + process + " (SIGSTOP)"}};
+  for (const auto& [name, ending] : endings) {
+    expect_refused(library(name + std::string("_loaded")), "loading it" + ending);
+    expect_refused(library(name + std::string("_described")), described + ending);
+  }
+  const std::chrono::milliseconds limit(300);
+  const std::string late = " takes longer than a call may, 0.3 s";
+  expect_refused(library("hangs_on_load"), "loading it" + late, limit);
+  expect_refused(library("hangs_loaded"), "loading it" + late, limit);
+  expect_refused(library("hangs_described"), described + late, limit);
+}
+
+// The copy must not answer in the keeper's place.
+TEST(Host, EndsWhatALibraryForksWhileItIsLoaded) {
+  const std::string loaded = "forks_loaded_", described = "forks_described_";
+  for (const char* copy : {"late", "refuses", "stays"}) {
+    for (const std::string& when : {loaded, described}) {
+      const spec::Subject subject = Host::subject(host_of(when + copy));
+      EXPECT_EQ(subject.name, "forks early") << when << copy;
+      const spec::LawVerdict verdict = spec::verify(*spec::find_law("COV"), subject, 1, 40);
+      EXPECT_FALSE(verdict.violation) << when << copy << spec::explain(*verdict.violation);
+    }
+  }
+  expect_refused(library(loaded + "alone"), "loading it ends the process that does so");
+  expect_refused(library(described + "alone"), "its selvage_subject() ends the process that does");
+}
+
+// What has lost its parent becomes this process's child.
+TEST(Host, LeavesNoProcessBehind) {
+  ASSERT_EQ(prctl(PR_SET_CHILD_SUBREAPER, 1), 0);
+  (void)host_of("forks_loaded_stays");
+  (void)host_of("forks_described_stays");
+  pid_t ended = 0;
+  for (int i = 0; ended >= 0 && i < 500; ++i) {
+    ended = waitpid(-1, nullptr, WNOHANG);
+    if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_EQ(ended, -1) << "there is still one";
+  prctl(PR_SET_CHILD_SUBREAPER, 0);
 }
 
 TEST(Host, RefusesClaimsOfWhatThereIsNot) {

@@ -49,7 +49,9 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"divides", "divided by zero, or alike (SIGFPE)"},
         Hostile{"aborts", "aborted (SIGABRT)"}, Hostile{"exits", "exited with status 3"},
         Hostile{"raises", "was ended by a signal that was sent to it (SIGSEGV)"},
-        Hostile{"kills_parent", "ended the process that holds it"},
+        Hostile{"kills_parent",
+                "ended the process that holds it, which was ended by a signal (SIGKILL)"},
+        Hostile{"stops_keeper", "stopped the process that holds it (SIGSTOP)"},
         Hostile{"throws", "threw an exception through the C interface"}),
     [](const auto& test) { return std::string(test.param.library); });
 
@@ -85,6 +87,52 @@ TEST(SubjectOfOneWinding, HoldsIfItSaysSo) {
   const spec::Subject secret = Host::subject(host_of("clockwise_in_secret"));
   EXPECT_TRUE(spec::verify(cov, secret, 1, 200).violation);
   EXPECT_TRUE(spec::verify(order, secret, 1, 200).violation);
+}
+
+class MeddlingSubject : public testing::TestWithParam<Hostile> {};
+
+// What it does may come to light in a later call alone.
+TEST_P(MeddlingSubject, IsNamedAndTheRunGoesOn) {
+  const spec::Subject subject = Host::subject(host_of(GetParam().library, std::chrono::seconds(5)));
+  for (const char* law : {"COV", "MEM"}) {
+    const spec::LawVerdict verdict = spec::verify(*spec::find_law(law), subject, 1, 100);
+    ASSERT_TRUE(verdict.violation) << law;
+    const std::string told = spec::explain(*verdict.violation);
+    EXPECT_NE(told.find("it " + std::string(GetParam().happened)), std::string::npos) << told;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, MeddlingSubject,
+    testing::Values(Hostile{"rounds_up", "left its caller's floating-point numbers to be rounded"},
+                    Hostile{"flushes", "left its caller's floating-point numbers to be rounded"},
+                    Hostile{"rings", "was ended by a signal (SIGALRM)"},
+                    Hostile{"crashes_later", "was ended by a signal that was sent to it (SIGSEGV)"},
+                    Hostile{"longjmps", ""},
+                    Hostile{"unmaps", "wrote in the target, where pixel ("},
+                    Hostile{"exits_forked", "exited with status 9"}),
+    [](const auto& test) { return std::string(test.param.library); });
+
+TEST(SubjectThatHangsWhereItIsForked, IsNamed) {
+  const spec::Subject subject =
+      Host::subject(host_of("hangs_forked", std::chrono::milliseconds(200)));
+  const spec::Judgement judgement =
+      spec::judge(*spec::find_law("COV"), subject, spec::generate(1, SELVAGE_PROFILE_EXACT));
+  ASSERT_TRUE(judgement.violation);
+  EXPECT_EQ(judgement.violation->drawn, "it left no process to draw in within 5 s");
+}
+
+// What a subject does to its own process is its own affair, as long as it draws.
+TEST(SubjectThatMeddlesWithItsProcess, IsJudgedByItsPictures) {
+  for (const char* name :
+       {"closes_files", "changes_folder", "undoes_death", "leaves_group", "catches_signals",
+        "blocks_signals", "limits_itself", "ignores_children", "rings_loaded"}) {
+    const spec::Subject subject = Host::subject(host_of(name));
+    for (const char* law : {"COV", "MEM"}) {
+      const spec::LawVerdict verdict = spec::verify(*spec::find_law(law), subject, 1, 100);
+      EXPECT_FALSE(verdict.violation) << name << '\n' << spec::explain(*verdict.violation);
+    }
+  }
 }
 
 // What goes on beside the calls is nobody's picture.

@@ -1,0 +1,132 @@
+// The host's side of the keeper: its beginning, its end, and waiting for it.
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <new>
+
+#include "testbed/ending.h"
+#include "testbed/host_state.h"
+#include "testbed/keeper.h"
+
+namespace selvage::testbed {
+namespace {
+
+inline constexpr auto kLookAfterKeeper = std::chrono::milliseconds(20);
+
+// What is buffered would be printed by each process that inherits it.
+void flush_all() {
+  std::cout.flush();
+  std::cerr.flush();
+  std::fflush(nullptr);
+}
+
+// The status of a child, by waitpid.
+[[nodiscard]] int wait_for(pid_t child) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  }
+  return status;
+}
+
+}  // namespace
+
+Host::Keeper::Keeper()
+    : control(*new (reinterpret_cast<void*>(control_memory.range().begin)) Control),
+      output(memfd_create("selvage-subject-output", MFD_CLOEXEC)) {}
+
+Host::Keeper::~Keeper() {
+  end();
+  if (output >= 0) close(output);
+}
+
+void Host::Keeper::start(const std::string& library) {
+  fcntl(output, F_SETFL, O_APPEND);
+  flush_all();
+  stopped_by = wait_status = 0;
+  const pid_t parent = getpid();
+  process = fork();
+  if (process < 0) throw std::bad_alloc();
+  if (process > 0) {
+    setpgid(process, process);  // here, too: either of the two may be first
+    return;
+  }
+  for (const Arena* arena : {&arenas.texture, &arenas.other_textures, &arenas.vertices,
+                             &arenas.polygons, &arenas.structures}) {
+    arena->make_read_only();
+  }
+  for (const Arena& arena : arenas.prepared) arena.make_read_only();
+  keep(control, library, output, parent, arenas.prepared);
+}
+
+// Its group goes first: until the keeper is waited for, the number of the group is no other's.
+void Host::Keeper::end() {
+  kill_worker();
+  if (process <= 0) return;
+  kill(-process, SIGKILL);
+  kill(process, SIGKILL);
+  wait_status = wait_for(process);
+  process = -1;
+}
+
+bool Host::Keeper::is_alive() {
+  if (process <= 0) return false;
+  siginfo_t info{};
+  const int options = WEXITED | WSTOPPED | WNOHANG | WNOWAIT;
+  const bool is_child = waitid(P_PID, static_cast<id_t>(process), &info, options) == 0;
+  if (is_child && info.si_pid == 0) return true;
+  if (info.si_code == CLD_STOPPED || info.si_code == CLD_TRAPPED) stopped_by = info.si_status;
+  end();
+  return false;
+}
+
+std::string Host::Keeper::describe_loss(const std::string& ended, const std::string& stopped,
+                                        const std::string& which) const {
+  if (stopped_by != 0) return stopped + " " + which + name_of_signal(stopped_by);
+  return ended + " " + which + ", which " + describe_status(wait_status);
+}
+
+State Host::Keeper::next(State state, std::chrono::nanoseconds most) {
+  const auto end = std::chrono::steady_clock::now() + most;
+  for (;;) {
+    const std::chrono::nanoseconds left = end - std::chrono::steady_clock::now();
+    if (left.count() <= 0) return state;
+    const State now =
+        wait_while(control, state, std::min<std::chrono::nanoseconds>(left, kLookAfterKeeper));
+    if (now != state || !is_alive()) return now;
+  }
+}
+
+// A subject can write there: no number must become a group of all processes.
+void Host::Keeper::kill_worker() const {
+  const pid_t worker = control.worker;
+  if (worker <= 1) return;
+  kill(-worker, SIGKILL);  // what it forked itself
+  kill(worker, SIGKILL);
+}
+
+void Host::Keeper::end_worker() {
+  const auto end = std::chrono::steady_clock::now() + kLeastForkLimit;
+  for (State now = state(); now == State::kCall || now == State::kIdle;) {
+    kill_worker();
+    const std::chrono::nanoseconds left = end - std::chrono::steady_clock::now();
+    now = next(now, left);
+    if (left.count() <= 0 || process <= 0) return this->end();
+  }
+}
+
+bool Host::Keeper::hand_over() {
+  auto idle = static_cast<uint32_t>(State::kIdle);
+  const auto call = static_cast<uint32_t>(State::kCall);
+  if (!control.state.compare_exchange_strong(idle, call)) return false;
+  wake(control);
+  return true;
+}
+
+}  // namespace selvage::testbed
