@@ -108,5 +108,41 @@ TEST(TextureBounds, AreKeptByEveryKernel) {
   }
 }
 
+// Columns of less than a pixel, along which u and v run so fast that the pixels of a vector that
+// are not there lie anywhere, which must be in the texture all the same.
+TEST(TextureBounds, AreKeptWherePixelsAreNotThere) {
+  constexpr int32_t kHeight_px = 20, kWidth_px = 20;
+  std::vector<uint32_t> pixels(kWidth_px * kHeight_px);
+  const selvage_image target{pixels.data(), kWidth_px, kHeight_px, kWidth_px * 4, SELVAGE_RGBA8888};
+  for (uint64_t seed = 1; seed <= 1500; ++seed) {
+    SCOPED_TRACE(seed);
+    spec::Random random(seed);
+    const int32_t width_texel = random.in(1, 12), height_texel = random.in(1, 12);
+    const ptrdiff_t pitch = width_texel * 4;
+    const auto bytes = static_cast<size_t>(pitch * height_texel);
+    const FencedBytes texels(bytes, seed % 2 == 0 ? Side::kFirst : Side::kLast);
+    std::memset(texels.first(), 0x3C, bytes);
+    const selvage_texture texture{texels.first(),   width_texel,         height_texel, pitch,
+                                  SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr};
+    const int32_t left = random.in(3, 10) * 256 + 128 - random.in(0, 64);
+    const int32_t right = left + random.in(17, 200);
+    const auto texel = [&] { return random.in(INT32_MIN / 2, INT32_MAX / 2) * random.in(0, 3); };
+    const std::vector<selvage_vertex> sliver = {
+        {left, 0, texel(), texel(), 1},
+        {right, random.in(0, 256), texel(), texel(), 1},
+        {left + random.in(0, 9), kHeight_px * 256, texel(), texel(), 1}};
+    for (const selvage_kernel kernel : usable_kernels()) {
+      for (const auto filter :
+           {SELVAGE_FILTER_NEAREST, SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR}) {
+        const selvage_options options{SELVAGE_PROFILE_EXACT, filter,
+                                      seed % 4 < 3 ? SELVAGE_ADDRESS_WRAP : SELVAGE_ADDRESS_CLAMP,
+                                      0, kernel};
+        ASSERT_EQ(selvage_draw(&target, nullptr, sliver.data(), sliver.size(), &texture, &options),
+                  SELVAGE_OK);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace selvage::mapper
