@@ -131,6 +131,42 @@ TEST(Anchored, EveryKernelDecidesExactTies) {
   EXPECT_GT(anchored, 4000);
 }
 
+// As narrow as a vector, and on so few texels that one window holds them all.
+[[nodiscard]] spec::Case with_narrow_ties(uint64_t seed) {
+  spec::Random random(seed);
+  spec::Case c = with_exact_ties(seed);
+  c.target_width_px = random.in(3, 17);
+  constexpr int32_t kLeastQ = 1 << 10;
+  const int32_t most_q = kLeastQ + random.in(1, 32), width_fx8 = c.target_width_px * 256;
+  for (selvage_vertex& vertex : c.vertices) {
+    const bool right = vertex.x != 0;
+    vertex.x = right ? width_fx8 : 0;
+    vertex.q = right ? most_q : kLeastQ;
+  }
+  for (int32_t selvage_vertex::*const texel : {&selvage_vertex::u, &selvage_vertex::v}) {
+    const int32_t tie_fx8 = random.in(0, c.target_width_px) * 256 + 128;
+    const int32_t whole = random.in(-5, 60), sixteenths = random.in(1, 9) * random.pick({1, -1});
+    for (selvage_vertex& vertex : c.vertices) {
+      const int64_t beside_fx16 =
+          int64_t{most_q} * sixteenths * (vertex.x - tie_fx8) * 16 / vertex.q;
+      vertex.*texel = static_cast<int32_t>(whole * 65536 + beside_fx16);
+    }
+  }
+  return c;
+}
+
+TEST(Anchored, EveryKernelDecidesExactTiesOfNarrowRows) {
+  for (uint64_t seed = 1; seed <= 3000; ++seed) {
+    const spec::Case c = with_narrow_ties(seed);
+    const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR);
+    for (const selvage_kernel kernel : usable_kernels()) {
+      ASSERT_TRUE(drawing_of(c, kernel) == scalar)
+          << "kernel " << kernel << ", seed " << seed << "\n"
+          << spec::print(c);
+    }
+  }
+}
+
 // Stairs of three rows, 8, 240 and 1056 pixels wide: v is whole along the first and the last one,
 // so that one vector is left to be decided, then none, then more than there is room for.
 TEST(Anchored, VectorsLeftFitTheirRoom) {

@@ -50,7 +50,7 @@ struct Drawing {
 };
 
 // About one of the texture's four corners, at most a texel a pixel in most.
-[[nodiscard]] Drawing any_drawing(uint64_t seed) {
+[[nodiscard]] Drawing any_drawing(uint64_t seed, int32_t side_px) {
   static constexpr int32_t kSizes[] = {1, 2, 3, 8, 15, 16, 17, 18, 31, 40};
   static constexpr int32_t kSlopes_fx16[] = {65536, 32768, 65535, 21845, 4000, 0, 90000};
   spec::Random random(seed);
@@ -67,10 +67,11 @@ struct Drawing {
   const int32_t down = random.pick(kSlopes_fx16) * random.pick({1, -1});
   const int32_t u = (random.percent(50) ? d.width_texel : 0) * 65536 + random.in(-300000, 300000);
   const int32_t v = (random.percent(50) ? d.height_texel : 0) * 65536 + random.in(-300000, 300000);
-  const int32_t q = random.percent(50) ? 1 : random.in(2, 9);
-  d.vertices = {{0, 0, u, v, 1},
-                {100 * 256, 0, u + 100 * across, v + 100 * down, q},
-                {0, 100 * 256, u - 100 * down, v + 100 * across, 1}};
+  const int32_t least_q = side_px < 32 ? 256 : 1;  // the smaller, the gentler
+  const int32_t q = least_q + (random.percent(50) ? 0 : random.in(1, 8));
+  d.vertices = {{0, 0, u, v, least_q},
+                {side_px * 256, 0, u + side_px * across, v + side_px * down, q},
+                {0, side_px * 256, u - side_px * down, v + side_px * across, least_q}};
   return d;
 }
 
@@ -78,12 +79,15 @@ struct Drawing {
   return format == SELVAGE_RGBA8888 ? 4 : format == SELVAGE_RGB565 ? 2 : 1;
 }
 
-TEST(TextureBounds, AreKeptByEveryKernel) {
+// Of two sizes: a small polygon may have all its texels in one window.
+class TextureBoundsOf : public testing::TestWithParam<int32_t> {};
+
+TEST_P(TextureBoundsOf, AreKeptByEveryKernel) {
   constexpr int32_t kWidths_px[] = {70, 9, 30, 70}, kHeight_px = 12;
   std::vector<uint32_t> row(kWidths_px[0] * kHeight_px);
-  for (uint64_t seed = 1; seed <= 1500; ++seed) {
+  for (uint64_t seed = 1; seed <= 6000; ++seed) {
     SCOPED_TRACE(seed);
-    Drawing d = any_drawing(seed);
+    Drawing d = any_drawing(seed, GetParam());
     const ptrdiff_t pitch = d.width_texel * bytes_of(d.format);
     const auto bytes = static_cast<size_t>(pitch * d.height_texel);
     const FencedBytes texels(bytes, seed % 2 == 0 ? Side::kFirst : Side::kLast);
@@ -107,6 +111,8 @@ TEST(TextureBounds, AreKeptByEveryKernel) {
     }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Side, TextureBoundsOf, testing::Values(12, 100));
 
 // Columns of less than a pixel, along which u and v run so fast that the pixels of a vector that
 // are not there lie anywhere, which must be in the texture all the same.
