@@ -63,8 +63,8 @@ struct Drawing {
   }
   d.width_texel = random.pick(kSizes);
   d.height_texel = random.pick(kSizes);
-  const int32_t across = random.pick(kSlopes_fx16) * random.pick({1, -1});
-  const int32_t down = random.pick(kSlopes_fx16) * random.pick({1, -1});
+  const auto slope = [&] { return random.pick(kSlopes_fx16) * random.pick({1, -1, 0}); };
+  const int32_t across = slope(), down = slope();
   const int32_t u = (random.percent(50) ? d.width_texel : 0) * 65536 + random.in(-300000, 300000);
   const int32_t v = (random.percent(50) ? d.height_texel : 0) * 65536 + random.in(-300000, 300000);
   const int32_t least_q = side_px < 32 ? 256 : 1;  // the smaller, the gentler
