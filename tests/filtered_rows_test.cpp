@@ -5,6 +5,7 @@
 #include <array>
 #include <tuple>
 
+#include "mapper/kernel.h"
 #include "spec/picture.h"
 
 namespace selvage {
@@ -35,12 +36,7 @@ inline constexpr int32_t kWidth_px = 301, kHeight_px = 1;  // two pieces, the la
   return c;
 }
 
-using Parameters = std::tuple<selvage_filter, selvage_address, int32_t, int32_t, selvage_kernel>;
-class FilteredRows : public testing::TestWithParam<Parameters> {};
-
-TEST_P(FilteredRows, AreTheModels) {
-  const auto [filter, address, texels_per_px, far, kernel] = GetParam();
-  const Case c = row(filter, address, texels_per_px, far);
+void expect_model(const Case& c, selvage_kernel kernel) {
   spec::Subject subject = spec::built_in();
   subject.draw = [by = kernel](const selvage_image* target, const selvage_rect* clip,
                                const selvage_vertex* vertices, size_t count,
@@ -53,9 +49,43 @@ TEST_P(FilteredRows, AreTheModels) {
   const spec::Picture drawn = spec::draw(subject, c), model = spec::expected(c);
   ASSERT_EQ(drawn.status, SELVAGE_OK);
   EXPECT_EQ(drawn.memory_fault, "");
-  for (int32_t y = 0; y < kHeight_px; ++y) {
-    for (int32_t x = 0; x < kWidth_px; ++x) {
+  for (int32_t y = 0; y < c.target_height_px; ++y) {
+    for (int32_t x = 0; x < c.target_width_px; ++x) {
       ASSERT_EQ(drawn.at(x, y), model.at(x, y)) << "pixel " << x << ", " << y;
+    }
+  }
+}
+
+using Parameters = std::tuple<selvage_filter, selvage_address, int32_t, int32_t, selvage_kernel>;
+class FilteredRows : public testing::TestWithParam<Parameters> {};
+
+TEST_P(FilteredRows, AreTheModels) {
+  const auto [filter, address, texels_per_px, far, kernel] = GetParam();
+  const Case c = row(filter, address, texels_per_px, far);
+  expect_model(c, kernel);
+}
+
+// The side of a box is whole at the middle of the row, where doubles cannot tell whether it is
+// more.
+TEST(FilteredRow, HasBoxesOfWholeSides) {
+  constexpr int32_t kHalf = 25600, kNear = 1 << 19, kCentre = 128 + kHalf;
+  for (const int32_t side_fx8 : {300, 1024, 1337}) {
+    for (const int32_t beyond : {-1, 0, 1}) {
+      Case c;
+      c.filter = SELVAGE_FILTER_AREA;
+      c.address = SELVAGE_ADDRESS_WRAP;
+      c.target_width_px = 200;
+      c.target_height_px = 1;
+      c.texture_width_texel = c.texture_height_texel = 64;
+      const int32_t v = side_fx8 * (kHalf / 2 * 3), u = v + beyond;
+      const int32_t top = 128 - kHalf;
+      c.vertices = {{kCentre - kHalf, top, -u, -v, kNear},
+                    {kCentre + kHalf, top, u, v, kNear},
+                    {kCentre, top + 2 * kHalf, 0, 0, 2 * kNear}};
+      for (selvage_kernel each = SELVAGE_KERNEL_SCALAR; each <= SELVAGE_KERNEL_NEON; ++each) {
+        if (mapper::is_usable(each)) expect_model(c, each);
+        ASSERT_FALSE(HasFatalFailure()) << "kernel " << each << ", side " << side_fx8;
+      }
     }
   }
 }

@@ -81,7 +81,8 @@ TEST(VectorLimits, PlacesFit32Bits) {
 
 // Who asks for a kernel gets it, and not another that draws the same.
 TEST(VectorLimits, EachKernelIsItsOwn) {
-  const std::array filters = {SELVAGE_FILTER_NEAREST, SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR};
+  const std::array filters = {SELVAGE_FILTER_NEAREST, SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR,
+                              SELVAGE_FILTER_AREA};
   for (const selvage_filter filter : filters) {
     std::vector<const Kernels*> found = {&scalar_kernels(filter)};
     for (const selvage_kernel kernel : usable_kernels()) {
@@ -91,6 +92,9 @@ TEST(VectorLimits, EachKernelIsItsOwn) {
       for (const Kernels* const other : found) {
         EXPECT_NE(kernels->draw_affine, other->draw_affine) << "kernel " << kernel;
         EXPECT_NE(kernels->draw_projective, other->draw_projective) << "kernel " << kernel;
+        if (filter != SELVAGE_FILTER_AREA) continue;
+        EXPECT_NE(kernels->draw_boxes_affine, other->draw_boxes_affine) << "kernel " << kernel;
+        EXPECT_NE(kernels->draw_boxes_projective, other->draw_boxes_projective) << kernel;
       }
       found.push_back(kernels);
     }

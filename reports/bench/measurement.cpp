@@ -38,6 +38,7 @@ struct Drawing {
 
 std::string refusal_of(const Subject& subject, const Workload& load) {
   if (load.filter == kBilinear && !subject.bilinear) return "it is not drawn bilinearly here";
+  if (load.filter == kArea && !subject.area) return "it is not filtered by area here";
   return subject.refusal(load);
 }
 

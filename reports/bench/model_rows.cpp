@@ -5,6 +5,7 @@
 
 #include "spec/exact.h"
 #include "spec/filter.h"
+#include "spec/gradient.h"
 
 namespace selvage::reports {
 
@@ -24,12 +25,13 @@ Bounds bounds_of(const std::vector<selvage_vertex>& polygon, int32_t side_px) {
           px(bottom->y + SELVAGE_SUBPIXELS)};
 }
 
-uint32_t bilinear_colour(const spec::Sample& sample, int32_t side_texel) {
-  const auto taps = [&](const spec::Rational& coordinate) {
-    return spec::addressed(spec::taps(kBilinear, coordinate, spec::kLeastBoxSide_fx8), side_texel,
+uint32_t filtered_colour(const spec::Sample& sample, const spec::BoxSides& sides,
+                         const Workload& load) {
+  const auto taps = [&](const spec::Rational& coordinate, int32_t side_fx8) {
+    return spec::addressed(spec::taps(load.filter, coordinate, side_fx8), load.texture_side_texel,
                            SELVAGE_ADDRESS_CLAMP);
   };
-  return spec::weighted_mean(taps(sample.u), taps(sample.v),
+  return spec::weighted_mean(taps(sample.u, sides.u_fx8), taps(sample.v, sides.v_fx8),
                              [](const spec::Texel& texel) { return noise_of(texel.s, texel.t); });
 }
 
@@ -39,10 +41,18 @@ uint32_t nearest_colour(const spec::Sample& sample, int32_t side_texel) {
   return place_of(texel.s, texel.t);
 }
 
-ModelPixel model_pixel(const spec::Sample& sample, const Workload& load) {
+spec::BoxSides sides_of(const Workload& load, const std::vector<selvage_vertex>& polygon, int32_t x,
+                        int32_t y) {
+  if (load.filter != kArea) return {};
+  return spec::box_sides(spec::gradient(polygon, x, y).value());
+}
+
+ModelPixel model_pixel(const spec::Sample& sample, const spec::BoxSides& sides,
+                       const Workload& load) {
   const int32_t side = load.texture_side_texel;
   const double end = static_cast<double>(side);
-  return {load.filter == kBilinear ? bilinear_colour(sample, side) : nearest_colour(sample, side),
+  return {load.filter == SELVAGE_FILTER_NEAREST ? nearest_colour(sample, side)
+                                                : filtered_colour(sample, sides, load),
           std::clamp(sample.u.get_d(), 0.0, end), std::clamp(sample.v.get_d(), 0.0, end)};
 }
 
@@ -75,7 +85,9 @@ ModelRows model_rows(const Workload& load, std::vector<int32_t> rows_px,
       if (!line) continue;
       for (int32_t x = bounds[p].left_px; x < bounds[p].right_px; ++x) {
         const auto sample = spec::sample(*line, x);
-        if (sample) row[static_cast<size_t>(x)] = model_pixel(*sample, load);
+        if (!sample) continue;
+        row[static_cast<size_t>(x)] =
+            model_pixel(*sample, sides_of(load, load.polygons[p], x, y), load);
       }
     }
     model.pixels.push_back(std::move(row));

@@ -20,6 +20,7 @@ struct Subject {
   bool reference = false;     // must agree with the exact model or nothing is timed
   bool judged = true;         // false: a limit that draws no picture, so nothing is judged
   bool bilinear = false;      // can draw workloads whose filter is kBilinear; others are refused
+  bool area = false;          // and those whose filter is kArea
   bool threads = false;       // timed by the clock, not by processor time: what draws with several
   // The bits of a texel that reach the target, s and the lower bits of t, or whole channels; the
   // others are not compared. A pixel format without a fourth channel carries 24.

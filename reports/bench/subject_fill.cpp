@@ -13,6 +13,7 @@ Subject subject_fill() {
   subject.configuration = "std::fill over the covered spans, listed beforehand: no set-up is timed";
   subject.group = "limits";
   subject.bilinear = true;
+  subject.area = true;
   subject.textures = false;
   subject.reference = true;  // the number of covered pixels rests on the same spans
   subject.refusal = [](const Workload&) { return std::string(); };

@@ -61,6 +61,7 @@ Subject subject_with(std::string id, std::string title, LayOut lay_out) {
   subject.group = "ours";
   subject.reference = true;
   subject.bilinear = true;
+  subject.area = true;
   subject.refusal = [](const Workload&) { return std::string(); };
   subject.prepare = [lay_out = std::move(lay_out)](const Workload& load, const Texture& texture,
                                                    Target& target) -> std::function<void()> {

@@ -56,6 +56,7 @@ Subject subject_exact_many(int32_t threads) {
   subject.group = "ours";
   subject.reference = true;
   subject.bilinear = true;
+  subject.area = true;
   subject.threads = threads != 1;
   subject.refusal = [](const Workload&) { return std::string(); };
   subject.prepare = [threads](const Workload& load, const Texture& texture,

@@ -25,6 +25,7 @@ Subject subject_memcpy() {
   subject.textures = false;
   subject.judged = false;
   subject.bilinear = true;
+  subject.area = true;
   subject.refusal = [](const Workload&) { return std::string(); };
   subject.prepare = [](const Workload& load, const Texture&, Target&) -> std::function<void()> {
     const size_t count = count_covered(load);

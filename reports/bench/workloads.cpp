@@ -40,7 +40,7 @@ Workload mesh(std::string id, int32_t columns, int32_t rows, const std::string& 
 
 // A quad's map is one projective map when, over corners with distances w (q = 1/w), the sums of
 // opposite corners agree: w0 + w2 = w1 + w3, and so for w x and w y. Here 12 + 6 = 8 + 10.
-Workload tilted_quad() {
+Workload tilted_quad(int32_t texture_side_texel) {
   constexpr std::array<int32_t, 4> w{12, 8, 6, 10};
   constexpr std::array<int32_t, 4> x_px{190, 880, 960, 100}, y_px{150, 95, 960, 680};
   static_assert(w[0] + w[2] == w[1] + w[3]);
@@ -52,10 +52,12 @@ Workload tilted_quad() {
 
   Workload load;
   load.id = "W4";
-  load.title = "perspective quad, 256 x 256";
+  const std::string side = std::to_string(texture_side_texel);
+  load.title = "perspective quad, " + side + " x " + side;
   load.description =
-      "one quad tilted away about an oblique axis, q from 1 to 2 across it, a texture of "
-      "256 x 256";
+      "one quad tilted away about an oblique axis, q from 1 to 2 across it, a texture of " + side +
+      " x " + side;
+  load.texture_side_texel = texture_side_texel;
   load.perspective = true;
   const int32_t end = texel_to_fx16(load.texture_side_texel);
   Polygon quad;
@@ -78,6 +80,14 @@ Workload bilinear_square() {
   return load;
 }
 
+Workload by_area(Workload load, std::string id) {
+  load.id = std::move(id);
+  load.title = "area, " + load.title;
+  load.description += ", filtered by area; the texture is noise";
+  load.filter = kArea;
+  return load;
+}
+
 }  // namespace
 
 Workload half_covering_square(int32_t texture_side_texel) {
@@ -92,20 +102,23 @@ std::vector<Workload> workloads(uint64_t seed) {
   Workload large = half_covering_square(2048);
   large.id = "W1-2048";
   large.description = "the same square with a texture of 2048 x 2048 (16 MB)";
-  return {
-      half_covering_square(256),
-      large,
+  const Workload minified =
       square("W2", "minified 4 x, 2048 x 2048",
-             "a square of 512 px turned by 23 degrees, four texels a pixel each way", 512, 2048),
-      mesh("W3", 40, 25, "2 000", "460", seed, MeshDepth::kFlat),
-      mesh("W3-20000", 100, 100, "20 000", "48", seed, MeshDepth::kFlat),
-      tilted_quad(),
-      mesh("W4-2000", 40, 25, "2 000", "460", seed, MeshDepth::kTilted),
-      mesh("W4-20000", 100, 100, "20 000", "48", seed, MeshDepth::kTilted),
-      bilinear_square(),
-      square("W6", "quad of 10 x the target, 256 x 256",
-             "a square of 10240 px turned by 23 degrees: all but the middle lies outside",
-             10.0 * kTarget_px, 256)};
+             "a square of 512 px turned by 23 degrees, four texels a pixel each way", 512, 2048);
+  return {half_covering_square(256),
+          large,
+          minified,
+          mesh("W3", 40, 25, "2 000", "460", seed, MeshDepth::kFlat),
+          mesh("W3-20000", 100, 100, "20 000", "48", seed, MeshDepth::kFlat),
+          tilted_quad(256),
+          mesh("W4-2000", 40, 25, "2 000", "460", seed, MeshDepth::kTilted),
+          mesh("W4-20000", 100, 100, "20 000", "48", seed, MeshDepth::kTilted),
+          bilinear_square(),
+          square("W6", "quad of 10 x the target, 256 x 256",
+                 "a square of 10240 px turned by 23 degrees: all but the middle lies outside",
+                 10.0 * kTarget_px, 256),
+          by_area(minified, "W7"),
+          by_area(tilted_quad(2048), "W8")};
 }
 
 }  // namespace selvage::reports

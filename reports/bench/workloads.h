@@ -10,7 +10,7 @@
 
 namespace selvage::reports {
 
-inline constexpr selvage_filter kBilinear = SELVAGE_FILTER_BILINEAR;
+inline constexpr selvage_filter kBilinear = SELVAGE_FILTER_BILINEAR, kArea = SELVAGE_FILTER_AREA;
 
 struct Workload {
   std::string id;
@@ -24,7 +24,7 @@ struct Workload {
   std::string ordinary_id;  // of an adversarial item: the same shape with nothing hard about it
 };
 
-// W1 to W6. The seed moves the jittered meshes only.
+// W1 to W8. The seed moves the jittered meshes only.
 [[nodiscard]] std::vector<Workload> workloads(uint64_t seed);
 
 // Maps of which every sample, or each third, lies on a boundary between two texels or next to one,

@@ -11,8 +11,7 @@ std::string drawn_kernel(const selvage_image& target, std::span<const selvage_ve
                          const selvage_texture& texture, const selvage_options& options,
                          selvage_method method) {
   const bool has_kernel = method != SELVAGE_METHOD_NONE && method != SELVAGE_METHOD_COPY &&
-                          method != SELVAGE_METHOD_HISTORIC &&
-                          options.filter != SELVAGE_FILTER_AREA;
+                          method != SELVAGE_METHOD_HISTORIC;
   mapper::Polygon polygon;
   if (!has_kernel || mapper::examine(vertices, &polygon) != SELVAGE_OK) return "none";
   const mapper::Kernels* const drawn =

@@ -9,7 +9,7 @@
 
 namespace selvage::cli {
 
-// "scalar", "avx2", ...; "none" where no kernel is in it: rows that are copied, the area filter.
+// "scalar", "avx2", ...; "none" where no kernel is in it: rows that are copied.
 // The arguments are such that selvage_choose takes them, and this is its choice for them.
 [[nodiscard]] std::string drawn_kernel(const selvage_image& target,
                                        std::span<const selvage_vertex> vertices,

@@ -115,8 +115,8 @@ class Output {
   std::optional<Apng> animation_;
 };
 
-[[nodiscard]] int64_t since_ns(std::chrono::steady_clock::time_point start) {
-  return std::chrono::nanoseconds(std::chrono::steady_clock::now() - start).count();
+[[nodiscard]] int64_t now_ns() {
+  return std::chrono::nanoseconds(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 struct Frame {
@@ -129,16 +129,16 @@ struct Frame {
                                const scene::Wish& wish, scene::Hidden hidden,
                                scene::Paints& paints) {
   Frame frame;
-  const auto start = std::chrono::steady_clock::now();
+  const int64_t start_ns = now_ns();
   frame.drawing = compose(scene, time_s, {size.width_px, size.height_px}, wish, hidden);
-  frame.compose_ns = since_ns(start);
+  frame.compose_ns = now_ns() - start_ns;
   frame.picture = to_bitmap(filled(size.width_px, size.height_px, {}), SELVAGE_RGBA8888);
   const selvage_image target = frame.picture.image();
   clear(scene, target);
   const int64_t lit_before_ns = paints.light_ns();
-  const auto drawing = std::chrono::steady_clock::now();
+  const int64_t drawing_ns = now_ns();
   const selvage_status status = draw_pieces(scene, frame.drawing, target, paints);
-  frame.draw_ns = since_ns(drawing);
+  frame.draw_ns = now_ns() - drawing_ns;
   frame.light_ns = paints.light_ns() - lit_before_ns;
   frame.draw_ns -= frame.light_ns;
   if (status != SELVAGE_OK) throw UserError(selvage_status_text(status));
@@ -204,7 +204,7 @@ int run_render(const RenderOptions& options, const Console& console) {
   StatusLine status(console);
   RoundingWarning rounding(wish.tolerance_texel);
   Told told(options);
-  scene::Paints paints(scene, scene::kLitBytes);
+  scene::Paints paints(scene, scene::kLitBytes, now_ns);
   for (int32_t i = 0; i < options.frames; ++i) {
     status.count("drawing frame", static_cast<uint64_t>(i), static_cast<uint64_t>(options.frames));
     const double time_s = options.start_s + i / options.frames_per_s;

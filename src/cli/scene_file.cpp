@@ -181,6 +181,7 @@ scene::Scene read_scene(const std::filesystem::path& path, const SceneFiles& fil
   scene::Scene scene;
   if (root.has("camera")) scene.camera = camera_of(root.at("camera"));
   set(root, "ambient", scene.lighting.ambient);
+  expect_no_fault(root, scene.lighting);
   if (root.has("lamps")) {
     for (const JsonNode& lamp : root.at("lamps").elements("lamp")) {
       scene.lighting.lamps.push_back(lamp_of(lamp));

@@ -1,84 +1,94 @@
 #include "mapper/area_draw.h"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
-#include <optional>
 
-#include "mapper/channels.h"
-#include "mapper/filter_blend.h"
-#include "mapper/filter_box.h"
+#include "mapper/box_row.h"
 #include "mapper/filter_point.h"
 #include "mapper/footprint.h"
 #include "mapper/lanes.h"
 #include "mapper/plane.h"
+#include "mapper/plane_footprint.h"
+#include "mapper/projective_plane.h"
 #include "mapper/span.h"
+#include "mapper/span_batch.h"
 #include "mapper/span_walk.h"
 
 namespace selvage::mapper {
 namespace {
 
-// So many pixels go through the stages at a time: their points stay in the nearest cache.
-inline constexpr int32_t kPiece_px = 256;
-
-// One row of a polygon and what is drawn on it.
-struct Row {
-  const Surface& surface;
-  Span span;
-  SpanMap map;
-  Footprint footprint;
-  std::optional<BoxSides> same_sides;  // where all pixels of the polygon have these
-};
-
-void mean_boxes(const Row& row, int32_t first_px, std::span<const FilterPoint> points,
-                char* pixels) {
-  constexpr BoxSides kLeast{kLeastSide_fx8, kLeastSide_fx8};
-  for (size_t i = 0; i < points.size(); ++i, pixels += kPixelBytes) {
-    const BoxSides sides =
-        row.same_sides ? *row.same_sides : row.footprint.at(first_px + static_cast<int32_t>(i));
-    if (sides == kLeast) {
-      blend_bilinear(points.subspan(i, 1), row.surface.texture, row.surface.address, pixels);
-    } else {
-      store_pixel(pixels, box_mean(row.surface.texture, row.surface.address,
-                                   Box::around(points[i], sides)));
-    }
-  }
-}
-
+// Box by box, where no one map holds for all rows.
 template <class Lanes>
-void draw_row(const Row& row, const Lanes& lanes) {
-  std::array<FilterPoint, kPiece_px> points;
-  char* const pixels =
-      static_cast<char*>(row.surface.target.pixels) + row.span.row * row.surface.target.pitch;
-  for (int32_t from_px = row.span.left_px; from_px < row.span.right_px; from_px += kPiece_px) {
-    const int32_t count = std::min(kPiece_px, row.span.right_px - from_px);
-    for (int32_t i = 0; i < count; ++i) {
-      points[static_cast<size_t>(i)] =
-          filter_point(ExactMap(row.map), row.span, lanes, from_px + i);
+void draw_row(const SpanMap& map, const Lanes& lanes, const Span& span, const Footprint& footprint,
+              const Surface& surface, const Kernels& kernels) {
+  BoxRow boxes;
+  for_each_box_piece(span, [&](const Span& piece) {
+    for (int32_t i = 0; i < piece.width_px(); ++i) {
+      const int32_t px = piece.left_px + i;
+      boxes.set(i, filter_point(ExactMap(map), span, lanes, px), footprint.at(px));
     }
-    mean_boxes(row, from_px, std::span(points).first(static_cast<size_t>(count)),
-               pixels + ptrdiff_t{from_px} * kPixelBytes);
-  }
+    kernels.draw_boxes(boxes, piece, surface);
+  });
 }
 
-}  // namespace
-
-void draw_area(const Surface& surface, const selvage_rect& visible, const Polygon& polygon) {
-  const std::optional<Plane> plane = Plane::of(polygon, visible);
-  std::optional<BoxSides> plane_sides;
+void draw_ruled(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
+                const Kernels& kernels) {
   SpanWalk walk(polygon, visible);
   while (walk.next()) {
     const Span& span = walk.span();
     const Edge &left = walk.left(), &right = walk.right();
     const Footprint footprint(left.at(span.row), left.change(), right.at(span.row), right.change());
-    if (plane && !plane_sides) plane_sides = footprint.at(span.left_px);
-    const Row row{surface, span, walk.map(), footprint, plane_sides};
+    const SpanMap map = walk.map();
     if (polygon.affine) {
-      draw_row(row, plane ? plane->lanes() : AffineLanes(row.map, span).field(span));
+      draw_row(map, AffineLanes(map, span).field(span), span, footprint, surface, kernels);
     } else {
-      draw_row(row, ProjectiveLanes(row.map, span));
+      draw_row(map, ProjectiveLanes(map, span), span, footprint, surface, kernels);
     }
   }
+}
+
+// Calls draw(spans) for all spans of a polygon under one map.
+template <class Spans, class Plane, class Draw>
+void for_each_batch(const Plane& plane, const Polygon& polygon, const selvage_rect& visible,
+                    FindSpans find_spans, const Draw& draw) {
+  BatchWalk walk(polygon, visible, find_spans);
+  SpanBatch batch;
+  while (walk.next(&batch)) draw(Spans{batch, plane.lanes(), polygon.texels, ExactMap(plane)});
+}
+
+void draw_affine(const Plane& plane, const Surface& surface, const selvage_rect& visible,
+                 const Polygon& polygon, const Kernels& kernels) {
+  const BoxSides sides = affine_sides(PlaneFrame::of(polygon.vertices));
+  const bool is_least = sides == BoxSides{kLeastSide_fx8, kLeastSide_fx8};
+  for_each_batch<AffineSpans>(plane, polygon, visible, kernels.find_spans,
+                              [&](const AffineSpans& spans) {
+                                if (is_least) return kernels.draw_affine(spans, surface);
+                                kernels.draw_boxes_affine(spans, sides, surface);
+                              });
+}
+
+void draw_projective(const ProjectivePlane& plane, const Surface& surface,
+                     const selvage_rect& visible, const Polygon& polygon, const Kernels& kernels) {
+  const PlaneFootprint footprint(polygon, visible, plane.lanes());
+  const bool is_least = footprint.is_least();
+  for_each_batch<ProjectiveSpans>(plane, polygon, visible, kernels.find_spans,
+                                  [&](const ProjectiveSpans& spans) {
+                                    if (is_least) return kernels.draw_projective(spans, surface);
+                                    kernels.draw_boxes_projective(spans, footprint, surface);
+                                  });
+}
+
+}  // namespace
+
+void draw_area(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
+               const Kernels& kernels) {
+  if (polygon.affine) {
+    if (const auto plane = Plane::of(polygon, visible)) {
+      return draw_affine(*plane, surface, visible, polygon, kernels);
+    }
+  } else if (const auto plane = ProjectivePlane::of(polygon, visible)) {
+    return draw_projective(*plane, surface, visible, polygon, kernels);
+  }
+  draw_ruled(surface, visible, polygon, kernels);
 }
 
 }  // namespace selvage::mapper

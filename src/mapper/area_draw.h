@@ -7,7 +7,8 @@
 
 namespace selvage::mapper {
 
-// As draw(), for RGBA8888 images; something is visible.
-void draw_area(const Surface& surface, const selvage_rect& visible, const Polygon& polygon);
+// As draw(), for RGBA8888 images and by the area filter's kernels; something is visible.
+void draw_area(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
+               const Kernels& kernels);
 
 }  // namespace selvage::mapper

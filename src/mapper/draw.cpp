@@ -90,8 +90,8 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
     return;
   }
   if (is_copy(polygon, options.filter)) return draw_copies(polygon, visible, surface);
-  if (options.filter == SELVAGE_FILTER_AREA) return draw_area(surface, visible, polygon);
   const Kernels& kernels = kernels_for(options, surface, polygon);
+  if (options.filter == SELVAGE_FILTER_AREA) return draw_area(surface, visible, polygon, kernels);
   if (is_tolerant(polygon, options)) {
     return draw_tolerantly(surface, visible, polygon, kernels, options.tolerance);
   }

@@ -16,8 +16,8 @@ struct Box {
 
   // Around the point. With the least sides its texels and weights are the bilinear ones.
   [[nodiscard]] static Box around(FilterPoint point, BoxSides sides) {
-    return {point.u_fx8 - (sides.u_fx8 - kTexel_fx8) / 2,
-            point.v_fx8 - (sides.v_fx8 - kTexel_fx8) / 2, sides.u_fx8, sides.v_fx8};
+    return {point.u_fx8 - ((sides.u_fx8 - kTexel_fx8) >> 1),
+            point.v_fx8 - ((sides.v_fx8 - kTexel_fx8) >> 1), sides.u_fx8, sides.v_fx8};
   }
 };
 
@@ -33,5 +33,6 @@ static_assert(uint64_t{255 * 2 + 1} <= UINT64_MAX / kMostSide_fx8 / kMostSide_fx
 // The mean, halves rounded up.
 [[nodiscard]] uint32_t box_mean(const selvage_texture& texture, selvage_address address,
                                 const Box& box);
+[[nodiscard]] uint32_t box_mean(const BoxSum& sum, const Box& box);
 
 }  // namespace selvage::mapper

@@ -55,7 +55,10 @@ int32_t Footprint::side_fx8(const Linear& n, const Linear& d) {
   if (least == most) return least;
   const Wide sum = distance(n.along_x, d.value, n.value, d.along_x) +
                    distance(n.along_y, d.value, n.value, d.along_y);
-  const auto denominator = static_cast<uint128>(d.value);
+  return least_side(sum, static_cast<uint128>(d.value), least, most);
+}
+
+int32_t least_side(const Wide& sum, uint128 denominator, int32_t least, int32_t most) {
   while (least < most) {
     const int32_t middle = least + (most - least) / 2;
     const bool enough = product(denominator * static_cast<uint128>(middle), denominator) >= sum;

@@ -13,6 +13,7 @@
 
 #include "mapper/edge.h"
 #include "mapper/number.h"
+#include "mapper/wide.h"
 
 namespace selvage::mapper {
 
@@ -23,6 +24,9 @@ struct BoxSides {
 };
 inline constexpr int32_t kLeastSide_fx8 = 1 << 8;
 inline constexpr int32_t kMostSide_fx8 = 1 << 24;
+
+// The least side in [least, most] that is not below sum / denominator^2, or most.
+[[nodiscard]] int32_t least_side(const Wide& sum, uint128 denominator, int32_t least, int32_t most);
 
 // In units of 2^-53, the error of a footprint in double, relative to its terms without their signs.
 inline constexpr double kFootprintRoundings = 44;

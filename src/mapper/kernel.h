@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "mapper/exact_row.h"
+#include "mapper/footprint.h"
 #include "mapper/lanes.h"
 #include "mapper/polygon.h"
 #include "mapper/span_batch.h"
@@ -14,6 +15,9 @@
 #include "selvage.h"
 
 namespace selvage::mapper {
+
+class PlaneFootprint;
+struct BoxRow;
 
 // What is drawn on and from. All has passed its checks; the texture shares no byte with the target.
 struct Surface {
@@ -38,18 +42,23 @@ struct ProjectiveSpans {
   ExactMap exact;
 };
 
-// Each draw_... writes all pixels of the spans by its filter, exactly; the last, which only nearest
-// has, shows the texels of its lanes.
+// Each draw_... writes all pixels of the spans by its filter, exactly; draw_stepped, which only
+// nearest has, shows the texels of its lanes. Those of the area filter draw boxes of any sides, and
+// its other two, which are the bilinear ones, the least boxes.
 struct Kernels {
   FindSpans find_spans;
   void (*draw_affine)(const AffineSpans& spans, const Surface& surface);
   void (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
   void (*draw_stepped)(const SteppedRow& row, const Surface& surface) = nullptr;
+  void (*draw_boxes_affine)(const AffineSpans& spans, BoxSides sides,
+                            const Surface& surface) = nullptr;
+  void (*draw_boxes_projective)(const ProjectiveSpans& spans, const PlaneFootprint& footprint,
+                                const Surface& surface) = nullptr;
+  void (*draw_boxes)(const BoxRow& boxes, const Span& piece, const Surface& surface) = nullptr;
 };
 
 void draw_stepped_scalar(const SteppedRow& row, const Surface& surface);
 
-// Nearest, four and bilinear; the area filter has no kernels.
 [[nodiscard]] const Kernels& scalar_kernels(selvage_filter filter);
 
 // Those of options.kernel, which this machine can run, or the scalar ones for what a vector kernel

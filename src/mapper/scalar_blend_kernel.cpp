@@ -6,6 +6,7 @@
 #include "mapper/channels.h"
 #include "mapper/filter_blend.h"
 #include "mapper/filter_point.h"
+#include "mapper/scalar_box_kernel.h"
 
 namespace selvage::mapper {
 namespace {
@@ -48,5 +49,9 @@ constexpr Kernels kFourScalar = {find_spans_scalar, draw_affine<blend_four>,
                                  draw_projective<blend_four>};
 constexpr Kernels kBilinearScalar = {find_spans_scalar, draw_affine<blend_bilinear>,
                                      draw_projective<blend_bilinear>};
+constexpr Kernels kAreaScalar = {
+    find_spans_scalar, draw_affine<blend_bilinear>, draw_projective<blend_bilinear>,
+    nullptr,           draw_boxes_affine_scalar,    draw_boxes_projective_scalar,
+    draw_boxes_scalar};
 
 }  // namespace selvage::mapper

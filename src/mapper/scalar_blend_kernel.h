@@ -1,10 +1,10 @@
-// The kernels of the filters over four texels, for every machine.
+// The kernels of all filters but nearest, for every machine.
 #pragma once
 
 #include "mapper/kernel.h"
 
 namespace selvage::mapper {
 
-extern const Kernels kFourScalar, kBilinearScalar;
+extern const Kernels kFourScalar, kBilinearScalar, kAreaScalar;
 
 }  // namespace selvage::mapper

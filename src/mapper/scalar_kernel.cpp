@@ -108,6 +108,8 @@ const Kernels& scalar_kernels(selvage_filter filter) {
       return kFourScalar;
     case SELVAGE_FILTER_BILINEAR:
       return kBilinearScalar;
+    case SELVAGE_FILTER_AREA:
+      return kAreaScalar;
     default:
       return kScalar;
   }

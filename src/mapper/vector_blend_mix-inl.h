@@ -67,15 +67,16 @@ HWY_ALIGN inline constexpr uint8_t kTranspose[16] = {0, 4, 8, 12, 2, 6, 10, 14,
 #endif
 }
 
-// Of neighbouring 16-bit numbers.
-[[nodiscard]] HWY_INLINE V32 word_products(V16 a, V16 b) {
-  const D32 d;
+// Of neighbouring signed 16-bit numbers.
+template <class V>
+[[nodiscard]] HWY_INLINE auto word_products(V a, V b) {
+  const hn::Repartition<int32_t, hn::DFromV<V>> d;
 #if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
-  V32 unused = hn::Zero(d);
+  auto unused = hn::Zero(d);
   return hn::ReorderWidenMulAccumulate(d, a, b, hn::Zero(d), unused);
 #else
-  const V32 x = hn::BitCast(d, a), y = hn::BitCast(d, b);
-  const auto low = [](V32 words) { return hn::ShiftRight<16>(hn::ShiftLeft<16>(words)); };
+  const auto x = hn::BitCast(d, a), y = hn::BitCast(d, b);
+  const auto low = [](auto words) { return hn::ShiftRight<16>(hn::ShiftLeft<16>(words)); };
   return hn::Add(hn::Mul(low(x), low(y)), hn::Mul(hn::ShiftRight<16>(x), hn::ShiftRight<16>(y)));
 #endif
 }

@@ -15,6 +15,7 @@
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 #include "mapper/vector_affine_kernel-inl.h"
 #include "mapper/vector_blend_kernel-inl.h"
+#include "mapper/vector_box_kernel-inl.h"
 #include "mapper/vector_projective_kernel-inl.h"
 #include "mapper/vector_projective_pieces-inl.h"
 #include "mapper/vector_projective_wide-inl.h"
@@ -27,6 +28,9 @@ constexpr Kernels kNearest = {find_spans, draw_affine, draw_projective, draw_ste
 constexpr Kernels kFour = {find_spans, draw_blended_affine<true>, draw_blended_projective<true>};
 constexpr Kernels kBilinear = {find_spans, draw_blended_affine<false>,
                                draw_blended_projective<false>};
+constexpr Kernels kArea = {find_spans, draw_blended_affine<false>, draw_blended_projective<false>,
+                           nullptr,    draw_boxes_affine,          draw_boxes_projective,
+                           draw_boxes};
 
 const Kernels& kernels(selvage_filter filter) {
   switch (filter) {
@@ -34,6 +38,8 @@ const Kernels& kernels(selvage_filter filter) {
       return kFour;
     case SELVAGE_FILTER_BILINEAR:
       return kBilinear;
+    case SELVAGE_FILTER_AREA:
+      return kArea;
     default:
       return kNearest;
   }

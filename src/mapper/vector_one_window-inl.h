@@ -26,15 +26,14 @@ struct TexelRange {
 };
 
 // Where a window is; no rows where none holds all.
-struct Footprint {
+struct WindowPlace {
   Origin s{}, t{};
   int32_t rows = 0;
   bool inside = false;  // the texture, so that no address mode changes a texel
 };
 
 template <class Address>
-[[nodiscard]] HWY_INLINE Footprint footprint_of(const TexelBox& box,
-                                                const selvage_texture& texture) {
+[[nodiscard]] HWY_INLINE WindowPlace place_of(const TexelBox& box, const selvage_texture& texture) {
   const TexelRange s{box.least_u_fx16 >> kTexelFraction, box.most_u_fx16 >> kTexelFraction};
   const TexelRange t{box.least_v_fx16 >> kTexelFraction, box.most_v_fx16 >> kTexelFraction};
   if (texture.layout != SELVAGE_LAYOUT_ROWS || texture.width < kLanes || s.count() > kLanes ||
@@ -44,23 +43,22 @@ template <class Address>
   const int32_t rows = whole_rows(t.count());
   const int32_t last_column = texture.width - kLanes, last_row = texture.height - rows;
   if (last_row < 0) return {};
-  const Footprint footprint{Address::origin(s.first, last_column, texture.width),
-                            Address::origin(t.first, last_row, texture.height), rows,
-                            s.within(texture.width) && t.within(texture.height)};
-  return footprint.s.index <= last_column && footprint.t.index <= last_row ? footprint
-                                                                           : Footprint{};
+  const WindowPlace place{Address::origin(s.first, last_column, texture.width),
+                          Address::origin(t.first, last_row, texture.height), rows,
+                          s.within(texture.width) && t.within(texture.height)};
+  return place.s.index <= last_column && place.t.index <= last_row ? place : WindowPlace{};
 }
 
 template <class Pixel, class Address, int32_t kRows>
 class Window {
  public:
-  HWY_INLINE Window(const selvage_texture& texture, const Footprint& footprint)
-      : origin_(hn::Set(D32(), (footprint.t.texel << kWindowColumnBits) + footprint.s.texel)),
+  HWY_INLINE Window(const selvage_texture& texture, const WindowPlace& place)
+      : origin_(hn::Set(D32(), (place.t.texel << kWindowColumnBits) + place.s.texel)),
         width_texel_(texture.width),
         height_texel_(texture.height) {
     const ptrdiff_t pitch_texel = pitch_texel_of(texture);
-    const Pixel* const texels = static_cast<const Pixel*>(texture.texels) +
-                                footprint.t.index * pitch_texel + footprint.s.index;
+    const Pixel* const texels =
+        static_cast<const Pixel*>(texture.texels) + place.t.index * pitch_texel + place.s.index;
 #pragma GCC unroll 16
     for (int32_t row = 0; row < kRows; ++row) rows_[row] = load_row(texels + row * pitch_texel);
   }
@@ -97,14 +95,14 @@ class Window {
 
 // Calls draw(window) with a window of so many rows, or of fewer.
 template <class Pixel, class Address, int32_t kRows = kMostWindowRows, class Draw>
-[[nodiscard]] HWY_INLINE bool with_window(const selvage_texture& texture,
-                                          const Footprint& footprint, const Draw& draw) {
+[[nodiscard]] HWY_INLINE bool with_window(const selvage_texture& texture, const WindowPlace& place,
+                                          const Draw& draw) {
   if constexpr (kRows > kRowsPerPermute) {
-    if (footprint.rows < kRows) {
-      return with_window<Pixel, Address, kRows - kRowsPerPermute>(texture, footprint, draw);
+    if (place.rows < kRows) {
+      return with_window<Pixel, Address, kRows - kRowsPerPermute>(texture, place, draw);
     }
   }
-  return draw(Window<Pixel, Address, kRows>(texture, footprint));
+  return draw(Window<Pixel, Address, kRows>(texture, place));
 }
 
 // What draw(window) returns, or false where there is no such window.
@@ -112,11 +110,11 @@ template <class Pixel, class Address, class Draw>
 [[nodiscard]] HWY_INLINE bool with_one_window(const TexelBox& box, const selvage_texture& texture,
                                               const Draw& draw) {
   if constexpr (!kHasWindows) return false;
-  const Footprint footprint = footprint_of<Address>(box, texture);
-  if (footprint.rows == 0) return false;
+  const WindowPlace place = place_of<Address>(box, texture);
+  if (place.rows == 0) return false;
   using Inside = Addressed<WrapMaskedVector>;
-  return footprint.inside ? with_window<Pixel, Inside>(texture, footprint, draw)
-                          : with_window<Pixel, Address>(texture, footprint, draw);
+  return place.inside ? with_window<Pixel, Inside>(texture, place, draw)
+                      : with_window<Pixel, Address>(texture, place, draw);
 }
 
 }  // namespace

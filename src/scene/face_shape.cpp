@@ -3,8 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iomanip>
 #include <numbers>
+#include <sstream>
 
 namespace selvage::scene {
 namespace {
@@ -16,9 +17,9 @@ inline constexpr double kSixDigits = 5e-6;  // half of the last of 1.00000
 }
 
 [[nodiscard]] std::string show(double length) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", length);
-  return text;
+  std::ostringstream text;
+  text << std::setprecision(3) << length;
+  return text.str();
 }
 
 }  // namespace

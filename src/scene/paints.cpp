@@ -1,7 +1,6 @@
 #include "scene/paints.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace selvage::scene {
 namespace {
@@ -67,7 +66,7 @@ Paints::Copy& Paints::copy_of(size_t texture, const Light& light) {
 
 // What is lit stays a rectangle; nothing in it is lit twice.
 void Paints::light_texels(Copy& copy, const selvage_rect& texels) {
-  const auto start = std::chrono::steady_clock::now();
+  const int64_t start_ns = now_ns_();
   const TextureImage& image = scene_.textures[copy.texture];
   const auto light_row = [&](int32_t row, int32_t first, int32_t end) {
     for (int32_t column = first; column < end; ++column) {
@@ -88,7 +87,7 @@ void Paints::light_texels(Copy& copy, const selvage_rect& texels) {
     if (is_begun) light_row(row, copy.lit.right, wanted.right);
   }
   copy.lit = wanted;
-  light_ns_ += std::chrono::nanoseconds(std::chrono::steady_clock::now() - start).count();
+  light_ns_ += now_ns_() - start_ns;
 }
 
 }  // namespace selvage::scene

@@ -22,9 +22,14 @@ namespace selvage::scene {
 
 class Paints {
  public:
-  // Copies are kept while all of them have at most so many bytes, and the last one always.
-  explicit Paints(const Scene& scene, size_t most_bytes = std::numeric_limits<size_t>::max())
-      : scene_(scene), most_bytes_(most_bytes) {}
+  using Clock = int64_t (*)();  // ns since whenever
+  [[nodiscard]] static int64_t no_clock() { return 0; }
+
+  // Copies are kept while all of them have at most so many bytes, and the last one always. Lighting
+  // is timed by the clock.
+  explicit Paints(const Scene& scene, size_t most_bytes = std::numeric_limits<size_t>::max(),
+                  Clock now_ns = no_clock)
+      : scene_(scene), most_bytes_(most_bytes), now_ns_(now_ns) {}
 
   // With all texels, or in a light only those of that rectangle. Good as long as this and the
   // scene's textures are, and copies are not too many.
@@ -50,6 +55,7 @@ class Paints {
 
   const Scene& scene_;
   size_t most_bytes_, bytes_ = 0;
+  Clock now_ns_;
   int64_t light_ns_ = 0, lit_texels_ = 0;
   std::map<uint32_t, std::vector<uint8_t>> colours_;
   std::list<Copy> copies_;  // the one that was used last in front

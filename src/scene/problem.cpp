@@ -11,6 +11,10 @@ namespace {
   return vector.allFinite() && !vector.isZero(0);
 }
 
+[[nodiscard]] bool is_level(const Vector3& level) {
+  return (level.array().abs() <= kMostLevel).all();
+}
+
 [[nodiscard]] std::string problem_of(const Scene& scene, const Object& object, const Face& face,
                                      double rounding) {
   if (face.corners.size() < 3) return "has fewer than 3 corners";
@@ -56,6 +60,9 @@ std::optional<Fault> fault(const Camera& camera) {
   if (!(camera.view_deg > 0 && camera.view_deg < 180)) {
     return Fault{"view_deg", "must be between 0 and 180"};
   }
+  if (!(camera.view_deg >= kLeastView_deg)) {
+    return Fault{"view_deg", "must be at least 0.000000001"};
+  }
   if (!(camera.nearest_w > 0)) return Fault{"nearest", "must be above 0"};
   if (!(camera.farthest_w > camera.nearest_w &&
         camera.farthest_w <= kMostDepthRatio * camera.nearest_w)) {
@@ -81,6 +88,12 @@ std::optional<Fault> fault(const Motion& motion) {
 
 std::optional<Fault> fault(const Lamp& lamp) {
   if (!is_direction(lamp.towards)) return Fault{"towards", "needs a direction"};
+  if (!is_level(lamp.level)) return Fault{"level", "must be within 1000000000"};
+  return std::nullopt;
+}
+
+std::optional<Fault> fault(const Lighting& lighting) {
+  if (!is_level(lighting.ambient)) return Fault{"ambient", "must be within 1000000000"};
   return std::nullopt;
 }
 
@@ -96,6 +109,7 @@ std::string problem(const Scene& scene) {
     const std::string what = problem_of(scene, object);
     if (!what.empty()) return "object '" + object.name + "': " + what;
   }
+  if (const auto light = fault(scene.lighting)) return light->key + " " + light->what;
   for (const Lamp& lamp : scene.lighting.lamps) {
     if (const auto wrong = fault(lamp)) return "a lamp's " + wrong->key + " " + wrong->what;
   }

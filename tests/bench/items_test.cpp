@@ -41,7 +41,7 @@ TEST(Items, AreThoseOfTheTable) {
   std::vector<std::string> ids;
   for (const Workload& load : loads) ids.push_back(load.id);
   EXPECT_EQ(ids, (std::vector<std::string>{"W1", "W1-2048", "W2", "W3", "W3-20000", "W4", "W4-2000",
-                                           "W4-20000", "W5", "W6"}));
+                                           "W4-20000", "W5", "W6", "W7", "W8"}));
   EXPECT_NEAR(share_of_target(find(loads, "W1")), 0.5, 0.001);
   EXPECT_EQ(find(loads, "W1-2048").polygons.front().front().x,
             find(loads, "W1").polygons.front().front().x);
@@ -58,6 +58,11 @@ TEST(Items, AreThoseOfTheTable) {
   }
   EXPECT_EQ(find(loads, "W5").filter, kBilinear);
   EXPECT_EQ(share_of_target(find(loads, "W6")), 1.0);
+  EXPECT_EQ(find(loads, "W7").filter, kArea);
+  EXPECT_EQ(find(loads, "W7").polygons.front().front().x,
+            find(loads, "W2").polygons.front().front().x);
+  EXPECT_EQ(find(loads, "W8").filter, kArea);
+  EXPECT_TRUE(find(loads, "W8").perspective);
 }
 
 TEST(Items, MoveTheirMeshesWithTheSeed) {
@@ -219,7 +224,7 @@ TEST(Plan, HasEachItemOnceAndSaysWhatThereIsNot) {
       std::any_of(plan.unavailable.begin(), plan.unavailable.end(),
                   [](const std::string& sentence) { return sentence.rfind("W5 ", 0) == 0; });
   EXPECT_NE(said, bilinear);
-  EXPECT_EQ(plan.work_items, 9u + (bilinear ? 1 : 0) + 12);
+  EXPECT_EQ(plan.work_items, 11u + (bilinear ? 1 : 0) + 12);
   EXPECT_EQ(plan.curves.size(), curves().size());
   EXPECT_EQ(plan.subjects.front().id, "exact");
   EXPECT_EQ(plan.subjects.back().id, "fill");

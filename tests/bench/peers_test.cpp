@@ -29,8 +29,10 @@ TEST(Peers, DrawTheWorkItemsWhereTheyAre) {
   for (const Workload& load : workloads(1)) {
     const auto model = model_rows(load, sample_rows(load.target_side_px, 8, 1), [] {});
     for (const Subject& subject : all.subjects) {
-      const bool filtered = load.filter != SELVAGE_FILTER_NEAREST;
-      if (!subject.refusal(load).empty() || (filtered && !subject.bilinear)) continue;
+      if (!subject.refusal(load).empty() || (load.filter == kBilinear && !subject.bilinear) ||
+          (load.filter == kArea && !subject.area)) {
+        continue;
+      }
       SCOPED_TRACE(load.id + " " + subject.id);
       const ErrorCount errors = judge(subject, load, model);
       ASSERT_GT(errors.covered_px, 0u);
@@ -46,7 +48,8 @@ TEST(Peers, DrawTheWorkItemsWhereTheyAre) {
 // Each drawing keeps to its own target, texture and workload when several are ready to be drawn.
 TEST(Peers, DrawingsReadyTogetherDoNotMix) {
   const std::vector<Workload> loads = workloads(1);
-  const Workload &first = loads.front(), &second = loads.back();
+  const Workload& first = loads.front();
+  const Workload& second = *std::ranges::find(loads, "W6", &Workload::id);
   const Texture first_texture(first.texture_side_texel), second_texture(second.texture_side_texel);
   for (const Subject& subject : peers().subjects) {
     if (!subject.refusal(first).empty() || !subject.refusal(second).empty()) continue;

@@ -20,6 +20,10 @@ TEST_F(SceneFile, NamesFileAndLineOfWhatIsWrongInIt) {
   expect("[0, 1, 5]", "[0, 1]", 2, "camera: position: [x, y, z] is needed, not [0,1]");
   expect("40", "\"wide\"", 2, "camera: view_deg: a number is needed");
   expect("40", "180", 2, "view_deg: must be between 0 and 180");
+  expect("40", "1e-300", 2, "view_deg: must be at least 0.000000001");
+  expect("[0.5, 0.5, 0.5]", "[0.5, 0.5, 1e300]", 3, "ambient: must be within 1000000000");
+  expect("[0, 1, 1]}", "[0, 1, 1], \"level\": [-1e300, 1, 1]}", 4,
+         "lamp 1: level: must be within 1000000000");
   expect("\"towards\": [0, 1, 1]", "", 4, "'towards' is missing");
   expect("[0, 1, 1]", "[0, 0, 0]", 4, "lamp 1: towards: needs a direction");
   expect("#102030", "blue", 5, "background: 'blue' is no colour");

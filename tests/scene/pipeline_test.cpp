@@ -194,6 +194,7 @@ TEST(Problem, NamesWhatIsWrong) {
   };
   expect("target", [](Scene& s) { s.camera.target = s.camera.position; });
   expect("view_deg", [](Scene& s) { s.camera.view_deg = 180; });
+  expect("view_deg must be at least", [](Scene& s) { s.camera.view_deg = 5e-324; });
   expect("nearest", [](Scene& s) { s.camera.nearest_w = 0; });
   expect("axis", [](Scene& s) { s.objects[0].motion.axis = {0, 0, 0}; });
   expect("scale", [](Scene& s) { s.objects[0].motion.scale = -1; });
@@ -212,6 +213,10 @@ TEST(Problem, NamesWhatIsWrong) {
   expect("a lamp's towards needs a direction", [](Scene& s) {
     s.lighting.lamps = {{Vector3::Zero(), Vector3::Ones()}};
   });
+  expect("a lamp's level must be within", [](Scene& s) {
+    s.lighting.lamps = {{Vector3::UnitZ(), {1, -1e300, 1}}};
+  });
+  expect("ambient must be within", [](Scene& s) { s.lighting.ambient.z() = 1e300; });
   expect("no material", [](Scene& s) { s.objects[0].faces[0].material = 1; });
   expect("no texture", [](Scene& s) { s.objects[0].materials[0].texture = 0; });
   expect("32767", [](Scene& s) { s.objects[0].faces[0].corners[0].texture_texel = {0, 40000}; });
