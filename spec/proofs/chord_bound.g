@@ -1,7 +1,7 @@
 #@ -Eprecision=200 -Eno-auto-dichotomy
 # The bound of a row's chord in double: change ratio (ratio - 1) / 4, for R the true ratio of the
 # row's greatest denominator to its least, and `change` not below the true change of u.
-# Claim: with the slacks it is not below the true bound, change R (R - 1) / 4.
+# Claim: with the slack of the ratio it is not below the true bound, change R (R - 1) / 4.
 # Used: src/mapper/tolerance.cpp.
 # By hand: the denominators are off by less than 2^-26 of themselves: of a ratio up to 2^24 by four
 # roundings of the greater one, of a plane's reach up to 2^12 by kPlaneRoundings and two; so one is a
@@ -12,7 +12,7 @@
 
 ratio_by_R = (1 + d1) * (1 + d2) * (1 + r3) * @RATIO_SLACK@ * (1 + r4);
 less_by_R = (ratio_by_R - one_over_R) * (1 + r5);
-factor = ratio_by_R * (1 + r6) * (1 + r7) * (1 + r8) * @CHORD_SLACK@;
+factor = ratio_by_R * (1 + r6) * (1 + r7) * (1 + r8);
 
 { one_over_R in [1b-24, 1]
   /\ |d1| <= 1b-26 /\ |d2| <= 0x1.1p-26 /\ |r3| <= 1b-53 /\ |r4| <= 1b-53

@@ -50,9 +50,7 @@ class SegmentWalk {
             (v_.start_fx16 + i * v_.step_fx16) * w - v_.error_fx16};
   }
   [[nodiscard]] static int64_t whole(double fx16) { return static_cast<int64_t>(std::floor(fx16)); }
-  [[nodiscard]] static int64_t step(double fx16) {
-    return whole(fx16 * (int64_t{1} << kStepShift));  // a power of two: exact
-  }
+  [[nodiscard]] static int64_t step(double fx16) { return static_cast<int64_t>(step_fx32(fx16)); }
 
   const SteppedRow& row_;
   SteppedLine u_, v_;
@@ -86,13 +84,13 @@ void draw_part(const SegmentPart& part, const selvage_texture texture, char* row
   }
 }
 
-// Whether all texels of a part lie in the texture: lanes go one way, but for a unit that their
-// floors may go back.
+// Whether all texels of a part lie in the texture: lanes go one way, but for what their floors take
+// away.
 [[nodiscard]] bool is_inside(const SegmentPart& part, const selvage_texture& texture) {
   const auto all_in = [](int64_t first_fx32, int64_t last_fx32, int32_t size_texel) {
-    constexpr int64_t kBack_fx32 = int64_t{kStepTruncations_fx16} << kStepShift;
-    return std::min(first_fx32, last_fx32) - kBack_fx32 >= 0 &&
-           std::max(first_fx32, last_fx32) + kBack_fx32 < int64_t{size_texel} << kLaneFraction;
+    constexpr int64_t kFloors_fx32 = int64_t{kStepTruncations_fx16} << kStepShift;
+    return std::min(first_fx32, last_fx32) >= kFloors_fx32 &&
+           std::max(first_fx32, last_fx32) < int64_t{size_texel} << kLaneFraction;
   };
   const Lane first = part.at(part.left_px), last = part.at(part.right_px - 1);
   return all_in(first.u_fx32, last.u_fx32, texture.width) &&

@@ -7,7 +7,7 @@
 // lanes of 16.16 are taken afresh from 32.32 at every kStepGroup_px pixels of a segment.
 #pragma once
 
-#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "mapper/lanes.h"
@@ -22,14 +22,16 @@ inline constexpr int kStepShift = kLaneFraction - kTexelFraction;
 inline constexpr int32_t kStepTruncations_fx16 = 3;
 // A step is off by less than this: its own floor, and roundings in double far below a unit.
 inline constexpr int64_t kStepError_fx32 = 2;
-// Of u and of v, from a pixel to the next: with so much, a step fits 32 bits.
-inline constexpr double kMostStep_fx16 = 1 << 30;
+// A step fits 32 bits wherever a chord is within a tolerance: it is below 2^28 units of 2^-16
+// texel. With the names of spec/README.md, 8.9, it is at most s = |du| r / n. As |du| <= 2^32 and n
+// >= 95, it is below 2^28 where r <= 2. Elsewhere s <= 2^32 r / n, and s (r - 1) N^2 / (4 n) <
+// 2^31: their product is s^2 < 2^65 r / (r - 1) / N^2 <= 2^66 / 48^2.
 
 struct SteppedRow {
   Span span;   // the pixels to be drawn
   Span whole;  // the row that the lanes are of: holds the span
   const DividedLanes& lanes;
-  int32_t segment_px;  // a multiple of kStepGroup_px; the last segment may be shorter
+  int32_t segment_px;  // a multiple of kStepGroup_px, the last one shorter, or all of the row
 
   // Counted from the row's first pixel. Segments reach from pixel to pixel: the last one to the
   // last pixel.
@@ -38,6 +40,11 @@ struct SteppedRow {
     return (span.left_px - whole.left_px) / segment_px;
   }
 };
+
+// Floored to 2^-32 texel; the product is by a power of two and exact.
+[[nodiscard]] inline double step_fx32(double step_fx16) {
+  return std::floor(step_fx16 * (1 << kStepShift));
+}
 
 // A coordinate's numerator and the denominator along a row, and what its quotients are lowered by,
 // so that they are not above the true ones.

@@ -39,10 +39,10 @@ RowChoice choose_row(const DividedLanes& lanes, int32_t width_px, int32_t tolera
   const int32_t roundings = roundings_fx16(lanes.margin_fx32(), steps);
   const double change = change_fx16(lanes, steps);
   const double ratio = ratio_of_ends(lanes, steps) * kRatioSlack;
-  if (roundings > tolerance_fx16 || change * ratio > kMostStep_fx16 * steps) return kExact;
+  if (roundings > tolerance_fx16) return kExact;
 
   // Of the whole row's chord; of chords N long it is (N / steps)^2 of this.
-  const double curve = change * ratio * (ratio - 1) / 4 * kChordSlack;
+  const double curve = change * ratio * (ratio - 1) / 4;
   const int32_t budget = tolerance_fx16 - roundings;
   if (curve <= budget) {
     return {SELVAGE_METHOD_AFFINE_FOR_PERSPECTIVE, 0,
@@ -52,7 +52,7 @@ RowChoice choose_row(const DividedLanes& lanes, int32_t width_px, int32_t tolera
   const int32_t segment_px = longest_px - longest_px % kStepGroup_px;
   if (segment_px < kLeastSegment_px) return kExact;
   const double part = static_cast<double>(segment_px) / steps;
-  const double chord = curve * part * part * kChordSlack;
+  const double chord = curve * part * part;
   return {SELVAGE_METHOD_SUBDIVIDED, segment_px,
           roundings + static_cast<int32_t>(std::ceil(chord))};
 }

@@ -15,9 +15,9 @@ namespace selvage::mapper {
 // What is below a unit of the errors in 32.32 takes one unit more.
 inline constexpr int32_t kStepRounding_fx16 = kStepTruncations_fx16 + 1;
 // Factors that hold all roundings in double: of the ratio of two denominators, each off by less
-// than 2^-26 of itself, of a chord's bound, and of the length that is chosen by it.
+// than 2^-26 of itself, and of a chord's bound that is computed from it; of the length that is
+// chosen by that bound.
 inline constexpr double kRatioSlack = 1 + 0x1p-24;
-inline constexpr double kChordSlack = 1 + 0x1p-40;
 inline constexpr double kBudgetSlack = 1 - 0x1p-30;
 // Narrower rows and shorter segments were measured to cost as much as a division a pixel, by some
 // kernel at least.

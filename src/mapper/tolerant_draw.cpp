@@ -12,16 +12,11 @@
 namespace selvage::mapper {
 namespace {
 
-[[nodiscard]] int32_t in_whole_groups_px(int32_t width_px) {
-  return (width_px + kStepGroup_px - 1) / kStepGroup_px * kStepGroup_px;
-}
-
 // A row that is not exact.
 [[nodiscard]] SteppedRow stepped_row(const Span& span, const Span& whole, const DividedLanes& lanes,
                                      const RowChoice& choice) {
-  const int32_t segment_px = choice.method == SELVAGE_METHOD_SUBDIVIDED
-                                 ? choice.segment_px
-                                 : in_whole_groups_px(whole.width_px());
+  const int32_t segment_px =
+      choice.method == SELVAGE_METHOD_SUBDIVIDED ? choice.segment_px : whole.width_px();
   return {span, whole, lanes, segment_px};
 }
 

@@ -34,7 +34,7 @@ HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume
     int64_t u = first.u_fx32 + to_anchor.u_fx32, v = first.v_fx32 + to_anchor.v_fx32;
     for (int32_t count_px = span.right_px - px; count_px > 0; count_px -= kLanes) {
       if (HWY_UNLIKELY(!draw(span.row, px, count_px, Lane{u, v}))) {
-        left->rest[left_count++] = {span.row, px, span.right_px};
+        left->rest[static_cast<size_t>(left_count++)] = {span.row, px, span.right_px};
         if (left_count == Left::kMost) {
           from_px = px + kLanes;
           --i;
@@ -56,7 +56,7 @@ HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Su
   const AffineBatch<Address> batch(spans, surface);
   RowOfTies ties(spans.exact, left.rest[0], 0, batch.spare_bits());
   for (int32_t i = 0; i < left.count; ++i) {
-    const Span& rest = left.rest[i];
+    const Span& rest = left.rest[static_cast<size_t>(i)];
     if (rest.row != ties.span().row) ties.go_to(rest);
     const Lane anchor = batch.anchor(spans.field.at(rest.left_px, rest.row));
     batch.template draw<Pixel>(

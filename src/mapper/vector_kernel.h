@@ -19,10 +19,8 @@ inline constexpr int32_t kNarrow_px = 32;
 // anchor, and by that of the step from there.
 inline constexpr int32_t kVectorTruncations_fx16 = 2;
 
-// In perspective they are floors of estimates that are lowered by so much more than their error,
-// and lack less than twice all that, the floor's unit, and what is left of one where the sum is
-// floored.
-inline constexpr int64_t kDividedSlack_fx32 = 1;
+// In perspective they are floors of estimates that are lowered by their error, and lack less than
+// twice that, the floor's unit, and what is left of one where the sum is floored.
 inline constexpr int32_t kDividedTruncations_fx16 = 2;
 
 // Or they are counted from an anchor, the first of a vector of pixels, in single precision: where

@@ -6,6 +6,7 @@
 #define SELVAGE_VECTOR_LANES_INL_H
 #endif
 
+#include <array>
 #include <bit>
 
 #include "mapper/vector_near_ties-inl.h"
@@ -137,7 +138,7 @@ class FixedLanes {
 struct Left {
   static constexpr int32_t kMost = 64;
   int32_t count = 0;
-  Span rest[kMost];
+  std::array<Span, kMost> rest;
 };
 
 }  // namespace

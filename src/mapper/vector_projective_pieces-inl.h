@@ -19,7 +19,7 @@ struct LeftOfPieces : Left {
   int32_t window_rows[kMost];
 
   HWY_INLINE void put(int32_t i, const Span& rest_of_span, const LaneVectors& lanes, int32_t rows) {
-    rest[i] = rest_of_span;
+    rest[static_cast<size_t>(i)] = rest_of_span;
     window_rows[i] = rows;
     hn::Store(lanes.u, D32(), u_fx16 + i * kLanes);
     hn::Store(lanes.v, D32(), v_fx16 + i * kLanes);
@@ -42,7 +42,7 @@ HWY_NOINLINE void draw_left(const LeftOfPieces& left, const ProjectiveSpans& spa
   const FixedLanes<Address> fixed(surface.texture, lack_fx16);
   RowOfTies ties(spans.exact, left.rest[0], 0, fixed.spare_bits());
   for (int32_t i = 0; i < left.count; ++i) {
-    const Span& rest = left.rest[i];
+    const Span& rest = left.rest[static_cast<size_t>(i)];
     if (rest.row != ties.span().row) ties.go_to(rest);
     fixed.template draw<Pixel>(rest, surface, ties, left.lanes(i), left.low_window(i));
   }

@@ -17,18 +17,17 @@ namespace {
 
 // 16.16 lanes of a span in perspective, in units of 2^-16 texel:
 //
-//     lane <= true value < lane + 2 (error + slack) + 1             (spec/proofs/divided_lanes.g)
+//     lane <= true value < lane + 2 error + 1                       (spec/proofs/divided_lanes.g)
 class DividedVectors {
  public:
   HWY_INLINE explicit DividedVectors(const DividedLanes& lanes)
       : u_(scaled(lanes.u_numerator_fx32())),
         v_(scaled(lanes.v_numerator_fx32())),
         denominator_(lanes.denominator()),
-        error_fx16_(static_cast<double>(lanes.error_fx32() + kDividedSlack_fx32) * kUnit_fx16) {}
+        error_fx16_(static_cast<double>(lanes.error_fx32()) * kUnit_fx16) {}
 
   [[nodiscard]] static HWY_INLINE int32_t lack_fx16(const DividedLanes& lanes) {
-    const int64_t lowered_fx32 = 2 * (lanes.error_fx32() + kDividedSlack_fx32);
-    return static_cast<int32_t>(lowered_fx32 >> kFraction) + kDividedTruncations_fx16;
+    return static_cast<int32_t>(2 * lanes.error_fx32() >> kFraction) + kDividedTruncations_fx16;
   }
 
   // Of kLanes pixels.
@@ -64,13 +63,14 @@ class DividedVectors {
 };
 
 // The most that u changes by from a pixel of the span to the next, |u' d - u d'| over the least d
-// squared, in texels; what cancellation may hide of it is added.
+// squared, in texels. What cancellation may hide of it is added: where u is far from 0 and d steep,
+// it may be more than lanes lack.
 [[nodiscard]] HWY_INLINE double steepest_texel(const DividedLanes::Linear& u_fx32,
                                                const DividedLanes::Linear& d, int32_t width_px) {
   const double least = HWY_MIN(d.start, d.start + (width_px - 1) * d.step);
   const double rise = u_fx32.step * d.start, turn = u_fx32.start * d.step;
   const double most = std::abs(rise - turn) + 0x1p-40 * (std::abs(rise) + std::abs(turn));
-  return least > 0 ? most / (least * least) * kUnit_texel : HUGE_VAL;
+  return most / (least * least) * kUnit_texel;
 }
 
 [[nodiscard]] HWY_INLINE int32_t window_rows(const DividedLanes& lanes, int32_t width_px,
@@ -101,7 +101,7 @@ HWY_INLINE void for_each_vector(const DividedSpan& of, int32_t* px, Left* left, 
   for (; at_px < span.right_px && left_count < Left::kMost; at_px += kLanes) {
     if (HWY_UNLIKELY(
             !draw(at_px, span.right_px - at_px, vectors.lanes_from(at_px - span.left_px)))) {
-      left->rest[left_count++] = {span.row, at_px, span.right_px};
+      left->rest[static_cast<size_t>(left_count++)] = {span.row, at_px, span.right_px};
     }
   }
   *px = at_px;
@@ -159,8 +159,9 @@ HWY_NOINLINE void draw_left(const Left& left, const DividedSpan& of, const Surfa
   const DividedVectors vectors(of.lanes);
   RowOfTies ties(of.exact, of.span, 0, fixed.spare_bits());
   for (int32_t i = 0; i < left.count; ++i) {
-    fixed.template draw<Pixel>(left.rest[i], surface, ties,
-                               vectors.lanes_from(left.rest[i].left_px - of.span.left_px), {});
+    const Span& rest = left.rest[static_cast<size_t>(i)];
+    fixed.template draw<Pixel>(rest, surface, ties,
+                               vectors.lanes_from(rest.left_px - of.span.left_px), {});
   }
 }
 

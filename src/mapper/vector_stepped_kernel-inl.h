@@ -9,6 +9,7 @@
 #define SELVAGE_VECTOR_STEPPED_KERNEL_INL_H
 #endif
 
+#include <array>
 #include <cmath>
 
 #include "mapper/stepped.h"
@@ -36,14 +37,14 @@ class StepOffsets {
     for (int32_t k = 0; k < kVectors; ++k) {
       const V i = hn::Iota(d, k * kLanesOfD);
       const V part = hn::ShiftRight<kStepShift>(hn::Mul(i, hn::Set(d, fraction_)));
-      offset_fx16_[k] = hn::Add(hn::Mul(i, hn::Set(d, whole_)), part);
+      offset_fx16_[static_cast<size_t>(k)] = hn::Add(hn::Mul(i, hn::Set(d, whole_)), part);
     }
   }
 
   // Of vector k of a group whose first pixel has this lane.
   HWY_INLINE hn::Vec<D> lanes(int64_t lane_fx32, int32_t k) const {
     const auto first_fx16 = static_cast<int32_t>(lane_fx32 >> kStepShift);
-    return hn::Add(hn::Set(D(), first_fx16), offset_fx16_[k]);
+    return hn::Add(hn::Set(D(), first_fx16), offset_fx16_[static_cast<size_t>(k)]);
   }
   HWY_INLINE hn::Vec<D> texels(int64_t lane_fx32, int32_t k) const {
     return hn::ShiftRight<kTexelFraction>(lanes(lane_fx32, k));
@@ -58,7 +59,7 @@ class StepOffsets {
  private:
   using V = hn::Vec<D>;
   int32_t whole_, fraction_;
-  V offset_fx16_[kVectors];
+  std::array<V, kVectors> offset_fx16_;
 };
 
 // Groups of a segment by windows.
@@ -73,7 +74,7 @@ class StepWindows {
         extent_(extent_of(texture)),
         texels_(static_cast<const Pixel*>(texture.texels)) {}
 
-  [[nodiscard]] HWY_INLINE bool any() const { return kHasWindows && rows_ != 0; }
+  [[nodiscard]] HWY_INLINE bool any() const { return rows_ != 0; }
   // All pixels of the group whose first one has this lane; false where windows do not hold them.
   [[nodiscard]] HWY_INLINE bool draw(Lane lane, Pixel* to) const {
     const int32_t last_column = extent_.width_texel - kLanes;
@@ -203,8 +204,9 @@ class SomeSegments {
     if (rest_px < segment_px_) finish(count - 1, rest_px, end_u, end_v);
   }
 
-  // The k-th of those that were made.
-  HWY_INLINE Segment at(int32_t k) const {
+  // One of those that were made.
+  HWY_INLINE Segment at(int32_t segment) const {
+    const auto k = static_cast<size_t>(segment);
     const auto fx32 = [](int32_t whole_fx16, int32_t part) {
       return int64_t{whole_fx16} * (1 << kStepShift) + part;
     };
@@ -213,6 +215,8 @@ class SomeSegments {
   }
 
  private:
+  using PerSegment = std::array<int32_t, kMost>;
+
   static HWY_INLINE VD line(double start, double step, VD i) {
     return hn::Add(hn::Set(DD(), start), hn::Mul(i, hn::Set(DD(), step)));
   }
@@ -222,27 +226,28 @@ class SomeSegments {
 
   // Floors of kDoubles starts, and steps as whole units and 1/65536 of them.
   static HWY_INLINE void store(const double* from, const double* to, VD per_px, int32_t k,
-                               int32_t* HWY_RESTRICT start, int32_t* HWY_RESTRICT whole,
-                               int32_t* HWY_RESTRICT part) {
+                               PerSegment& start, PerSegment& whole, PerSegment& part) {
     const DD d;
     const DHalf d32;
     const VD a = hn::Load(d, from);
     const VD step = hn::Mul(hn::Sub(hn::LoadU(d, to), a), per_px);
-    const VD floor = hn::Floor(step);
-    const VD fraction = hn::Mul(hn::Sub(step, floor), hn::Set(d, double{1 << kStepShift}));
-    hn::Store(hn::DemoteTo(d32, hn::Floor(a)), d32, start + k);
-    hn::Store(hn::DemoteTo(d32, floor), d32, whole + k);
-    hn::Store(hn::DemoteTo(d32, fraction), d32, part + k);  // truncated: not negative
+    // As step_fx32() and its parts, all exact: a tiny step below 0 is one of -1 unit too.
+    constexpr double kUnits = 1 << kStepShift;
+    const VD units = hn::Floor(hn::Mul(step, hn::Set(d, kUnits)));
+    const VD floor = hn::Floor(hn::Mul(units, hn::Set(d, 1 / kUnits)));
+    const VD fraction = hn::Sub(units, hn::Mul(floor, hn::Set(d, kUnits)));
+    hn::Store(hn::DemoteTo(d32, hn::Floor(a)), d32, start.data() + k);
+    hn::Store(hn::DemoteTo(d32, floor), d32, whole.data() + k);
+    hn::Store(hn::DemoteTo(d32, fraction), d32, part.data() + k);
   }
 
   // The row's last segment is shorter, or a single pixel.
   HWY_NOINLINE void finish(int32_t k, int32_t length_px, const double* end_u, const double* end_v) {
     const double per_px = length_px > 0 ? 1.0 / length_px : 0;
-    const auto set = [&](const double* end, int32_t* whole, int32_t* part) {
-      const double step = (end[k + 1] - end[k]) * per_px;
-      const double floor = std::floor(step);
-      whole[k] = static_cast<int32_t>(floor);
-      part[k] = static_cast<int32_t>((step - floor) * (1 << kStepShift));
+    const auto set = [&](const double* end, PerSegment& whole, PerSegment& part) {
+      const auto units = static_cast<int64_t>(step_fx32((end[k + 1] - end[k]) * per_px));
+      whole[static_cast<size_t>(k)] = static_cast<int32_t>(units >> kStepShift);
+      part[static_cast<size_t>(k)] = static_cast<int32_t>(units & ((1 << kStepShift) - 1));
     };
     set(end_u, whole_u_, part_u_);
     set(end_v, whole_v_, part_v_);
@@ -251,8 +256,8 @@ class SomeSegments {
   SteppedLine u_, v_;
   DividedLanes::Linear denominator_;
   int32_t segment_px_, last_px_;
-  HWY_ALIGN int32_t start_u_[kMost], whole_u_[kMost], part_u_[kMost];
-  HWY_ALIGN int32_t start_v_[kMost], whole_v_[kMost], part_v_[kMost];
+  HWY_ALIGN PerSegment start_u_, whole_u_, part_u_;
+  HWY_ALIGN PerSegment start_v_, whole_v_, part_v_;
 };
 
 template <class Pixel, class Address>
