@@ -130,5 +130,23 @@ TEST(Image, IsInTilesAsManyAsHoldIt) {
   }
 }
 
+// Not a tile's bytes: one of their bits more or less, whichever it is.
+TEST(Image, OfTilesHasPitchAndAddressInWholeTiles) {
+  alignas(64) static std::array<char, 1024> block{};
+  for (const selvage_format format : {SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888}) {
+    const ptrdiff_t tile = 16 * bytes_per_pixel(format);
+    selvage_texture tiles{block.data(), 4, 4, 2 * tile, format, SELVAGE_LAYOUT_TILES, nullptr};
+    EXPECT_EQ(check_texture(&tiles), SELVAGE_OK);
+    for (ptrdiff_t beside = 1; beside < tile; ++beside) {
+      tiles.pitch = 2 * tile + beside;
+      EXPECT_EQ(check_texture(&tiles), SELVAGE_ERROR_TEXTURE_PITCH) << beside;
+      tiles.pitch = 2 * tile;
+      tiles.texels = block.data() + beside;
+      EXPECT_EQ(check_texture(&tiles), SELVAGE_ERROR_TEXTURE_ALIGNMENT) << beside;
+      tiles.texels = block.data();
+    }
+  }
+}
+
 }  // namespace
 }  // namespace selvage::mapper

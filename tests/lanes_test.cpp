@@ -140,6 +140,21 @@ TEST(Lanes, HaveTheMarginsOfTheProofs) {
   }
 }
 
+// u is -(1 + 1 / (65536 a w - 1)) of 1/2^32 texel: so little beyond a unit that estimates in double
+// are at it, or short of it.
+TEST(Lanes, StartAtTheFloorOfWhatIsBeyondAUnitByAHair) {
+  spec::Random random(4);
+  constexpr int64_t kWeight = 1 << 20;
+  for (int i = 0; i < 1000; ++i) {
+    const int64_t a = random.in(1 << 24, INT32_MAX);
+    const EdgePoint left{1, kHalfPixel - kWeight, 0, 0, 1};
+    const EdgePoint right{1, kHalfPixel + kWeight - 1, int128{-a}, int128{a}, 65536 * a - 1};
+    const AffineLanes lanes(SpanMap(left, right), Span{0, 0, 1});
+    ASSERT_EQ(lanes.at(0).u_fx32, -2) << a;
+    ASSERT_EQ(lanes.at(0).v_fx32, 1) << a;
+  }
+}
+
 // A quotient that is whole, by divisors whose reciprocals are rounded.
 TEST(Lanes, StartAtAWholeUnitWhateverTheDivisor) {
   for (int64_t q = 1; q < 3000; ++q) {

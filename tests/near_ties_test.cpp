@@ -139,7 +139,6 @@ TEST(NearTies, AreFewInPiecesOfSteepSpans) {
   }
 }
 
-// A kernel takes steep spans whole, too.
 void expect_alike_over_a_steep_span(int32_t least_q) {
   const SpanMap map = steep(kWidth_px, true, least_q);
   const Span whole{0, 0, kWidth_px};
@@ -164,9 +163,9 @@ void expect_alike_over_a_steep_span(int32_t least_q) {
   }
 }
 
-// Lanes lack two steps of the filters' grid, one and a little more, or less.
+// Far steeper than what is drawn: lanes lack little less than a step of the filters' grid.
 TEST(NearTies, MayBeAllPixelsOfASpan) {
-  for (const int32_t least_q : {1, 2, 3, 4}) expect_alike_over_a_steep_span(least_q);
+  for (const int32_t least_q : {3, 4}) expect_alike_over_a_steep_span(least_q);
 }
 
 }  // namespace

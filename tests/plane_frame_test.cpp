@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace selvage::mapper {
@@ -35,6 +39,46 @@ TEST(PlaneFrame, IsNotOfVerticesOnOneLine) {
   EXPECT_EQ(PlaneFrame::of(std::vector{at(0, 0), at(0, 0), at(1, 1)}).doubled_area(), 0);
   EXPECT_EQ(PlaneFrame::of(std::vector{at(0, 0), at(7, 7), at(1, 1), at(-9, -9)}).doubled_area(),
             0);
+}
+
+[[nodiscard]] std::array<std::pair<int32_t, int32_t>, 3> places(const PlaneFrame& frame) {
+  const selvage_vertex &a = frame.origin(), &b = frame.second(), &c = frame.third();
+  return {std::pair(a.x, a.y), {b.x, b.y}, {c.x, c.y}};
+}
+
+// Of a parallelogram, two vertices are as far from the line through the other two.
+TEST(PlaneFrame, IsTheSameWhateverTheOrderOfVertices) {
+  std::vector<std::vector<selvage_vertex>> outlines = {
+      {at(0, 0), at(1, 0), at(0, 1)},
+      {at(0, 0), at(256, 0), at(256, 256), at(0, 256)},
+      {at(0, 0), at(300, 100), at(400, 500), at(100, 400)},
+      {at(0, 0), at(300, 100), at(400, 500), at(400, 500), at(100, 400)},
+      {at(9, 9), at(-50, 300), at(8, 2), at(600, -7), at(44, 44)},
+  };
+  for (std::vector<selvage_vertex>& outline : outlines) {
+    const auto found = [&] {
+      const PlaneFrame frame = PlaneFrame::canonical(outline);
+      EXPECT_GT(frame.doubled_area(), 0);
+      return places(frame);
+    };
+    const auto wanted = found();
+    for (size_t i = 0; i < outline.size(); ++i) {
+      std::ranges::rotate(outline, outline.begin() + 1);
+      EXPECT_EQ(found(), wanted);
+      std::ranges::reverse(outline);
+      EXPECT_EQ(found(), wanted);
+    }
+  }
+}
+
+TEST(PlaneFrame, IsOfTheLeastAreasThatThereAre) {
+  for (const selvage_vertex third : {at(0, 1), at(1, 1), at(-1, -1), at(0, -1), at(2, 1)}) {
+    EXPECT_EQ(PlaneFrame::canonical(std::vector{at(0, 0), at(1, 0), third}).doubled_area(), 1)
+        << third.x << ", " << third.y;
+  }
+  const auto line = std::vector{at(0, 0), at(7, 7), at(1, 1), at(-9, -9)};
+  EXPECT_EQ(PlaneFrame::canonical(line).doubled_area(), 0);
+  EXPECT_EQ(PlaneFrame::canonical(std::vector{at(3, 4), at(3, 4), at(3, 4)}).doubled_area(), 0);
 }
 
 }  // namespace

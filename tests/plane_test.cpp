@@ -178,11 +178,36 @@ TEST(Plane, MarginHasAUnitForTheStartAndForEachStep) {
   return static_cast<int64_t>(n / d - (n % d < 0 ? 1 : 0));
 }
 
+// The plane of a triangle, if it has one; its lanes start at floors and go on by floors.
+[[nodiscard]] std::optional<Plane> with_floors(const std::vector<selvage_vertex>& triangle) {
+  Polygon polygon;
+  if (examine(triangle, &polygon) != SELVAGE_OK) return std::nullopt;
+  const auto plane = Plane::of(polygon, {-32768, -32768, 32768, 32768});
+  if (!plane) return std::nullopt;
+  const PlaneFrame frame = PlaneFrame::of(triangle);
+  const selvage_vertex& origin = frame.origin();
+  const AffineField& lanes = plane->lanes();
+  const int64_t dx = centre_fx8(lanes.first_px) - int64_t{origin.x};
+  const int64_t dy = centre_fx8(lanes.first_row) - int64_t{origin.y};
+  for (const auto& [texel, lane] : {std::pair(&selvage_vertex::u, &Lane::u_fx32),
+                                    std::pair(&selvage_vertex::v, &Lane::v_fx32)}) {
+    const auto [a, b] = frame.gradient<int64_t>(int64_t{frame.second().*texel} - origin.*texel,
+                                                int64_t{frame.third().*texel} - origin.*texel);
+    const int64_t d = frame.doubled_area();
+    EXPECT_EQ(lanes.step_x.*lane, floor_of(int128{a} << 24, d));
+    EXPECT_EQ(lanes.step_y.*lane, floor_of(int128{b} << 24, d));
+    EXPECT_EQ(lanes.start.*lane, (int64_t{origin.*texel} << 16) +
+                                     floor_of((int128{a} * dx + int128{b} * dy) << 16, d));
+  }
+  return plane;
+}
+
 // Slivers on which estimates in double are several units off, and gradients that are whole.
 TEST(Plane, StartsAndStepsAreFloorsHoweverSteep) {
   spec::Random random(12);
   int planes = 0, steep = 0;
-  for (int i = 0; i < 30000; ++i) {
+  for (int i = 0; i < 30000 && !HasFailure(); ++i) {
+    SCOPED_TRACE(i);
     const int32_t far = 1 << random.in(1, 13), furthest = 1 << random.in(1, 31);
     const int32_t unit = random.pick({1, 1, 256});
     std::vector<selvage_vertex> triangle;
@@ -192,31 +217,43 @@ TEST(Plane, StartsAndStepsAreFloorsHoweverSteep) {
       const int32_t u = whole ? x * unit : random.in(-furthest, furthest);
       triangle.push_back({x, y, u, random.in(-furthest, furthest), 1});
     }
-    Polygon polygon;
-    if (examine(triangle, &polygon) != SELVAGE_OK) continue;
-    const auto plane = Plane::of(polygon, {-32768, -32768, 32768, 32768});
+    const std::optional<Plane> plane = with_floors(triangle);
     if (!plane) continue;
     ++planes;
-    const PlaneFrame frame = PlaneFrame::of(triangle);
-    const selvage_vertex& origin = frame.origin();
-    const AffineField& lanes = plane->lanes();
-    const int64_t dx = centre_fx8(lanes.first_px) - int64_t{origin.x};
-    const int64_t dy = centre_fx8(lanes.first_row) - int64_t{origin.y};
-    for (const auto& [texel, lane] : {std::pair(&selvage_vertex::u, &Lane::u_fx32),
-                                      std::pair(&selvage_vertex::v, &Lane::v_fx32)}) {
-      const auto [a, b] = frame.gradient<int64_t>(int64_t{frame.second().*texel} - origin.*texel,
-                                                  int64_t{frame.third().*texel} - origin.*texel);
-      const int64_t d = frame.doubled_area();
-      ASSERT_EQ(lanes.step_x.*lane, floor_of(int128{a} << 24, d)) << i;
-      ASSERT_EQ(lanes.step_y.*lane, floor_of(int128{b} << 24, d)) << i;
-      ASSERT_EQ(lanes.start.*lane, (int64_t{origin.*texel} << 16) +
-                                       floor_of((int128{a} * dx + int128{b} * dy) << 16, d))
-          << i;
-      steep += std::abs(lanes.step_x.*lane) > int64_t{1} << 50 ? 1 : 0;
-    }
+    steep += std::abs(plane->lanes().step_x.u_fx32) > int64_t{1} << 50 ? 1 : 0;
+    steep += std::abs(plane->lanes().step_x.v_fx32) > int64_t{1} << 50 ? 1 : 0;
   }
   EXPECT_GT(planes, 10000);
   EXPECT_GT(steep, 100);
+}
+
+// (s, t) with a s + b t the greatest common divisor of a and b.
+[[nodiscard]] std::pair<int32_t, int32_t> bezout(int32_t a, int32_t b) {
+  if (b == 0) return {1, 0};
+  const auto [s, t] = bezout(b, a % b);
+  return {t, s - a / b * t};
+}
+
+// Long slivers of an area of a few units: their planes rise far from the first vertex to the first
+// pixel, and remainders are often the least or the greatest that there can be.
+TEST(Plane, StartsAndStepsAreFloorsOfTheThinnestSlivers) {
+  spec::Random random(13);
+  int planes = 0;
+  for (int i = 0; i < 60000 && !HasFailure(); ++i) {
+    SCOPED_TRACE(i);
+    const int32_t x = random.in(2048, 8192), y = random.in(2048, 8192) * random.pick({1, -1});
+    const int32_t area = random.in(3, 60), more = random.in(-1, 2);
+    const int32_t furthest = random.in(1 << 6, 1 << 12);
+    const auto [s, t] = bezout(x, y);
+    std::vector<selvage_vertex> triangle = {
+        {x, y, 0, 0, 1}, {0, 0, 0, 0, 1}, {more * x - area * t, more * y + area * s, 0, 0, 1}};
+    for (selvage_vertex& vertex : triangle) {
+      vertex.u = random.in(-furthest, furthest);
+      vertex.v = random.in(-furthest, furthest);
+    }
+    planes += with_floors(triangle) ? 1 : 0;
+  }
+  EXPECT_GT(planes, 30000);
 }
 
 }  // namespace

@@ -135,6 +135,21 @@ TEST(Prepare, SumsUpEveryRectangleFromTheCorner) {
   }
 }
 
+// Of 3 texels, a row of sums fills its pitch.
+TEST(Prepare, WritesNothingBehindTheSums) {
+  for (const int32_t width : {1, 2, 3, 4, 11}) {
+    spec::Random random(3);
+    const spec::Canvas texels = random_texels(random, SELVAGE_RGBA8888, width, 5);
+    const selvage_texture source = texels.texture();
+    const size_t bytes = selvage_prepare_bytes(&source, SELVAGE_LAYOUT_ROWS, 1);
+    Memory64 memory(bytes);
+    selvage_texture prepared{};
+    ASSERT_EQ(selvage_prepare(&source, SELVAGE_LAYOUT_ROWS, 1, memory.data(), bytes, &prepared),
+              SELVAGE_OK);
+    for (size_t i = 0; i < 32; ++i) ASSERT_EQ(memory.data()[bytes + i], Memory64::kFill) << width;
+  }
+}
+
 class PrepareRefuses : public testing::Test {
  protected:
   // Whatever was spoiled: nothing is written, the descriptor neither.
@@ -251,6 +266,11 @@ TEST(PreparedMemory, EndsBeforeAddressesDo) {
   selvage_texture texture{&texel, 1, kHeight, 64, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr};
   EXPECT_NE(place_of_sums(texture), nullptr);
   texture.pitch = PTRDIFF_MAX / kHeight;
+  EXPECT_EQ(place_of_sums(texture), nullptr);
+  texture.pitch = -64;  // sums lie behind the last row
+  EXPECT_EQ(place_of_sums(texture), nullptr);
+  texture.pitch = 64;
+  texture.format = SELVAGE_INDEX8;  // and are of four channels
   EXPECT_EQ(place_of_sums(texture), nullptr);
 }
 

@@ -47,6 +47,8 @@ TEST(Snap, AcceptsTheEndsOfTheRange) {
   EXPECT_EQ(snap(-32768, -32768, -32768, -32768).vertex.u, INT32_MIN);
   EXPECT_EQ(snap(32768 - 1.0 / 256, 0, 32768 - 1.0 / 65536).vertex.x, SELVAGE_X_END - 1);
   EXPECT_EQ(snap(32768 - 1.0 / 256, 0, 32768 - 1.0 / 65536).vertex.u, INT32_MAX);
+  EXPECT_EQ(snap(0, 32768 - 1.0 / 256, 0, 32768 - 1.0 / 65536).vertex.y, SELVAGE_X_END - 1);
+  EXPECT_EQ(snap(0, 32768 - 1.0 / 256, 0, 32768 - 1.0 / 65536).vertex.v, INT32_MAX);
 }
 
 TEST(Snap, RefusesWhatHasNoVertex) {

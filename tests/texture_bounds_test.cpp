@@ -50,7 +50,7 @@ struct Drawing {
 };
 
 // About one of the texture's four corners, at most a texel a pixel in most.
-[[nodiscard]] Drawing any_drawing(uint64_t seed) {
+[[nodiscard]] Drawing any_drawing(uint64_t seed, int32_t side_px) {
   static constexpr int32_t kSizes[] = {1, 2, 3, 8, 15, 16, 17, 18, 31, 40};
   static constexpr int32_t kSlopes_fx16[] = {65536, 32768, 65535, 21845, 4000, 0, 90000};
   spec::Random random(seed);
@@ -63,14 +63,15 @@ struct Drawing {
   }
   d.width_texel = random.pick(kSizes);
   d.height_texel = random.pick(kSizes);
-  const int32_t across = random.pick(kSlopes_fx16) * random.pick({1, -1});
-  const int32_t down = random.pick(kSlopes_fx16) * random.pick({1, -1});
+  const auto slope = [&] { return random.pick(kSlopes_fx16) * random.pick({1, -1, 0}); };
+  const int32_t across = slope(), down = slope();
   const int32_t u = (random.percent(50) ? d.width_texel : 0) * 65536 + random.in(-300000, 300000);
   const int32_t v = (random.percent(50) ? d.height_texel : 0) * 65536 + random.in(-300000, 300000);
-  const int32_t q = random.percent(50) ? 1 : random.in(2, 9);
-  d.vertices = {{0, 0, u, v, 1},
-                {100 * 256, 0, u + 100 * across, v + 100 * down, q},
-                {0, 100 * 256, u - 100 * down, v + 100 * across, 1}};
+  const int32_t least_q = side_px < 32 ? 256 : 1;  // the smaller, the gentler
+  const int32_t q = least_q + (random.percent(50) ? 0 : random.in(1, 8));
+  d.vertices = {{0, 0, u, v, least_q},
+                {side_px * 256, 0, u + side_px * across, v + side_px * down, q},
+                {0, side_px * 256, u - side_px * down, v + side_px * across, least_q}};
   return d;
 }
 
@@ -78,12 +79,15 @@ struct Drawing {
   return format == SELVAGE_RGBA8888 ? 4 : format == SELVAGE_RGB565 ? 2 : 1;
 }
 
-TEST(TextureBounds, AreKeptByEveryKernel) {
+// Of two sizes: a small polygon may have all its texels in one window.
+class TextureBoundsOf : public testing::TestWithParam<int32_t> {};
+
+TEST_P(TextureBoundsOf, AreKeptByEveryKernel) {
   constexpr int32_t kWidths_px[] = {70, 9, 30, 70}, kHeight_px = 12;
   std::vector<uint32_t> row(kWidths_px[0] * kHeight_px);
-  for (uint64_t seed = 1; seed <= 1500; ++seed) {
+  for (uint64_t seed = 1; seed <= 6000; ++seed) {
     SCOPED_TRACE(seed);
-    Drawing d = any_drawing(seed);
+    Drawing d = any_drawing(seed, GetParam());
     const ptrdiff_t pitch = d.width_texel * bytes_of(d.format);
     const auto bytes = static_cast<size_t>(pitch * d.height_texel);
     const FencedBytes texels(bytes, seed % 2 == 0 ? Side::kFirst : Side::kLast);
@@ -104,6 +108,44 @@ TEST(TextureBounds, AreKeptByEveryKernel) {
       ASSERT_EQ(selvage_draw(&target, nullptr, d.vertices.data(), d.vertices.size(), &texture,
                              &d.options),
                 SELVAGE_OK);
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Side, TextureBoundsOf, testing::Values(12, 100));
+
+// Columns of less than a pixel, along which u and v run so fast that the pixels of a vector that
+// are not there lie anywhere, which must be in the texture all the same.
+TEST(TextureBounds, AreKeptWherePixelsAreNotThere) {
+  constexpr int32_t kHeight_px = 20, kWidth_px = 20;
+  std::vector<uint32_t> pixels(kWidth_px * kHeight_px);
+  const selvage_image target{pixels.data(), kWidth_px, kHeight_px, kWidth_px * 4, SELVAGE_RGBA8888};
+  for (uint64_t seed = 1; seed <= 1500; ++seed) {
+    SCOPED_TRACE(seed);
+    spec::Random random(seed);
+    const int32_t width_texel = random.in(1, 12), height_texel = random.in(1, 12);
+    const ptrdiff_t pitch = width_texel * 4;
+    const auto bytes = static_cast<size_t>(pitch * height_texel);
+    const FencedBytes texels(bytes, seed % 2 == 0 ? Side::kFirst : Side::kLast);
+    std::memset(texels.first(), 0x3C, bytes);
+    const selvage_texture texture{texels.first(),   width_texel,         height_texel, pitch,
+                                  SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr};
+    const int32_t left = random.in(3, 10) * 256 + 128 - random.in(0, 64);
+    const int32_t right = left + random.in(17, 200);
+    const auto texel = [&] { return random.in(INT32_MIN / 2, INT32_MAX / 2) * random.in(0, 3); };
+    const std::vector<selvage_vertex> sliver = {
+        {left, 0, texel(), texel(), 1},
+        {right, random.in(0, 256), texel(), texel(), 1},
+        {left + random.in(0, 9), kHeight_px * 256, texel(), texel(), 1}};
+    for (const selvage_kernel kernel : usable_kernels()) {
+      for (const auto filter :
+           {SELVAGE_FILTER_NEAREST, SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR}) {
+        const selvage_options options{SELVAGE_PROFILE_EXACT, filter,
+                                      seed % 4 < 3 ? SELVAGE_ADDRESS_WRAP : SELVAGE_ADDRESS_CLAMP,
+                                      0, kernel};
+        ASSERT_EQ(selvage_draw(&target, nullptr, sliver.data(), sliver.size(), &texture, &options),
+                  SELVAGE_OK);
+      }
     }
   }
 }

@@ -43,6 +43,8 @@ void draw_plane(const Map& plane, const Polygon& polygon, const selvage_rect& vi
   while (walk.next(&batch)) draw({batch, plane.lanes(), polygon.texels, ExactMap(plane)}, surface);
 }
 
+static_assert(kGentleRatio <= kMostReach, "kernels count on lanes that lack no more");
+
 void draw_in_perspective(const SpanMap& map, const Span& span, const TexelBox& texels,
                          const Surface& surface, const Kernels& kernels) {
   const auto draw = [&](const Span& part, const ProjectiveLanes& lanes) {

@@ -180,10 +180,8 @@ void draw_blended_affine(const AffineSpans& spans, const Surface& surface) {
                [&](auto address) { blend_affine<kFour, decltype(address)>(spans, surface); });
 }
 
-// Where lanes may lack more than a step of the grid, one decision is not enough.
-[[nodiscard]] inline bool are_fine(const ProjectiveField& lanes) {
-  return 2 * lanes.error_fx32 < int64_t{1} << kGridFraction;
-}
+// Lanes lack less than a step of the grid, so that one decision is enough.
+static_assert(2 * (int64_t{kMostReach} + kProjectiveTruncations_fx32) >> kGridFraction == 0);
 
 // One body for both filters: it is large, and there is one for each address mode.
 template <class Address>
@@ -204,10 +202,6 @@ HWY_NOINLINE void blend_projective(const ProjectiveSpans& spans, const Surface& 
 
 template <bool kFour>
 void draw_blended_projective(const ProjectiveSpans& spans, const Surface& surface) {
-  if (!are_fine(spans.field)) {
-    const auto& scalar = scalar_kernels(kFour ? SELVAGE_FILTER_FOUR : SELVAGE_FILTER_BILINEAR);
-    return scalar.draw_projective(spans, surface);
-  }
   with_address(surface,
                [&](auto address) { blend_projective<decltype(address)>(spans, surface, kFour); });
 }

@@ -80,7 +80,8 @@ struct WrapMaskedVector {
   }
 };
 
-// |texel| <= 2^16: its quotient by a rounded reciprocal is off by one at most.
+// |texel| <= 2^23: roundings move a quotient by less than 1 / size, which is what it lacks of the
+// next whole number at least, so that its floor is never too high, and too low by one at most.
 struct WrapVector {
   using Scalar = Wrap;
   static HWY_INLINE Origin origin(int32_t texel, int32_t /*last*/, int32_t size_texel) {
@@ -101,8 +102,7 @@ struct WrapVector {
     const auto reciprocal = hn::Set(df, 1.0F / static_cast<float>(size_texel));
     const V quotient = hn::ConvertTo(d, hn::Floor(hn::Mul(hn::ConvertTo(df, texel), reciprocal)));
     const V size = hn::Set(d, size_texel);
-    V rest = hn::Sub(texel, hn::Mul(quotient, size));
-    rest = hn::IfThenElse(hn::Lt(rest, hn::Zero(d)), hn::Add(rest, size), rest);
+    const V rest = hn::Sub(texel, hn::Mul(quotient, size));
     return hn::IfThenElse(hn::Lt(rest, size), rest, hn::Sub(rest, size));
   }
 };

@@ -37,7 +37,7 @@ static_assert(!kHasWindows || 1 << kWindowColumnBits == kLanes);
   constexpr int64_t kOne = int64_t{1} << kLaneFraction;
   const auto magnitude = [](int64_t step) { return step < 0 ? -step : step; };
   if (!kHasWindows || texture.layout != SELVAGE_LAYOUT_ROWS || texture.width < kLanes ||
-      magnitude(step_fx32.u_fx32) > kOne || magnitude(step_fx32.v_fx32) > kOne) {
+      magnitude(step_fx32.u_fx32) > kOne) {
     return 0;
   }
   // Two texels no further apart than n are in n rounded up, plus one, rows.
