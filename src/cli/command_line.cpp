@@ -78,51 +78,70 @@ constexpr const char* kLawsExamples = R"(Examples:
   return std::string(examples) + "\n" + exit_codes;
 }
 
-CLI::App* add_draw(CLI::App& program, DrawOptions& options) {
-  CLI::App* draw = program.add_subcommand("draw", "Draw a picture onto polygons, to PNG");
-  draw->add_option("--texture", options.texture, "PNG or JPEG to draw with")
+// The polygons and the picture on them.
+void add_polygons(CLI::App& draw, DrawOptions& options) {
+  draw.add_option("--texture", options.texture, "PNG or JPEG to draw with")
       ->required()
       ->type_name("FILE");
   CLI::Option* polygon =
-      draw->add_option("--polygon", options.polygons,
-                       "Vertices 'x,y,u,v[,w] ...' in pixels and texels; w is the distance along "
-                       "the view axis, 1 if left out. May be repeated")
+      draw.add_option("--polygon", options.polygons,
+                      "Vertices 'x,y,u,v[,w] ...' in pixels and texels; w is the distance along "
+                      "the view axis, 1 if left out. May be repeated")
           ->type_name("TEXT")
           ->allow_extra_args(false);
-  draw->add_option("--polygon-file", options.polygon_file, "The same from a small JSON file")
+  draw.add_option("--polygon-file", options.polygon_file, "The same from a small JSON file")
       ->type_name("FILE")
       ->excludes(polygon);
-  draw->add_option("--size", options.size,
-                   "Size of the output; that of the background picture if left out")
+}
+
+// Where they are drawn.
+void add_target(CLI::App& draw, DrawOptions& options) {
+  draw.add_option("--size", options.size,
+                  "Size of the output; that of the background picture if left out")
       ->type_name("WxH");
-  draw->add_option("--background", options.background, "#rgb, #rrggbb, #rrggbbaa, or a PNG or JPEG")
+  draw.add_option("--background", options.background, "#rgb, #rrggbb, #rrggbbaa, or a PNG or JPEG")
       ->type_name("COLOUR|FILE")
       ->capture_default_str();
-  draw->add_option("--clip", options.clip,
-                   "Draw only columns [l, r) and rows [t, b); wins over the polygon file")
+  draw.add_option("--clip", options.clip,
+                  "Draw only columns [l, r) and rows [t, b); wins over the polygon file")
       ->type_name("l,t,r,b");
-  draw->add_option("--address", options.address,
-                   "Beyond the texture: clamp (the default) or wrap; wins over the polygon file")
+}
+
+// How they are drawn.
+void add_manner(CLI::App& draw, DrawOptions& options) {
+  draw.add_option("--address", options.address,
+                  "Beyond the texture: clamp (the default) or wrap; wins over the polygon file")
       ->type_name("MODE");
-  draw->add_option("--filter", options.filter,
-                   "How texels make a pixel: nearest (the default), four, bilinear or area; wins "
-                   "over the polygon file")
+  draw.add_option("--filter", options.filter,
+                  "How texels make a pixel: nearest (the default), four, bilinear or area; wins "
+                  "over the polygon file")
       ->type_name("NAME");
-  draw->add_option("--tolerance", options.tolerance,
-                   "How far u and v may be off, in texels, for speed; 0, the default, is exact")
+  draw.add_option("--tolerance", options.tolerance,
+                  "How far u and v may be off, in texels, for speed; 0, the default, is exact")
       ->type_name("TEXELS");
-  draw->add_option("--profile", options.profile,
-                   "Conventions to draw by: exact (the default), abrash56, abrash57 or dkit; wins "
-                   "over the polygon file")
+  draw.add_option("--profile", options.profile,
+                  "Conventions to draw by: exact (the default), abrash56, abrash57 or dkit; wins "
+                  "over the polygon file")
       ->type_name("NAME");
-  draw->add_option("--format", options.format, "Format to draw in: rgba8888, rgb565 or grey8")
+}
+
+void add_output(CLI::App& draw, DrawOptions& options) {
+  draw.add_option("--format", options.format, "Format to draw in: rgba8888, rgb565 or grey8")
       ->type_name("FORMAT")
       ->capture_default_str();
-  draw->add_option("-o,--output", options.output, "PNG to write")->required()->type_name("FILE");
-  draw->add_option("--threads", options.threads,
-                   "Draw with at most N threads; 0 takes all. The picture is the same")
+  draw.add_option("-o,--output", options.output, "PNG to write")->required()->type_name("FILE");
+  draw.add_option("--threads", options.threads,
+                  "Draw with at most N threads; 0 takes all. The picture is the same")
       ->type_name("N")
       ->capture_default_str();
+}
+
+CLI::App* add_draw(CLI::App& program, DrawOptions& options) {
+  CLI::App* draw = program.add_subcommand("draw", "Draw a picture onto polygons, to PNG");
+  add_polygons(*draw, options);
+  add_target(*draw, options);
+  add_manner(*draw, options);
+  add_output(*draw, options);
   draw->add_flag("--json", options.json, "Print size, covered pixels, time and methods as JSON");
   draw->footer(footer(kDrawExamples));
   return draw;

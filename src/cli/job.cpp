@@ -7,6 +7,7 @@
 
 #include "cli/error.h"
 #include "cli/number.h"
+#include "scene/tolerance.h"
 #include "spec/profiles.h"
 
 namespace selvage::cli {
@@ -30,6 +31,11 @@ namespace {
     }
   }
   return least;
+}
+
+[[nodiscard]] UserError no_tolerance(const std::string& given) {
+  return UserError("'" + given + "' is no tolerance; 0 to " + show(scene::kMostTolerance_texel) +
+                   " texels are");
 }
 
 }  // namespace
@@ -56,14 +62,13 @@ selvage_filter parse_filter(std::string_view name) {
 }
 
 double checked_tolerance(double texels) {
-  constexpr double kMost_texel = 32767;  // selvage_options holds no more
-  if (texels >= 0 && texels <= kMost_texel) return texels;
-  throw UserError("'" + show(texels) + "' is no tolerance; 0 to 32767 texels are");
+  if (texels >= 0 && texels <= scene::kMostTolerance_texel) return texels;
+  throw no_tolerance(show(texels));
 }
 
 double parse_tolerance(std::string_view texels) {
   if (const std::optional<double> value = parse_double(texels)) return checked_tolerance(*value);
-  throw UserError("'" + std::string(texels) + "' is no tolerance; 0 to 32767 texels are");
+  throw no_tolerance(std::string(texels));
 }
 
 std::string_view method_name(selvage_method method) {

@@ -18,11 +18,11 @@ constexpr std::array<std::string_view, 42> kLeftOut = {
     "map_Pr", "map_Pm", "map_Ps", "map_RMA",  "map_ORM",  "sharpness", "Kt"};
 
 void add_material(const std::string& file, const Statement& statement, MtlLines& lines) {
-  const std::string& name = only_word(file, statement);
+  const std::string name = material_name(file, statement);
   const bool known = std::any_of(lines.materials.begin(), lines.materials.end(),
                                  [&](const MtlMaterial& other) { return other.name == name; });
   if (known) throw wrong(file, statement, quoted(name) + " stands twice");
-  lines.materials.push_back({name, 0});
+  lines.materials.push_back({name, statement.line, 0});
 }
 
 void check_illumination(const std::string& file, const Statement& statement) {
@@ -57,6 +57,7 @@ MtlLines check_mtl_lines(const std::string& file, std::string_view text) {
     std::string words = joined(statement.words);
     if (keyword == "newmtl") {
       add_material(file, statement, lines);
+      words = as_one_word(words);
     } else if (keyword == "Kd") {
       words = numbers(file, statement, 3, 3);
     } else if (keyword == "illum") {

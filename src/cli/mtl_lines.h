@@ -9,11 +9,12 @@ namespace selvage::cli {
 
 struct MtlMaterial {
   std::string name;
+  int line;              // of its newmtl
   int texture_line = 0;  // of its map_Kd; 0 without
 };
 
 struct MtlLines {
-  std::string statements;  // newmtl, Kd, illum and map_Kd alone, for the parser
+  std::string statements;  // newmtl (names as one word), Kd, illum and map_Kd, for the parser
   std::vector<MtlMaterial> materials;
 };
 

@@ -11,40 +11,15 @@
 
 #include "cli/error.h"
 #include "cli/file.h"
-#include "cli/mtl_lines.h"
+#include "cli/mtl_libraries.h"
 #include "cli/obj_lines.h"
 #include "cli/picture_file.h"
+#include "cli/statement.h"
 #include "scene/face_shape.h"
 #include "scene/problem.h"
 
 namespace selvage::cli {
 namespace {
-
-// Material libraries, checked.
-struct Libraries {
-  struct Place {
-    std::string file;
-    int texture_line;  // of the material's map_Kd
-  };
-  std::vector<std::string> texts;
-  std::vector<Place> places;  // of each material, in order
-};
-
-[[nodiscard]] Libraries read_libraries(const std::filesystem::path& path, const ObjLines& lines,
-                                       const SceneFiles& files) {
-  Libraries libraries;
-  for (const auto& [line, name] : lines.libraries) {
-    const std::filesystem::path library = path.parent_path() / name;
-    const std::string text = about(path.string() + ":" + std::to_string(line) + ": mtllib",
-                                   [&, &library = library] { return files.text(library); });
-    MtlLines checked = check_mtl_lines(library.string(), text);
-    libraries.texts.push_back(std::move(checked.statements));
-    for (const MtlMaterial& material : checked.materials) {
-      libraries.places.push_back({library.string(), material.texture_line});
-    }
-  }
-  return libraries;
-}
 
 // Gives the parser a library for each "mtllib NUMBER".
 class LibraryReader : public tinyobj::MaterialReader {
@@ -70,7 +45,7 @@ struct Parsed {
 };
 
 [[nodiscard]] Parsed parse(const std::string& file, const ObjLines& lines,
-                           const Libraries& libraries) {
+                           const MtlLibraries& libraries) {
   Parsed parsed;
   LibraryReader reader(libraries.texts);
   std::string statements;  // a material may be used before its library stands in the file
@@ -86,13 +61,11 @@ struct Parsed {
   return parsed;
 }
 
-void expect_materials(const Parsed& parsed, const std::string& file, const ObjLines& lines) {
+void expect_materials(const MtlLibraries& libraries, const std::string& file,
+                      const ObjLines& lines) {
   for (const auto& [line, name] : lines.materials) {
-    const bool known =
-        std::any_of(parsed.materials.begin(), parsed.materials.end(),
-                    [&, &wanted = name](const auto& material) { return material.name == wanted; });
-    if (known) continue;
-    throw UserError(file + ":" + std::to_string(line) + ": usemtl " + name +
+    if (libraries.find(name) != nullptr) continue;
+    throw UserError(file + ":" + std::to_string(line) + ": usemtl: " + quoted(name) +
                     ": there is no such material");
   }
 }
@@ -109,20 +82,20 @@ void expect_materials(const Parsed& parsed, const std::string& file, const ObjLi
           clamp ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP};
 }
 
-[[nodiscard]] scene::Material material_of(const tinyobj::material_t& source,
-                                          const Libraries::Place& place, const SceneFiles& files,
-                                          const OtherPictures& others, scene::Scene& scene) {
+[[nodiscard]] scene::Material material_of(const tinyobj::material_t& source, const MtlPlace& place,
+                                          const SceneFiles& files, const OtherPictures& others,
+                                          scene::Scene& scene) {
   scene::Material material;
-  material.name = source.name;
+  material.name = place.material.name;
   material.colour = {level(source.diffuse[0]), level(source.diffuse[1]), level(source.diffuse[2])};
   material.shading = source.illum >= 1 ? scene::Shading::kDiffuse : scene::Shading::kFlat;
   if (source.diffuse_texname.empty()) return material;
   material.texture = scene.textures.size();
   const bool clamp = source.diffuse_texopt.clamp;
-  const auto other = others.find(source.name);
+  const auto other = others.find(material.name);
   const bool is_own = other == others.end();
   const std::string asked_by =
-      is_own ? place.file + ":" + std::to_string(place.texture_line) + ": map_Kd"
+      is_own ? place.file + ":" + std::to_string(place.material.texture_line) + ": map_Kd"
              : other->second.asked_by;
   const std::filesystem::path path =
       is_own ? std::filesystem::path(place.file).parent_path() / source.diffuse_texname
@@ -154,19 +127,35 @@ void set_texture(scene::Face& face, const std::vector<scene::Vector2>& uv,
   return index >= 0 && static_cast<size_t>(index) < numbers / of;
 }
 
+// "there is no vertex 9; the file has 5", for an index as it is written.
+[[nodiscard]] UserError no_such(const std::string& what, int index, size_t count) {
+  return UserError("there is no " + what + " " + std::to_string(index) + "; " +
+                   (index < 0 ? "fewer stand before it" : "the file has " + std::to_string(count)));
+}
+
+void expect_corner(const Parsed& parsed, const tinyobj::index_t& read, const ObjCorner& written,
+                   bool has_texture) {
+  const size_t vertices = parsed.attributes.vertices.size();
+  if (!is_index(read.vertex_index, vertices, 3)) {
+    throw no_such("vertex", written.vertex, vertices / 3);
+  }
+  const size_t texcoords = parsed.attributes.texcoords.size();
+  if (!has_texture || is_index(read.texcoord_index, texcoords, 2)) return;
+  if (written.texture != 0) throw no_such("vt", written.texture, texcoords / 2);
+  throw UserError("its material has a texture, and it no texture coordinates");
+}
+
 [[nodiscard]] scene::Face face_of(const Parsed& parsed, std::span<const tinyobj::index_t> corners,
-                                  const std::optional<size_t>& texture, const scene::Scene& scene) {
+                                  const ObjFace& written, const std::optional<size_t>& texture,
+                                  const scene::Scene& scene) {
   scene::Face face;
   std::vector<scene::Vector2> uv;
-  for (const tinyobj::index_t& corner : corners) {
-    if (!is_index(corner.vertex_index, parsed.attributes.vertices.size(), 3)) {
-      throw UserError("there is no such vertex");
-    }
+  for (size_t i = 0; i < corners.size(); ++i) {
+    const tinyobj::index_t& corner = corners[i];
+    about("f: corner " + std::to_string(i + 1),
+          [&] { expect_corner(parsed, corner, written.corners[i], texture.has_value()); });
     face.corners.push_back({static_cast<size_t>(corner.vertex_index), {0, 0}});
     if (!texture) continue;
-    if (!is_index(corner.texcoord_index, parsed.attributes.texcoords.size(), 2)) {
-      throw UserError("its material has a texture, and a corner no texture coordinates");
-    }
     const double* at = &parsed.attributes.texcoords[static_cast<size_t>(corner.texcoord_index) * 2];
     uv.emplace_back(at[0], 1 - at[1]);
   }
@@ -182,7 +171,8 @@ void set_texture(scene::Face& face, const std::vector<scene::Vector2>& uv,
       std::span(lines.faces).subspan(std::min(first, lines.faces.size()));
   const size_t count = mesh.num_face_vertices.size();
   size_t corners = 0;
-  for (const ObjFace& face : faces.first(std::min(count, faces.size()))) corners += face.corners;
+  for (const ObjFace& face : faces.first(std::min(count, faces.size())))
+    corners += face.corners.size();
   if (count > faces.size() || corners != mesh.indices.size()) {
     throw UserError(file + ": its faces are not read as they stand in it");
   }
@@ -210,14 +200,14 @@ void add_faces(const Parsed& parsed, const std::string& file, const ObjLines& li
       about(file + ":" + std::to_string(at.line), [&] {
         const size_t used =
             *material < 0 ? object.materials.size() - 1 : static_cast<size_t>(*material);
-        scene::Face face =
-            face_of(parsed, corners.first(at.corners), object.materials[used].texture, scene);
+        scene::Face face = face_of(parsed, corners.first(at.corners.size()), at,
+                                   object.materials[used].texture, scene);
         face.material = used;
         const std::string fault = shape_problem(object, face, rounding);
         if (!fault.empty()) throw UserError("f: the face " + fault);
         object.faces.push_back(std::move(face));
       });
-      corners = corners.subspan(at.corners);
+      corners = corners.subspan(at.corners.size());
       ++material;
     }
   }
@@ -244,15 +234,15 @@ scene::Object read_obj(const std::filesystem::path& path, const std::string& tex
                        const SceneFiles& files, const OtherPictures& others, scene::Scene& scene) {
   const std::string file = path.string();
   const ObjLines lines = check_obj_lines(file, text);
-  const Libraries libraries = read_libraries(path, lines, files);
+  const MtlLibraries libraries = read_libraries(path, lines.libraries, files);
   const Parsed parsed = parse(file, lines, libraries);
-  expect_materials(parsed, file, lines);
+  expect_materials(libraries, file, lines);
   scene::Object object;
   object.name = path.stem().string();
   add_vertices(parsed, file, lines, object);
   for (size_t i = 0; i < parsed.materials.size(); ++i) {
     object.materials.push_back(
-        material_of(parsed.materials[i], libraries.places.at(i), files, others, scene));
+        material_of(parsed.materials[i], libraries.materials.at(i), files, others, scene));
   }
   object.materials.emplace_back();  // of faces before any usemtl
   object.materials.back().colour = {204, 204, 204};

@@ -3,7 +3,8 @@
 // Read: v, vt, f (n-gons are kept), usemtl, mtllib; of materials Kd, illum and map_Kd with -clamp.
 // illum 1 and more is lit by the ambient light and the lamps, 0 or none is shown as it is. v of a
 // texture runs upward there and downward here, so it is turned over. A material library's pictures
-// are named from its own folder.
+// are named from its own folder. Names of materials may have blanks, of which several count as one;
+// mtllib takes the rest of its line if that file is there, else a file of each word.
 #pragma once
 
 #include <cstdint>

@@ -14,16 +14,16 @@ constexpr std::array kLeftOut = {"vn",    "g",        "s",        "mg",         
                                  "p",     "l",        "lod",      "usemap",     "maplib",
                                  "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
 
-// An index, from 1 or, from the last backward, from -1.
-[[nodiscard]] bool is_index(std::string_view text) {
+// An index, or 0 if it is none.
+[[nodiscard]] int index_of(std::string_view text) {
   int index = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
-  return error == std::errc{} && end == text.data() + text.size() && index != 0;
+  return error == std::errc{} && end == text.data() + text.size() ? index : 0;
 }
 
 // "vertex", "vertex/texture", "vertex//normal" or "vertex/texture/normal", without the normal.
-[[nodiscard]] std::string corner(const std::string& file, const Statement& face,
-                                 const std::string& word) {
+[[nodiscard]] ObjCorner corner(const std::string& file, const Statement& face,
+                               const std::string& word) {
   std::string_view rest = word;
   std::array<std::string_view, 3> parts;
   size_t count = 0;
@@ -33,11 +33,12 @@ constexpr std::array kLeftOut = {"vn",    "g",        "s",        "mg",         
   }
   const bool whole = parts[count - 1].size() == rest.size();
   const bool has_texture = count > 1 && !(count == 3 && parts[1].empty());
-  if (!whole || !is_index(parts[0]) || (has_texture && !is_index(parts[1])) ||
-      (count == 3 && !is_index(parts[2]))) {
+  const ObjCorner corner{index_of(parts[0]), has_texture ? index_of(parts[1]) : 0};
+  if (!whole || corner.vertex == 0 || (has_texture && corner.texture == 0) ||
+      (count == 3 && index_of(parts[2]) == 0)) {
     throw wrong(file, face, quoted(word) + " is no corner; 1, 1/2, 1//3 and 1/2/3 are");
   }
-  return std::string(parts[0]) + (has_texture ? "/" + std::string(parts[1]) : "");
+  return corner;
 }
 
 void add_face(const std::string& file, const Statement& face, ObjLines& lines) {
@@ -45,19 +46,20 @@ void add_face(const std::string& file, const Statement& face, ObjLines& lines) {
     throw wrong(file, face,
                 "a face needs at least 3 corners, not " + std::to_string(face.words.size()));
   }
+  lines.faces.push_back({face.line, {}});
   lines.statements += "f";
-  for (const std::string& word : face.words) lines.statements += " " + corner(file, face, word);
+  for (const std::string& word : face.words) {
+    const ObjCorner at = corner(file, face, word);
+    lines.faces.back().corners.push_back(at);
+    lines.statements += " " + std::to_string(at.vertex);
+    if (at.texture != 0) lines.statements += "/" + std::to_string(at.texture);
+  }
   lines.statements += '\n';
-  lines.faces.push_back({face.line, face.words.size()});
 }
 
 void add_libraries(const std::string& file, const Statement& statement, ObjLines& lines) {
   if (statement.words.empty()) throw wrong(file, statement, "the name of a file is needed");
-  for (const std::string& name : statement.words) {
-    const bool known = std::any_of(lines.libraries.begin(), lines.libraries.end(),
-                                   [&](const auto& library) { return library.second == name; });
-    if (!known) lines.libraries.emplace_back(statement.line, name);
-  }
+  lines.libraries.push_back({statement.line, statement.rest, statement.words});
 }
 
 }  // namespace
@@ -71,8 +73,8 @@ ObjLines check_obj_lines(const std::string& file, std::string_view text) {
     } else if (keyword == "mtllib") {
       add_libraries(file, statement, lines);
     } else if (keyword == "usemtl") {
-      lines.materials.emplace_back(statement.line, only_word(file, statement));
-      lines.statements += "usemtl " + statement.words[0] + '\n';
+      lines.materials.emplace_back(statement.line, material_name(file, statement));
+      lines.statements += "usemtl " + as_one_word(lines.materials.back().second) + '\n';
     } else if (keyword == "v" || keyword == "vt") {
       const bool is_vertex = keyword == "v";  // may have a w or a colour behind, textures a w
       if (is_vertex) lines.vertices.push_back(statement.line);

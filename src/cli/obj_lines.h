@@ -9,16 +9,29 @@
 
 namespace selvage::cli {
 
+// Indices as they are written: from 1, or backward from the last so far, -1.
+struct ObjCorner {
+  int vertex;
+  int texture;  // 0 without
+};
+
 struct ObjFace {
   int line;
-  size_t corners;
+  std::vector<ObjCorner> corners;
+};
+
+// A mtllib's: one file of that whole name, or one of each word.
+struct ObjLibraries {
+  int line;
+  std::string whole;
+  std::vector<std::string> words;
 };
 
 struct ObjLines {
-  std::string statements;                              // v, vt, f and usemtl alone, for the parser
-  std::vector<int> vertices;                           // the line of each v, in order
-  std::vector<ObjFace> faces;                          // each f, in order
-  std::vector<std::pair<int, std::string>> libraries;  // line and file, each file once
+  std::string statements;               // v, vt, f and usemtl (names as one word), for the parser
+  std::vector<int> vertices;            // the line of each v, in order
+  std::vector<ObjFace> faces;           // each f, in order
+  std::vector<ObjLibraries> libraries;  // each mtllib, in order
   std::vector<std::pair<int, std::string>> materials;  // of each usemtl: line and name
 };
 

@@ -3,6 +3,7 @@
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
 #include <string>
+#include <vector>
 
 namespace selvage::cli {
 namespace {
@@ -100,7 +101,8 @@ void add_claims(CLI::App& verify, VerifyOptions& options) {
   add("--most-vertices", subject.most_vertices, "N", "3: it draws triangles alone");
 }
 
-void add_cases(CLI::App& verify, VerifyOptions& options) {
+// Options of generated cases; returned are those that a replay of one case excludes.
+[[nodiscard]] std::vector<CLI::Option*> add_generated(CLI::App& verify, VerifyOptions& options) {
   CLI::Option* profile =
       verify
           .add_option("--profile", options.profile,
@@ -133,12 +135,21 @@ void add_cases(CLI::App& verify, VerifyOptions& options) {
                                         "Known violations: tried first; new ones are written there "
                                         "(with --shard: by merge)")
                             ->type_name("DIR");
-  CLI::Option* hex = verify.add_option("--case", options.case_hex, "Replay this one case")
-                         ->type_name("HEX")
-                         ->excludes(cases, hunt, seed, profile, time, shard, corpus);
-  verify.add_option("--case-file", options.case_file, "Replay the case of these raw bytes")
-      ->type_name("FILE")
-      ->excludes(cases, hunt, seed, profile, hex, time, shard, corpus);
+  return {cases, hunt, seed, profile, time, shard, corpus};
+}
+
+void add_cases(CLI::App& verify, VerifyOptions& options) {
+  const std::vector<CLI::Option*> generated = add_generated(verify, options);
+  CLI::Option* hex =
+      verify.add_option("--case", options.case_hex, "Replay this one case")->type_name("HEX");
+  CLI::Option* file =
+      verify.add_option("--case-file", options.case_file, "Replay the case of these raw bytes")
+          ->type_name("FILE")
+          ->excludes(hex);
+  for (CLI::Option* option : generated) {
+    hex->excludes(option);
+    file->excludes(option);
+  }
 }
 
 }  // namespace

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scene/tolerance.h"
+
 namespace selvage::scene {
 namespace {
 
 inline constexpr double kSlack = 1 + 0x1p-40;  // holds all roundings in double of the bounds here
-inline constexpr double kMostTolerance_texel = 32767;
 
 struct Range {
   double least, most;

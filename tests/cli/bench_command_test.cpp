@@ -1,14 +1,7 @@
-// `selvage bench`: what it takes, what it prints, what it compares. Nothing here depends on how
-// long anything took.
-#include "cli/bench_command.h"
-
-#include <nlohmann/json.hpp>
-#include <sstream>
-
+// `selvage bench`: what it takes, what it prints. Nothing here depends on how long anything took.
 #include "../bench/support.h"
-#include "cli/bench_report.h"
+#include "bench_run.h"
 #include "cli/command_line.h"
-#include "support.h"
 
 namespace selvage::cli::test {
 namespace {
@@ -17,35 +10,6 @@ using reports::test::box_subject;
 using reports::test::rectangle;
 using reports::test::small_workload;
 using Names = std::vector<std::string>;
-
-class Bench : public InDirectory {
- protected:
-  Bench() {
-    options_.rows = "2";
-    options_.repetitions = "3";
-    options_.min_time = "0.001";
-    options_.filter = "^W1/(exact|fixed1616|fill|memcpy)$";
-  }
-
-  int run() {
-    out_.str("");
-    err_.str("");
-    return run_bench(options_, {out_, err_});
-  }
-  int run(const reports::Plan& plan) {
-    out_.str("");
-    err_.str("");
-    return run_plan(plan, options_, {out_, err_});
-  }
-  [[nodiscard]] std::string out() const { return out_.str(); }
-  [[nodiscard]] std::string err() const { return err_.str(); }
-  [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(out()); }
-
-  BenchOptions options_;
-
- private:
-  std::ostringstream out_, err_;
-};
 
 TEST_F(Bench, PrintsATableOfAHundredColumns) {
   options_.filter =
@@ -149,77 +113,6 @@ TEST_F(Bench, WritesAFileBesideItsTables) {
   EXPECT_EQ(nlohmann::json::parse(get("bench.json"))["workloads"][0]["id"], "W1");
 }
 
-TEST_F(Bench, ComparesWithWhatItWroteWholeOrBrief) {
-  for (const bool brief : {false, true}) {
-    options_.brief = brief;
-    options_.json = false;
-    options_.output = "before.json";
-    options_.compare.clear();
-    ASSERT_EQ(run(), kExitFine);
-    options_.output.clear();
-    options_.compare = "before.json";
-    ASSERT_EQ(run(), kExitFine) << err();
-    expect_contains(out(), "Against before.json (");
-    expect_contains(out(), "time now / time then; below 1 is faster.");
-    expect_contains(out(), "Geometric mean of all items:");
-    EXPECT_EQ(out().find("another machine"), std::string::npos);
-    options_.brief = false;
-    options_.json = true;
-    ASSERT_EQ(run(), kExitFine);
-    const nlohmann::json comparison = json()["comparison"];
-    EXPECT_EQ(comparison["baseline"], "before.json");
-    EXPECT_EQ(comparison["new"], 0);
-    ASSERT_EQ(comparison["times"].size(), 4u);
-    const nlohmann::json& time = comparison["times"][0];
-    EXPECT_EQ(time["item"], "W1");
-    EXPECT_EQ(time["subject"], "exact");
-    EXPECT_DOUBLE_EQ(time["ratio"], time["now_ns"].get<double>() / time["then_ns"].get<double>());
-  }
-}
-
-TEST_F(Bench, TellsWhatTheBaselineLacks) {
-  put("other.json",
-      R"({"machine": {"cpu": "an abacus"}, "medians_ns_per_px": {"W9": {"exact": 1}}})");
-  options_.compare = "other.json";
-  EXPECT_EQ(run(), kExitFine);
-  expect_contains(out(), "It was measured on another machine: an abacus; this one is ");
-  expect_contains(out(), "4 measurements are new: it has no time of them.");
-  expect_contains(out(), "It has no time of what was measured here.");
-}
-
-TEST_F(Bench, ReadsTheRatiosOfAKnownBaseline) {
-  const Baseline baseline = parse_baseline("b", R"({"machine": {"cpu": "c", "date": "d"},
-      "workloads": [{"id": "W1", "results": [{"id": "exact", "ns_per_px": {"median": 2.5}},
-                                             {"id": "dkit", "refusal": "no"}]}],
-      "curves": [{"points": [{"id": "scale=2", "results":
-                              [{"id": "fill", "ns_per_px": {"median": 0.5}}]}]}]})");
-  EXPECT_EQ(baseline.ns.at("W1").at("exact"), 2.5);
-  EXPECT_EQ(baseline.ns.at("W1").count("dkit"), 0u);
-  EXPECT_EQ(baseline.ns.at("scale=2").at("fill"), 0.5);
-  EXPECT_EQ(baseline.compiler, "unknown");
-  Comparison comparison{baseline, "c", {{"W1", "exact", 5, 2.5}}, 0};
-  const std::string table = comparison_table(comparison);
-  expect_contains(table, "\nexact               2.00\n");
-  expect_contains(table, "\n  exact 2.00\n");
-}
-
-TEST_F(Bench, RefusesWhatIsNoBaseline) {
-  const auto refused = [&](const std::string& text) {
-    put("b.json", text);
-    options_.compare = "b.json";
-    return error_of([&] { run(); });
-  };
-  expect_contains(refused("{"), "b.json: not JSON: ");
-  expect_contains(refused("[]"), "b.json: not the JSON of `selvage bench`: ");
-  expect_contains(refused(R"({"machine": {}})"), "b.json: not the JSON of `selvage bench`: ");
-  expect_contains(refused(R"({"machine": {}, "medians_ns_per_px": {"W1": {"exact": "fast"}}})"),
-                  "b.json: the median of W1/exact is no time in ns");
-  expect_contains(refused(R"({"machine": {}, "medians_ns_per_px": {"W1": {"exact": 0}}})"),
-                  "b.json: the median of W1/exact is no time in ns");
-  options_.compare = "nowhere.json";
-  expect_contains(error_of([&] { run(); }), "nowhere.json");
-}
-
 TEST_F(Bench, ExitsWithOneWhereAReferenceErrs) {
   reports::Subject wrong = box_subject("mine", 0, 1);
   wrong.reference = true;
@@ -230,12 +123,6 @@ TEST_F(Bench, ExitsWithOneWhereAReferenceErrs) {
   expect_contains(err(), "selvage: small: 'mine' is not what it must be");
   expect_contains(err(), "Nothing was timed.");
   EXPECT_EQ(files(), Names{}) << "no output of a run that failed";
-}
-
-TEST_F(Bench, IsNeverTooSlow) {
-  put("fast.json", R"({"machine": {}, "medians_ns_per_px": {"W1": {"exact": 1e-9}}})");
-  options_.compare = "fast.json";
-  EXPECT_EQ(run(), kExitFine);
 }
 
 TEST_F(Bench, Lists) {

@@ -2,6 +2,7 @@
 #include <sys/wait.h>
 
 #include <cstdlib>
+#include <random>
 
 #include "cli/picture_file.h"
 #include "cli/png.h"
@@ -16,9 +17,10 @@ using Names = std::vector<std::string>;
 class Program : public InDirectory {
  protected:
   // Through the shell; leaves what was printed in the files "out" and "err".
-  static int run(const std::string& arguments, const std::string& out = "out") {
+  static int run(const std::string& arguments, const std::string& out = "out",
+                 const std::string& before = "") {
     const std::string command =
-        std::string("'" SELVAGE_PROGRAM "' ") + arguments + " > " + out + " 2> err";
+        before + "'" SELVAGE_PROGRAM "' " + arguments + " > " + out + " 2> err";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
@@ -66,6 +68,22 @@ TEST_F(Program, Verifies) {
 TEST_F(Program, SaysThatItsOutputIsFull) {
   EXPECT_EQ(run("laws", "/dev/full"), 2);
   expect_contains(get("err"), "selvage: cannot write to the standard output");
+}
+
+// The limit is in blocks of 512 or 1024 bytes; the picture is noise of 4 MiB.
+TEST_F(Program, SaysThatItsFilesMayNotGrowSoFar) {
+  put("texture.png", encode_png(filled(1, 1, {})));
+  std::mt19937 random(1);
+  Raster noise = filled(1024, 1024, {});
+  for (uint8_t& byte : noise.rgba) byte = static_cast<uint8_t>(random());
+  put("noise.png", encode_png(noise));
+  const std::string draw =
+      "draw --texture texture.png --background noise.png -o drawn.png --polygon '0,0,0,0 1,0,0,0 "
+      "0,1,0,0'";
+  EXPECT_EQ(run(draw, "out", "ulimit -f 2048; "), 2);
+  EXPECT_EQ(get("err"), "selvage: cannot write 'drawn.png': File too large\n");
+  EXPECT_EQ(files(), (Names{"err", "noise.png", "out", "texture.png"}));
+  EXPECT_EQ(run(draw), 0);  // what would be right
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // What `selvage render` tells by --explain and --stats.
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "cli/job.h"
 #include "cli/png.h"
@@ -32,34 +33,47 @@ TEST_F(Render, ExplainsAndCounts) {
   EXPECT_EQ(told["stats"]["pixels_written"], 900);
 }
 
-// A wall of 1024 texels from 10 to 40 units away, beside a triangle at 0.001: few bits of q are
-// left to the wall.
-TEST_F(Render, TellsWhatRoundingDepthsCosts) {
-  put("square.obj",
-      std::string("mtllib square.mtl\nv -6 -9 -10\nv 24 -9 -40\nv 24 9 -40\nv -6 9 -10\nvt 0 0\n"
-                  "vt 1024 0\nvt 1024 1\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3 4/4\n"));
-  put("square.mtl", std::string("newmtl red\nmap_Kd own.png\nillum 0\n"));
-  put("own.png", encode_png(filled(1, 1, {0, 255, 0, 255})));
-  put("near.obj", std::string("v -1e-5 0 -1e-3\nv 1e-5 0 -1e-3\nv 0 1e-5 -1e-3\nf 1 2 3\n"));
-  const auto scene = [](const std::string& more) {
-    return R"({"camera": {"position": [0, 0, 0], "target": [0, 0, -1], "nearest": 0.001,
-                          "farthest": 1000},
-               "tolerance": 0.25, "objects": [{"file": "square.obj"})" +
-           more + "]}";
-  };
-  options_.explain = options_.json = true;
-  const auto wall = [&] {
+// A wall of 1024 texels from 10 to 40 units away, alone or beside a triangle at 0.001, which leaves
+// few bits of q to the wall.
+class FarWall : public Render {
+ protected:
+  FarWall() {
+    put("square.obj",
+        std::string("mtllib square.mtl\nv -6 -9 -10\nv 24 -9 -40\nv 24 9 -40\nv -6 9 -10\nvt 0 0\n"
+                    "vt 1024 0\nvt 1024 1\nvt 0 1\nusemtl red\nf 1/1 2/2 3/3 4/4\n"));
+    put("square.mtl", std::string("newmtl red\nmap_Kd own.png\nillum 0\n"));
+    put("own.png", encode_png(filled(1, 1, {0, 255, 0, 255})));
+    put("near.obj", std::string("v -1e-5 0 -1e-3\nv 1e-5 0 -1e-3\nv 0 1e-5 -1e-3\nf 1 2 3\n"));
+    options_.explain = options_.json = true;
+  }
+
+  static void put_scene(bool with_triangle) {
+    const std::string triangle = with_triangle ? R"(, {"file": "near.obj"})" : "";
+    put("scene.json",
+        R"({"camera": {"position": [0, 0, 0], "target": [0, 0, -1], "nearest": 0.001,
+                       "farthest": 1000},
+            "tolerance": 0.25, "objects": [{"file": "square.obj"})" +
+            triangle + "]}");
+  }
+  // What is told of the wall.
+  nlohmann::json wall() {
     EXPECT_EQ(run(), kExitFine);
     const auto face = nlohmann::json::parse(out_.str())["faces"][0];
     out_.str("");
     EXPECT_EQ(face["bound_texel"], face["mapping_bound_texel"].get<double>() +
                                        face["rounding_bound_texel"].get<double>());
     return face;
-  };
-  put("scene.json", scene(""));
+  }
+};
+
+TEST_F(FarWall, IsWithinTheToleranceAlone) {
+  put_scene(false);
   EXPECT_LE(wall()["bound_texel"], 0.25);
   EXPECT_EQ(err_.str(), "");
-  put("scene.json", scene(R"(, {"file": "near.obj"})"));
+}
+
+TEST_F(FarWall, TellsWhatRoundingDepthsCosts) {
+  put_scene(true);
   const auto face = wall();
   // q of the far side is 2^24 0.001 / 40 = 419: half of 1024 texels times 1 / (2 * 419 - 2).
   EXPECT_NEAR(face["rounding_bound_texel"], 512.0 / 836, 1e-3);
@@ -78,32 +92,49 @@ TEST_F(Render, TellsWhatRoundingDepthsCosts) {
   expect_contains(err_.str(), "by more than 0.0625 texel");
 }
 
-// Squares: in front, behind it, behind half of it, turned away, aside of the picture in an object
-// that reaches into it, in one that does not, behind the eye; and one between pixels' centres.
-TEST_F(Render, CountsWhatBecomesOfEveryFace) {
+struct Square {
+  double x, y, z, half;
+  bool turned;
+};
+
+[[nodiscard]] std::string obj_of(std::span<const Square> squares) {
   std::string all = "mtllib square.mtl\nusemtl red\n";
-  const auto square = [&](double x, double y, double z, double half, bool turned) {
+  for (const Square& square : squares) {
+    const double half = square.half;
     const double at[][2] = {{-half, -half}, {half, -half}, {half, half}, {-half, half}};
     for (const auto& corner : at) {
-      all += "v " + std::to_string(x + corner[0]) + " " + std::to_string(y + corner[1]) + " " +
-             std::to_string(z) + "\n";
+      all += "v " + std::to_string(square.x + corner[0]) + " " +
+             std::to_string(square.y + corner[1]) + " " + std::to_string(square.z) + "\n";
     }
-    all += turned ? "f -1 -2 -3 -4\n" : "f -4 -3 -2 -1\n";
-  };
-  square(0, 0, 0, 1, false);
-  square(0, 0, -0.5, 0.5, false);
-  square(1, 0, -1, 0.5, false);
-  square(0, 1, 0, 0.1, true);
-  square(5, 0, 0, 0.5, false);
-  square(0, 0, 5, 0.5, false);
-  square(0, 1.5, 0, 0.01, false);
-  put("square.obj", all);
-  put("scene.json",
-      std::string(R"({"camera": {"position": [0, 0, 4], "view_deg": 53.13010235415598},
-          "objects": [{"file": "square.obj"}, {"file": "square.obj", "position": [90, 0, 0]}]})"));
-  options_.stats = options_.json = true;
-  EXPECT_EQ(run(), kExitFine);
-  const auto stats = nlohmann::json::parse(out_.str())["stats"];
+    all += square.turned ? "f -1 -2 -3 -4\n" : "f -4 -3 -2 -1\n";
+  }
+  return all;
+}
+
+// One object in the picture, one far beside it. Of each, in this order, squares: in front, behind
+// it, behind half of it, turned away, aside of the picture, behind the eye, between pixels'
+// centres.
+class Squares : public Render {
+ protected:
+  Squares() {
+    const Square squares[] = {{0, 0, 0, 1, false},     {0, 0, -0.5, 0.5, false},
+                              {1, 0, -1, 0.5, false},  {0, 1, 0, 0.1, true},
+                              {5, 0, 0, 0.5, false},   {0, 0, 5, 0.5, false},
+                              {0, 1.5, 0, 0.01, false}};
+    put("square.obj", obj_of(squares));
+    put("scene.json",
+        std::string(R"({"camera": {"position": [0, 0, 4], "view_deg": 53.13010235415598},
+            "objects": [{"file": "square.obj"}, {"file": "square.obj", "position": [90, 0, 0]}]})"));
+    options_.stats = options_.json = true;
+  }
+  nlohmann::json stats() {
+    EXPECT_EQ(run(), kExitFine);
+    return nlohmann::json::parse(out_.str())["stats"];
+  }
+};
+
+TEST_F(Squares, AreCountedByWhatBecomesOfThem) {
+  const auto stats = this->stats();
   EXPECT_EQ(stats["objects"], 2);
   EXPECT_EQ(stats["objects_culled"], 1);
   EXPECT_EQ(stats["faces"], 14);
@@ -115,6 +146,10 @@ TEST_F(Render, CountsWhatBecomesOfEveryFace) {
                                                    {"refused", 0},
                                                    {"without a pixel", 2}}));
   EXPECT_EQ(stats["faces_drawn"], 2);
+}
+
+TEST_F(Squares, AreCountedByPixels) {
+  const auto stats = this->stats();
   // The third is 12 px wide from column 46, the first ends at 55.
   const int pixels = 900 + 12 * (46 + 12 - 55);
   ASSERT_EQ(stats["drawn_by"].size(), 1U);

@@ -54,7 +54,7 @@ TEST_F(SceneFile, NamesFileAndLineOfWhatIsWrongInAnObject) {
          "'?[31m?" + std::string(54, 'a') + "...' begins no statement");
   expect("pyramid.mtl", "gone.mtl", 2, "gone.mtl");
   expect("mtllib pyramid.mtl", "mtllib", 2, "the name of a file is needed");
-  expect("usemtl front", "usemtl", 14, "one word is needed, not 0");
+  expect("usemtl front", "usemtl", 14, "usemtl: the name of a material is needed");
   expect("v 1 0 1", "v 1 0.25 1", 18,
          "f: the face is not plane: its corners are 0.0623 off any plane (root mean square), where "
          "rounding to six digits explains 8.66e-06; cut it into triangles");
@@ -63,13 +63,15 @@ TEST_F(SceneFile, NamesFileAndLineOfWhatIsWrongInAnObject) {
   expect("f 1 3 4", "f 1 3 4/", 13, "'4/' is no corner");
   expect("f 1 3 4", "f 1 3 4/1/", 13, "'4/1/' is no corner");
   expect("f 1 3 4", "f 1 3 4/1/1/1", 13, "'4/1/1/1' is no corner");
-  expect("f 1 3 4", "f 1 3 -6", 13, "no such vertex");
-  expect("f 1/3 4/1", "f 1/3 4/9", 15, "no texture coordinates");
+  expect("f 1 3 4", "f 1 3 -6", 13, "f: corner 3: there is no vertex -6; fewer stand before it");
+  expect("f 1/3 4/1", "f 1/3 4/9", 15, "f: corner 2: there is no vt 9; the file has 3");
+  expect("f 1/3 4/1", "f 1/-4 4/1", 15, "f: corner 1: there is no vt -4; fewer stand before it");
   expect("vt 1 0", "vt 1 30000", 15, "texture coordinates beyond 32767 texels");
   expect("f 1 3 4", "f 1 3", 13, "at least 3 corners, not 2");
-  expect("f 1 3 4", "f 1 3 9", 13, "no such vertex");
-  expect("f 1/3 4/1 5/2", "f 1/3 4 5/2", 15, "no texture coordinates");
-  expect("usemtl front", "usemtl back", 14, "there is no such material");
+  expect("f 1 3 4", "f 1 9 4", 13, "f: corner 2: there is no vertex 9; the file has 5");
+  expect("f 1/3 4/1 5/2", "f 1/3 4 5/2", 15,
+         "f: corner 2: its material has a texture, and it no texture coordinates");
+  expect("usemtl front", "usemtl back", 14, "usemtl: 'back': there is no such material");
   expect("f 2 5 4 3", "f 2 4 5 3", 18, "not convex");
 }
 
@@ -85,7 +87,7 @@ TEST_F(SceneFile, NamesFileAndLineOfWhatIsWrongInAMaterialLibrary) {
   expect("illum 1", "illum bright", 3,
          "illum: a whole number from 0 to 10 is needed, not 'bright'");
   expect("newmtl front", "newmtl stone", 4, "newmtl: 'stone' stands twice");
-  expect("newmtl front", "newmtl the front", 4, "newmtl: one word is needed, not 2");
+  expect("newmtl front", "newmtl", 4, "newmtl: the name of a material is needed");
   expect("newmtl stone", "# stone", 2, "Kd: a newmtl is needed before");
   expect("-clamp on", "-s 2 2 1", 6, "map_Kd: '-s': of options only -clamp on and -clamp off");
   expect("-clamp on", "-clamp maybe", 6, "map_Kd: '-clamp': of options only");
@@ -97,6 +99,22 @@ TEST_F(SceneFile, NamesFileAndLineOfWhatIsWrongInAMaterialLibrary) {
   put("pyramid.obj", replaced(kObj, "pyramid.mtl", "empty.mtl"));
   EXPECT_EQ(error_of([] { (void)read_scene("scene.json"); }),
             "empty.mtl: there is no newmtl in it");
+}
+
+TEST_F(SceneFile, NamesBothPlacesOfAMaterial) {
+  put("other.mtl", std::string("# one more\nnewmtl front\nKd 0 0 0\n"));
+  for (const char* both :
+       {"mtllib pyramid.mtl other.mtl", "mtllib pyramid.mtl\nmtllib other.mtl"}) {
+    EXPECT_EQ(obj_error_with("mtllib pyramid.mtl", both),
+              "other.mtl:2: newmtl: 'front' stands in pyramid.mtl:4 too; give one of them another "
+              "name");
+  }
+}
+
+TEST_F(SceneFile, NamesALibraryWithBlanksThatIsNotThere) {
+  EXPECT_EQ(obj_error_with("mtllib pyramid.mtl", "mtllib my  stones.mtl # mine"),
+            "pyramid.obj:2: mtllib: cannot read 'my': No such file or directory; nor is there a "
+            "file 'my  stones.mtl'");
 }
 
 TEST_F(SceneFile, NamesWhereAPictureIsWrong) {

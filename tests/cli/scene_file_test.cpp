@@ -1,6 +1,8 @@
 // What scene files hold.
 #include "cli/scene_file.h"
 
+#include <algorithm>
+
 #include "cli/png.h"
 #include "sample_pictures.h"
 #include "scene_files.h"
@@ -90,6 +92,53 @@ TEST_F(SceneFile, TakesByteOrderMarks) {
   put("pyramid.obj", mark + kObj);
   put("scene.json", mark + kScene);
   EXPECT_EQ(read_scene("scene.json").objects.at(0).faces.size(), 5U);
+}
+
+// As exporters write them. A library's is the whole rest of the line only if that file is there.
+TEST_F(SceneFile, TakesNamesWithBlanks) {
+  put("pyramid.mtl", replaced(kMtl, "newmtl front", "newmtl  the\tfront 100% "));
+  const std::string obj = replaced(kObj, "usemtl front", "usemtl the front   100% # it");
+  put("pyramid.obj", obj);
+  put("scene.json", replaced(kScene, "\"stone\"", "\"the front 100%\""));
+  const scene::Object plain = read_scene("scene.json").objects.at(0);
+  EXPECT_EQ(plain.materials.at(1).name, "the front 100%");
+  EXPECT_EQ(plain.faces.at(2).material, 1U);
+  std::filesystem::rename("pyramid.mtl", "my  pyramid.mtl");
+  put("pyramid.obj", replaced(obj, "mtllib pyramid.mtl", "mtllib my  pyramid.mtl "));
+  EXPECT_EQ(read_scene("scene.json").objects.at(0).faces.at(2).material, 1U);
+}
+
+// The names of two materials that differ by what stands for a blank elsewhere.
+TEST_F(SceneFile, KeepsNamesApart) {
+  put("pyramid.mtl",
+      replaced(replaced(kMtl, "newmtl stone", "newmtl a%20b"), "newmtl front", "newmtl a b"));
+  std::string obj = replaced(kObj, "usemtl front", "usemtl a b");
+  for (int i = 0; i < 2; ++i) obj = replaced(obj, "usemtl stone", "usemtl a%20b");
+  put("pyramid.obj", obj);
+  put("scene.json", replaced(kScene, "\"stone\"", "\"a%20b\""));
+  const scene::Object object = read_scene("scene.json").objects.at(0);
+  EXPECT_EQ(object.faces.at(0).material, 0U);
+  EXPECT_EQ(object.faces.at(2).material, 1U);
+}
+
+// Two names of one file, and a file in two lines: it is read once.
+TEST_F(SceneFile, ReadsALibraryOnce) {
+  put("pyramid.obj",
+      replaced(kObj, "mtllib pyramid.mtl", "mtllib ./pyramid.mtl\nmtllib pyramid.mtl"));
+  EXPECT_EQ(read_scene("scene.json").objects.at(0).materials.size(), 3U);
+}
+
+// CR alone ends a line as well.
+TEST_F(SceneFile, TakesOldLineEnds) {
+  const auto old = [](std::string text) {
+    std::ranges::replace(text, '\n', '\r');
+    return text;
+  };
+  put("pyramid.mtl", old(kMtl));
+  put("pyramid.obj", old(kObj));
+  EXPECT_EQ(read_scene("scene.json").objects.at(0).faces.size(), 5U);
+  put("pyramid.obj", old(replaced(kObj, "f 1 5 2", "f 1 5")));
+  expect_contains(error_of([] { (void)read_scene("scene.json"); }), "pyramid.obj:17: f: ");
 }
 
 // Statements that have no say here, of the format and of extensions.
