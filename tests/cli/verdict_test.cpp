@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/console.h"
 #include "cli/junit.h"
 #include "cli/verdict_json.h"
 
