@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "cli/console.h"
+
 namespace selvage::cli {
 namespace {
 
@@ -72,7 +74,8 @@ namespace {
 
 std::string_view outcome(const Verdict& verdict) {
   if (verdict.found.violation) return "violated";
-  return verdict.found.judged_px == 0 ? "judged nothing" : "holds";
+  if (verdict.found.judged_px > 0) return "holds";
+  return verdict.lacked_time ? "not judged" : "judged nothing";
 }
 
 std::string_view found_by(const Verdict& verdict) {
@@ -89,6 +92,15 @@ bool passed(const VerifyRun& run) {
   if (run.shard.count > 1) return true;
   return run.replay ? std::any_of(run.verdicts.begin(), run.verdicts.end(), is("holds"))
                     : std::all_of(run.verdicts.begin(), run.verdicts.end(), is("holds"));
+}
+
+int exit_code(const VerifyRun& run) {
+  if (passed(run)) return kExitFine;
+  const auto is_unfinished = [](const Verdict& verdict) {
+    return outcome(verdict) == "holds" || outcome(verdict) == "not judged";
+  };
+  const bool lacked_time = std::ranges::all_of(run.verdicts, is_unfinished);
+  return lacked_time && !run.verdicts.empty() && !run.replay ? kExitNoTime : kExitLawFailed;
 }
 
 std::string replay_line(const VerifyRun& run, const Verdict& verdict) {
@@ -144,6 +156,9 @@ std::string table_summary(const VerifyRun& run) {
     text += run.replay            ? " in this case"
             : run.shard.count > 1 ? " in this shard"
                                   : ", which shows nothing and counts as a failure";
+  }
+  if (const auto n = count("not judged")) {
+    text += ", " + std::to_string(n) + " not judged: the time was over (more --time is needed)";
   }
   text += ".\n";
   for (const Verdict& verdict : run.verdicts) {

@@ -129,7 +129,10 @@ std::vector<Verdict> carry_out(const VerifyPlan& plan, const spec::Subject& subj
   std::vector<Verdict> verdicts;
   for (const LawRun& run : runs) {
     verdicts.push_back(plan.time ? run.verdict() : run.verdict(plan.cases));
-    if (plan.time) done(verdicts.back());
+    if (!plan.time) continue;
+    verdicts.back().lacked_time =
+        Clock::now() >= end && verdicts.back().found.cases < kCasesPerRound;
+    done(verdicts.back());
   }
   return verdicts;
 }
