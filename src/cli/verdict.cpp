@@ -74,8 +74,8 @@ namespace {
 
 std::string_view outcome(const Verdict& verdict) {
   if (verdict.found.violation) return "violated";
-  if (verdict.found.judged_px > 0) return "holds";
-  return verdict.lacked_time ? "not judged" : "judged nothing";
+  if (verdict.lacked_time) return "not judged";
+  return verdict.found.judged_px > 0 ? "holds" : "judged nothing";
 }
 
 std::string_view found_by(const Verdict& verdict) {
@@ -89,6 +89,7 @@ bool passed(const VerifyRun& run) {
     return [which](const Verdict& verdict) { return outcome(verdict) == which; };
   };
   if (std::any_of(run.verdicts.begin(), run.verdicts.end(), is("violated"))) return false;
+  if (std::any_of(run.verdicts.begin(), run.verdicts.end(), is("not judged"))) return false;
   if (run.shard.count > 1) return true;
   return run.replay ? std::any_of(run.verdicts.begin(), run.verdicts.end(), is("holds"))
                     : std::all_of(run.verdicts.begin(), run.verdicts.end(), is("holds"));
@@ -96,10 +97,11 @@ bool passed(const VerifyRun& run) {
 
 int exit_code(const VerifyRun& run) {
   if (passed(run)) return kExitFine;
-  const auto is_unfinished = [](const Verdict& verdict) {
-    return outcome(verdict) == "holds" || outcome(verdict) == "not judged";
+  const auto may_hold = [&](const Verdict& verdict) {
+    const std::string_view is = outcome(verdict);
+    return is == "holds" || is == "not judged" || (is == "judged nothing" && run.shard.count > 1);
   };
-  const bool lacked_time = std::ranges::all_of(run.verdicts, is_unfinished);
+  const bool lacked_time = std::ranges::all_of(run.verdicts, may_hold);
   return lacked_time && !run.verdicts.empty() && !run.replay ? kExitNoTime : kExitLawFailed;
 }
 

@@ -23,7 +23,7 @@ struct Verdict {
   std::string picture{};     // where the counterexample was drawn; empty if it was not
   bool from_corpus = false;  // it was known before
   Known known{};
-  bool lacked_time = false;  // the time of the run was over before its first round was
+  bool lacked_time = false;  // the time was over before anything was judged, here or in a shard
 };
 
 // "corpus", "random" or "hunt": what the violation was found by.

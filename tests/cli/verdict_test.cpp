@@ -72,6 +72,20 @@ TEST(Verdict, CountsALawWithoutTimeAsNeitherHeldNorFailed) {
   EXPECT_EQ(exit_code(run_of({holding("COV")})), kExitFine);
 }
 
+// A shard that had no time is none that passed, whatever the others did.
+TEST(Verdict, OfAShardCountsALawWithoutTime) {
+  Verdict unjudged = holding("MAP", 0);
+  unjudged.lacked_time = true;
+  VerifyRun shard = run_of({holding("COV", 0), unjudged});
+  shard.shard = {1, 2};
+  EXPECT_FALSE(passed(shard));
+  EXPECT_EQ(exit_code(shard), kExitNoTime);
+  expect_contains(table_summary(shard), "1 judged nothing in this shard, 1 not judged: the time");
+  EXPECT_EQ(read_verdict(verdict_json(shard)).verdicts[1].lacked_time, true);
+  shard.verdicts[1].lacked_time = false;
+  EXPECT_EQ(exit_code(shard), kExitFine);
+}
+
 TEST(Verdict, OfAReplayNeedsOneLawWithASay) {
   EXPECT_TRUE(passed(run_of({holding("COV"), holding("MAP", 0)}, true)));
   EXPECT_FALSE(passed(run_of({holding("COV", 0), holding("MAP", 0)}, true)));
