@@ -1,42 +1,72 @@
 #include "spec/laws.h"
 
+#include <algorithm>
 #include <array>
 
 #include "spec/law_list.h"
+#include "spec/law_tools.h"
+#include "spec/refusal.h"
+#include "spec/status_name.h"
 
 namespace selvage::spec {
 namespace {
 
+[[nodiscard]] Judgement refused(const Refusal& refusal, std::string_view law) {
+  return {.judged_px = 1,
+          .violation = violation_of_call(law, "a valid polygon is drawn, and the call answers so",
+                                         refusal.shown, status_name(SELVAGE_OK),
+                                         "it returned " + status_name(refusal.status) +
+                                             " for a valid polygon; " + status_name(SELVAGE_OK) +
+                                             " is right")};
+}
+
+[[nodiscard]] std::string_view name_of(Judgement (*check)(const Subject&, const Case&)) {
+  return std::ranges::find(laws(), check, &Law::check)->name;
+}
+
+// A law's check, by which a refusal of what must be drawn is a violation of it.
+template <Judgement (*kCheck)(const Subject&, const Case&)>
+[[nodiscard]] Judgement held(const Subject& subject, const Case& c) {
+  try {
+    return kCheck(subject, c);
+  } catch (const Refusal& refusal) {
+    return refused(refusal, name_of(held<kCheck>));
+  }
+}
+
 constexpr std::array kLaws = {
-    Law{"COV", "the covered set is the specification's", check_cov},
+    Law{"COV", "the covered set is the specification's", held<check_cov>},
     Law{"PART", "polygons that tile a region cover each of its pixels once and no other",
-        check_part},
+        held<check_part>},
     Law{"PINWHEEL", "of triangles that meet in a vertex on a sample point exactly one owns it",
-        check_pinwheel},
-    Law{"CLIP", "drawing clipped is drawing whole, then cropping", check_clip},
+        held<check_pinwheel>},
+    Law{"CLIP", "drawing clipped is drawing whole, then cropping", held<check_clip>},
     Law{"VERT", "the mapping at a vertex is that vertex's, on a shared edge both sides agree",
-        check_vert},
+        held<check_vert>},
     Law{"MAP", "each texel drawn is the exact one, or within the profile's derived bound of it",
-        check_map},
-    Law{"DDA", "each texel drawn is that of the profile's arithmetic, bit for bit", check_dda},
-    Law{"GAMUT", "u and v stay within the polygon's own range, and in the texture", check_gamut},
-    Law{"SHIFT", "shifting by whole pixels or whole texels shifts the picture", check_shift},
-    Law{"ORDER", "neither the first vertex nor the winding matters", check_order},
-    Law{"MIRROR", "flips and quarter turns flip and turn the picture, ties apart", check_mirror},
-    Law{"SPLIT", "cutting along a chord changes nothing", check_split},
-    Law{"IDENTITY", "an axis-aligned one-to-one polygon is a block copy", check_identity},
-    Law{"AFFINE", "equal q is no q, and projective maps keep cross-ratios", check_affine},
+        held<check_map>},
+    Law{"DDA", "each texel drawn is that of the profile's arithmetic, bit for bit",
+        held<check_dda>},
+    Law{"GAMUT", "u and v stay within the polygon's own range, and in the texture",
+        held<check_gamut>},
+    Law{"SHIFT", "shifting by whole pixels or whole texels shifts the picture", held<check_shift>},
+    Law{"ORDER", "neither the first vertex nor the winding matters", held<check_order>},
+    Law{"MIRROR", "flips and quarter turns flip and turn the picture, ties apart",
+        held<check_mirror>},
+    Law{"SPLIT", "cutting along a chord changes nothing", held<check_split>},
+    Law{"IDENTITY", "an axis-aligned one-to-one polygon is a block copy", held<check_identity>},
+    Law{"AFFINE", "equal q is no q, and projective maps keep cross-ratios", held<check_affine>},
     Law{"FILTER", "a filtered pixel is its formula's mean, and a constant texture stays constant",
-        check_filter},
+        held<check_filter>},
     Law{"TOLERANCE", "within a tolerance, texels are within a derived bound, and that within it",
-        check_tolerance},
-    Law{"MEM", "nothing but the target's visible pixels is written", check_mem},
+        held<check_tolerance>},
+    Law{"MEM", "nothing but the target's visible pixels is written", held<check_mem>},
     Law{"TOTAL", "every input gets a picture or a named error, and an error draws nothing",
-        check_total},
+        held<check_total>},
     Law{"SAME", "every order of tiles, number of threads, kernel and layout draws the same bytes",
-        check_same},
+        held<check_same>},
 #ifdef SELVAGE_WITH_OPENCV
-    Law{"ORACLE", "the mapper agrees with OpenCV wherever OpenCV is decided", check_oracle},
+    Law{"ORACLE", "the mapper agrees with OpenCV wherever OpenCV is decided", held<check_oracle>},
 #endif
 };
 

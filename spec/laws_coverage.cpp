@@ -1,6 +1,7 @@
 // Laws of coverage: COV, PART, PINWHEEL.
 #include <algorithm>
 #include <numeric>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,40 +16,73 @@ namespace {
   return {static_cast<int32_t>(p.x), static_cast<int32_t>(p.y), like.u, like.v, like.q};
 }
 
-// How often each pixel of the target is drawn by the tiles (centre, v_k, v_k+1) of a fan, drawn one
-// at a time: clockwise tiles count +1, the others -1.
-[[nodiscard]] std::vector<int> draw_fan(const Subject& subject, const Case& c,
-                                        const selvage_vertex& centre) {
-  std::vector<int> counts(static_cast<size_t>(c.target_width_px) *
-                          static_cast<size_t>(c.target_height_px));
+// How many tiles draw a pixel: those that run clockwise, and the others.
+struct Times {
+  int clockwise = 0, counter_clockwise = 0;
+
+  // As often as the outline winds around it: where tiles fold back they cancel each other out.
+  [[nodiscard]] int sum() const { return clockwise - counter_clockwise; }
+};
+
+// The tiles (centre, v_k, v_k+1) of an outline, drawn one at a time.
+struct Fan {
+  std::vector<Times> times;  // of each pixel of the target
+  bool runs_one_way = true;  // no tile is counter-clockwise
+};
+
+[[nodiscard]] bool is_counter_clockwise(const std::vector<selvage_vertex>& corners) {
+  return doubled_area(position(corners[0]), position(corners[1]), position(corners[2])) < 0;
+}
+
+[[nodiscard]] Fan draw_fan(const Subject& subject, const Case& c, const selvage_vertex& centre) {
+  Fan fan{std::vector<Times>(static_cast<size_t>(c.target_width_px) *
+                             static_cast<size_t>(c.target_height_px))};
   for (size_t k = 0; k < c.vertices.size(); ++k) {
     const selvage_vertex& a = c.vertices[k];
     const selvage_vertex& b = c.vertices[(k + 1) % c.vertices.size()];
     Case tile_case = with_vertices(c, {centre, a, b});
-    const auto& corners = tile_case.vertices;
-    const int64_t area =
-        doubled_area(position(corners[0]), position(corners[1]), position(corners[2]));
-    const int sign = area >= 0 ? 1 : -1;
+    const bool is_reverse = is_counter_clockwise(tile_case.vertices);
+    fan.runs_one_way = fan.runs_one_way && !is_reverse;
     make_visible(profile_of(c), subject.claims, &tile_case.vertices);
     const Picture tile = draw(subject, tile_case);
-    for (size_t i = 0; i < counts.size(); ++i) counts[i] += tile.pixels[i] ? sign : 0;
+    for (size_t i = 0; i < fan.times.size(); ++i) {
+      int& times = is_reverse ? fan.times[i].counter_clockwise : fan.times[i].clockwise;
+      times += tile.pixels[i] ? 1 : 0;
+    }
   }
-  return counts;
+  return fan;
 }
 
-[[nodiscard]] Judgement judge_counts(std::string_view law, const Case& shown,
-                                     const std::vector<int>& counts) {
+[[nodiscard]] std::string times_text(int count) {
+  return count == 0 ? "never" : count == 1 ? "once" : std::to_string(count) + " times";
+}
+
+[[nodiscard]] std::string wanted_text(const Fan& fan, int wanted) {
+  if (fan.runs_one_way && wanted >= 0) return "the tiles draw it " + times_text(wanted);
+  if (wanted == 0) return "clockwise tiles draw it as often as counter-clockwise ones";
+  const std::string more = times_text(wanted < 0 ? -wanted : wanted) + " more often than ";
+  return wanted > 0 ? "clockwise tiles draw it " + more + "counter-clockwise ones"
+                    : "counter-clockwise tiles draw it " + more + "clockwise ones";
+}
+
+[[nodiscard]] std::string drawn_text(const Fan& fan, const Times& times) {
+  if (fan.runs_one_way) return "they draw it " + times_text(times.clockwise);
+  return "clockwise ones " + times_text(times.clockwise) + ", counter-clockwise ones " +
+         times_text(times.counter_clockwise);
+}
+
+[[nodiscard]] Judgement judge_counts(std::string_view law, const Case& shown, const Fan& fan) {
   Judgement judgement;
   size_t index = 0;
   for (int32_t y = 0; y < shown.target_height_px; ++y) {
     for (int32_t x = 0; x < shown.target_width_px; ++x, ++index) {
       ++judgement.judged_px;
       const int wanted = winding_number(sample_point(shown, {x, y}), shown.vertices);
-      if (counts[index] == wanted) continue;
+      if (fan.times[index].sum() == wanted) continue;
       judgement.violation = violation_at(
           law, "the tiles of a fan cover a pixel as often as the outline winds around it", shown, x,
-          y, std::to_string(wanted) + " tiles", std::nullopt);
-      judgement.violation->drawn = std::to_string(counts[index]) + " tiles";
+          y, wanted_text(fan, wanted), std::nullopt);
+      judgement.violation->drawn = drawn_text(fan, fan.times[index]);
       return judgement;
     }
   }
@@ -144,11 +178,11 @@ Judgement check_pinwheel(const Subject& subject, const Case& c) {
   const auto [x_px, y_px] = pixel;
   const Point centre = sample_point(c, pixel);
   const Case region = with_vertices(unclipped(c), ring_around(centre, acceptable(c), choices));
-  const std::vector<int> owners =
-      draw_fan(subject, region, vertex_at(centre, region.vertices.front()));
+  const Fan fan = draw_fan(subject, region, vertex_at(centre, region.vertices.front()));
   Judgement judgement = {.judged_px = 1};
-  const int owned = owners[static_cast<size_t>(y_px) * static_cast<size_t>(c.target_width_px) +
-                           static_cast<size_t>(x_px)];
+  const size_t index = static_cast<size_t>(y_px) * static_cast<size_t>(c.target_width_px) +
+                       static_cast<size_t>(x_px);
+  const int owned = fan.times[index].sum();
   if (owned == 1) return judgement;
   judgement.violation =
       violation_at("PINWHEEL", "of triangles around a sample point exactly one owns it", region,

@@ -1,9 +1,8 @@
 // Laws of robustness: MEM, TOTAL.
-#include <string>
-
 #include "spec/hostile_calls.h"
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
+#include "spec/status_name.h"
 
 namespace selvage::spec {
 
@@ -28,10 +27,6 @@ Judgement check_mem(const Subject& subject, const Case& c) {
 }
 
 namespace {
-
-[[nodiscard]] std::string status_name(selvage_status status) {
-  return std::to_string(status) + " (" + selvage_status_text(status) + ")";
-}
 
 [[nodiscard]] Judgement judge_status(const Subject& subject, const Case& c) {
   const Picture picture = draw(subject, c);

@@ -8,6 +8,8 @@
 #include "spec/canvas.h"
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
+#include "spec/refusal.h"
+#include "spec/status_name.h"
 #include "spec/texture_memory.h"
 
 namespace selvage::spec {
@@ -201,8 +203,8 @@ struct Drawn {
                                       static_cast<uint64_t>(c.target_height_px)};
   if (other.status != in_turn.status) {
     judgement.violation =
-        violation_of_call("SAME", what, c, "status " + std::to_string(in_turn.status),
-                          "status " + std::to_string(other.status));
+        violation_of_call("SAME", what, c, "status " + status_name(in_turn.status),
+                          "status " + status_name(other.status));
   } else if (!(other.canvas == in_turn.canvas)) {
     judgement.violation = difference(scene, what, in_turn, other);
   }
@@ -218,6 +220,7 @@ Judgement check_same(const Subject& subject, const Case& c) {
   demand_claimed(subject, c);
   const Scene scene(subject, c);
   const Drawn in_turn = draw_in_turn(subject, scene);
+  demand_drawn(in_turn.status, scene.shown());
   const std::string tiles = std::to_string(scene.count()) + " polygons, each drawn tile by tile";
   if (subject.claims.clip &&
       add(&judgement, judge(scene, tiles, in_turn, draw_in_tiles(subject, scene)))) {

@@ -5,6 +5,7 @@
 #include "spec/filter_texture.h"
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
+#include "spec/status_name.h"
 #include "spec/texture_memory.h"
 
 namespace selvage::spec {
@@ -45,9 +46,9 @@ Judgement check_same_layouts(const Subject& subject, const Case& c) {
     if (!drawn) continue;
     const Picture& picture = *drawn;
     if (picture.status != given.status) {
-      judgement.violation = violation_of_call("SAME", sentence(layout), shown,
-                                              "status " + std::to_string(given.status),
-                                              "status " + std::to_string(picture.status));
+      judgement.violation =
+          violation_of_call("SAME", sentence(layout), shown, "status " + status_name(given.status),
+                            "status " + status_name(picture.status));
       return judgement;
     }
     const auto wanted = [&](int32_t x, int32_t y) { return must_be(given.at(x, y)); };

@@ -6,6 +6,7 @@
 #include "spec/canvas.h"
 #include "spec/drawings.h"
 #include "spec/model.h"
+#include "spec/refusal.h"
 #include "spec/texture_memory.h"
 
 namespace selvage::spec {
@@ -129,7 +130,13 @@ Picture draw(const Subject& subject, const Case& c) {
   return draw(subject, c, coordinate_texture(c.format));
 }
 
-Picture draw(const Subject& subject, const Case& c, const TexelAt& texel_at) {
+namespace {
+
+// The answers of the drawings over the two backgrounds.
+using Answers = std::array<selvage_status, 2>;
+
+[[nodiscard]] Picture draw_twice(const Subject& subject, const Case& c, const TexelAt& texel_at,
+                                 Answers* answers) {
   demand_claimed(subject, c);
   Picture picture = blank(c);
   std::array<Canvas, 2> canvases = {canvas_of(c, kBackgrounds[0]), canvas_of(c, kBackgrounds[1])};
@@ -144,14 +151,33 @@ Picture draw(const Subject& subject, const Case& c, const TexelAt& texel_at) {
     });
   };
   try {
-    picture.status = draw_with(0);
-    if (draw_with(1) != picture.status) picture.memory_fault = "the status depends on the target";
+    for (size_t i = 0; i < canvases.size(); ++i) (*answers)[i] = draw_with(i);
   } catch (const SubjectFailure&) {
     finish();  // what was drawn until then
     throw;
   }
+  picture.status = answers->front();
+  if (answers->back() != picture.status) picture.memory_fault = "the status depends on the target";
   finish();
   return picture;
+}
+
+}  // namespace
+
+void demand_drawn(selvage_status status, const Case& c) {
+  if (status != SELVAGE_OK && is_valid(c)) throw Refusal{status, c};
+}
+
+Picture draw(const Subject& subject, const Case& c, const TexelAt& texel_at) {
+  Answers answers{};
+  Picture picture = draw_twice(subject, c, texel_at, &answers);
+  for (const selvage_status answer : answers) demand_drawn(answer, c);
+  return picture;
+}
+
+Picture draw_whatever_answered(const Subject& subject, const Case& c, const TexelAt& texel_at) {
+  Answers answers{};
+  return draw_twice(subject, c, texel_at, &answers);
 }
 
 Weights filter_weights(const Case& c, int32_t x_px, int32_t y_px, const Sample& point) {

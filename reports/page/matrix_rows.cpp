@@ -40,6 +40,7 @@ json cell_of(const MatrixRow& row, const std::string& name) {
 // what is shown is not the mapper's alone, so that it may look right.
 enum class Standing { kNone, kShown, kStale };
 Standing standing_of(const json& cell, const json& finding) {
+  if (cell.at("verdict") == "not judged") return Standing::kNone;  // the time was over
   const bool violated = cell.at("verdict") == "violated";
   if (finding.is_null() || !finding.contains("case") || finding.value("varies", false)) {
     return violated && !finding.is_null() ? Standing::kShown : Standing::kNone;

@@ -17,6 +17,11 @@ std::string statement_of(const json& laws, const std::string& name) {
   return {};
 }
 
+std::string class_of(const std::string& verdict) {
+  if (verdict == "holds") return "class=good";
+  return verdict == "not judged" ? "class=quiet" : "class=bad";
+}
+
 // What was seen, under the row of a law that does not hold.
 std::string violation_row(const json& violation) {
   const auto text = [&](const char* key) { return escaped(violation.value(key, std::string())); };
@@ -39,12 +44,12 @@ std::string verdict_section(const Results& results) {
   for (const json& law : results.verify.at("laws")) {
     const auto name = law.at("law").get<std::string>();
     const auto verdict = law.at("verdict").get<std::string>();
-    rows += element(
-        "tr", element("th", escaped(name), "scope=row") +
-                  element("td", escaped(verdict), verdict == "holds" ? "class=good" : "class=bad") +
-                  element("td", escaped(statement_of(results.laws, name))) +
-                  element("td", grouped(law.at("cases").get<uint64_t>()), "class=n") +
-                  element("td", grouped(law.at("judged_px").get<uint64_t>()), "class=n"));
+    rows +=
+        element("tr", element("th", escaped(name), "scope=row") +
+                          element("td", escaped(verdict), class_of(verdict)) +
+                          element("td", escaped(statement_of(results.laws, name))) +
+                          element("td", grouped(law.at("cases").get<uint64_t>()), "class=n") +
+                          element("td", grouped(law.at("judged_px").get<uint64_t>()), "class=n"));
     if (law.contains("violation")) rows += violation_row(law["violation"]);
   }
   std::string missing;

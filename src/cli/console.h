@@ -7,7 +7,8 @@ namespace selvage::cli {
 
 inline constexpr int kExitFine = 0;
 inline constexpr int kExitLawFailed = 1;
-inline constexpr int kExitUsage = 2;  // wrong use, or a file that cannot be read or written
+inline constexpr int kExitUsage = 2;   // wrong use, or a file that cannot be read or written
+inline constexpr int kExitNoTime = 3;  // nothing was found wrong, but not all could be judged
 
 struct Console {
   std::ostream& out;

@@ -4,6 +4,7 @@
 
 #include "cli/comparison_picture.h"
 #include "spec/filter_texture.h"
+#include "spec/refusal.h"
 
 namespace selvage::cli {
 namespace {
@@ -52,7 +53,8 @@ Raster counterexample_picture(const spec::Subject& judged, const spec::Violation
   return comparison_picture(
       {.scene = shown,
        .colours = colours,
-       .drawn = noted != nullptr ? *noted : spec::draw(unfailing(judged), shown, texture),
+       .drawn = noted != nullptr ? *noted
+                                 : spec::draw_whatever_answered(unfailing(judged), shown, texture),
        .expected = spec::expected(shown, texture),
        .x_px = violation.x_px,
        .y_px = violation.y_px,

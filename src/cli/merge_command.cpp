@@ -86,6 +86,7 @@ void add(spec::Hunted* total, const spec::Hunted& part) {
     if (part.known.tried > known.tried) known = part.known;
     time_ns += static_cast<uint64_t>(part.time_ns);
     if (is_before(part, total)) total = part;
+    total.lacked_time |= part.lacked_time;
     if (total.found.violation) continue;
     total.found.cases += part.found.cases;
     total.found.judged_px += part.found.judged_px;
@@ -124,12 +125,12 @@ int run_merge(const MergeOptions& options, const Console& console) {
   if (!options.junit.empty()) write_text_file(options.junit, junit_xml(whole));
   if (options.json) {
     console.out << verdict_json(whole);
-    return passed(whole) ? kExitFine : kExitLawFailed;
+    return exit_code(whole);
   }
   console.out << "seed " << whole.seed << '\n' << table_header();
   for (const Verdict& verdict : whole.verdicts) console.out << table_row(verdict);
   console.out << table_summary(whole) << explanations(whole);
-  return passed(whole) ? kExitFine : kExitLawFailed;
+  return exit_code(whole);
 }
 
 }  // namespace selvage::cli

@@ -21,7 +21,7 @@ struct MergeOptions {
 [[nodiscard]] VerifyRun merged(const std::vector<VerifyRun>& runs,
                                const std::vector<std::string>& names);
 
-// Returns kExitFine or kExitLawFailed.
+// Returns kExitFine, kExitLawFailed or kExitNoTime.
 int run_merge(const MergeOptions& options, const Console& console);
 
 }  // namespace selvage::cli

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "cli/console.h"
+
 namespace selvage::cli {
 namespace {
 
@@ -72,7 +74,8 @@ namespace {
 
 std::string_view outcome(const Verdict& verdict) {
   if (verdict.found.violation) return "violated";
-  return verdict.found.judged_px == 0 ? "judged nothing" : "holds";
+  if (verdict.lacked_time) return "not judged";
+  return verdict.found.judged_px > 0 ? "holds" : "judged nothing";
 }
 
 std::string_view found_by(const Verdict& verdict) {
@@ -86,9 +89,20 @@ bool passed(const VerifyRun& run) {
     return [which](const Verdict& verdict) { return outcome(verdict) == which; };
   };
   if (std::any_of(run.verdicts.begin(), run.verdicts.end(), is("violated"))) return false;
+  if (std::any_of(run.verdicts.begin(), run.verdicts.end(), is("not judged"))) return false;
   if (run.shard.count > 1) return true;
   return run.replay ? std::any_of(run.verdicts.begin(), run.verdicts.end(), is("holds"))
                     : std::all_of(run.verdicts.begin(), run.verdicts.end(), is("holds"));
+}
+
+int exit_code(const VerifyRun& run) {
+  if (passed(run)) return kExitFine;
+  const auto may_hold = [&](const Verdict& verdict) {
+    const std::string_view is = outcome(verdict);
+    return is == "holds" || is == "not judged" || (is == "judged nothing" && run.shard.count > 1);
+  };
+  const bool lacked_time = std::ranges::all_of(run.verdicts, may_hold);
+  return lacked_time && !run.verdicts.empty() && !run.replay ? kExitNoTime : kExitLawFailed;
 }
 
 std::string replay_line(const VerifyRun& run, const Verdict& verdict) {
@@ -144,6 +158,9 @@ std::string table_summary(const VerifyRun& run) {
     text += run.replay            ? " in this case"
             : run.shard.count > 1 ? " in this shard"
                                   : ", which shows nothing and counts as a failure";
+  }
+  if (const auto n = count("not judged")) {
+    text += ", " + std::to_string(n) + " not judged: the time was over (more --time is needed)";
   }
   text += ".\n";
   for (const Verdict& verdict : run.verdicts) {

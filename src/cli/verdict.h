@@ -23,6 +23,7 @@ struct Verdict {
   std::string picture{};     // where the counterexample was drawn; empty if it was not
   bool from_corpus = false;  // it was known before
   Known known{};
+  bool lacked_time = false;  // the time was over before anything was judged, here or in a shard
 };
 
 // "corpus", "random" or "hunt": what the violation was found by.
@@ -60,12 +61,16 @@ struct VerifyRun {
   Shard shard{};
 };
 
-// "holds", "violated", or "judged nothing": a law without a say has shown nothing.
+// "holds", "violated", "judged nothing": a law without a say has shown nothing, or "not judged":
+// there was no time for it.
 [[nodiscard]] std::string_view outcome(const Verdict& verdict);
 
 // Every law must hold. In a replay a law may find nothing to judge in the one case, but not all; in
 // a shard it may, for other shards have the other cases.
 [[nodiscard]] bool passed(const VerifyRun& run);
+
+// 0: passed; 1: not; 3: nothing was found wrong, but for some laws there was no time.
+[[nodiscard]] int exit_code(const VerifyRun& run);
 
 // The command that shows the counterexample again.
 [[nodiscard]] std::string replay_line(const VerifyRun& run, const Verdict& verdict);

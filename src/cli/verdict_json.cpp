@@ -147,6 +147,7 @@ template <std::integral Integer = uint64_t>
   found.cases = whole(values, "cases");
   found.judged_px = whole(values, "judged_px");
   verdict.time_ns = whole<int64_t>(values, "time_ns");
+  verdict.lacked_time = values.at("verdict") == "not judged";
   if (values.contains("nearest")) {
     found.margin = {values["nearest"].at("measured"), values["nearest"].at("bound")};
   }

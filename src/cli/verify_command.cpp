@@ -231,7 +231,7 @@ int run_verify(const VerifyOptions& options, const spec::Subject& built_in,
   if (!options.junit.empty()) write_text_file(options.junit, junit_xml(run));
   console.out << (show ? explanations(run) : verdict_json(run));
   keep_output(options, chosen, console);
-  return passed(run) ? kExitFine : kExitLawFailed;
+  return exit_code(run);
 }
 
 }  // namespace selvage::cli

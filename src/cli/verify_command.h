@@ -29,7 +29,7 @@ struct VerifyOptions {
 };
 
 // Holds the subject, or the one that the options name, against the laws. Returns kExitFine or
-// kExitLawFailed.
+// kExitLawFailed, or kExitNoTime.
 int run_verify(const VerifyOptions& options, const spec::Subject& built_in, const Console& console);
 
 }  // namespace selvage::cli

@@ -129,7 +129,11 @@ std::vector<Verdict> carry_out(const VerifyPlan& plan, const spec::Subject& subj
   std::vector<Verdict> verdicts;
   for (const LawRun& run : runs) {
     verdicts.push_back(plan.time ? run.verdict() : run.verdict(plan.cases));
-    if (plan.time) done(verdicts.back());
+    if (!plan.time) continue;
+    const spec::LawVerdict& found = verdicts.back().found;
+    verdicts.back().lacked_time =
+        Clock::now() >= end && found.cases < kCasesPerRound && found.judged_px == 0;
+    done(verdicts.back());
   }
   return verdicts;
 }

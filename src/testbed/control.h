@@ -38,10 +38,11 @@ struct End {
   Access access = Access::kUnknown;
   uintptr_t address = 0;  // of the access, where the signal is about one
   bool is_address_known = false;
-  bool was_sent = false;  // by a process: it tells of no fault
-  bool threw = false;     // an exception came out of the call
-  int fork_error = 0;     // as in errno: there was no worker at all
-  int wait_status = 0;    // as by waitpid
+  bool has_left_stack = false;  // the stack pointer was where no memory is
+  bool was_sent = false;        // by a process: it tells of no fault
+  bool threw = false;           // an exception came out of the call
+  int fork_error = 0;           // as in errno: there was no worker at all
+  int wait_status = 0;          // as by waitpid
 };
 
 enum class Function : uint32_t {

@@ -36,7 +36,7 @@ inline constexpr uintptr_t kNearNull = 65536;
   const std::string place = placement.place_of(end.address);
   if (!place.empty()) return verb(end.access) + place;
   if (end.address < kNearNull) return verb(end.access) + "through a null pointer";
-  if (is_below_stack(end.address, control.stack)) return "ran out of stack";
+  if (end.has_left_stack || is_below_stack(end.address, control.stack)) return "ran out of stack";
   return verb(end.access) + "memory that it was not given, at " + hexadecimal(end.address);
 }
 

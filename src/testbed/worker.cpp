@@ -1,9 +1,11 @@
 #include "testbed/worker.h"
 
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <ucontext.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <csignal>
 
 #include "testbed/float_control.h"
@@ -23,6 +25,26 @@ Control* noted_in = nullptr;  // a signal handler is given nothing
 #endif
 }
 
+// 0 where it is not known.
+[[nodiscard]] uintptr_t stack_pointer_of([[maybe_unused]] const void* context) {
+#if defined(__x86_64__) && defined(REG_RSP)
+  const auto& registers = static_cast<const ucontext_t*>(context)->uc_mcontext.gregs;
+  return static_cast<uintptr_t>(registers[REG_RSP]);
+#elif defined(__aarch64__)
+  return static_cast<const ucontext_t*>(context)->uc_mcontext.sp;
+#else
+  return 0;
+#endif
+}
+
+// A frame may be far larger than what is left of the stack.
+[[nodiscard]] bool is_unmapped(uintptr_t address) {
+  const auto page_bytes = static_cast<uintptr_t>(sysconf(_SC_PAGESIZE));
+  unsigned char resident = 0;
+  return mincore(reinterpret_cast<void*>(address / page_bytes * page_bytes), 1, &resident) != 0 &&
+         errno == ENOMEM;
+}
+
 void note_fault(int signal, siginfo_t* info, void* context) {
   End& end = noted_in->end;
   int32_t none = 0;
@@ -32,6 +54,8 @@ void note_fault(int signal, siginfo_t* info, void* context) {
     end.address = reinterpret_cast<uintptr_t>(info->si_addr);
     end.is_address_known = info->si_code != SI_KERNEL;  // else it is no address at all
     end.access = access_of(context);
+    const uintptr_t stack_pointer = stack_pointer_of(context);
+    end.has_left_stack = stack_pointer != 0 && is_unmapped(stack_pointer);
   }
   _exit(1);
 }

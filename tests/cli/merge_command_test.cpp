@@ -137,6 +137,27 @@ TEST_F(Merge, AddsWhatIsNewToACorpus) {
   }
 }
 
+// A law is not judged as long as one shard had no time for it, and a violation is one all the same.
+TEST_F(Merge, TellsWhatAShardHadNoTimeFor) {
+  const auto deny_time = [](const std::string& name) {
+    auto values = nlohmann::json::parse(get(name));
+    values["laws"][0]["verdict"] = "not judged";
+    values["laws"][0]["cases"] = values["laws"][0]["judged_px"] = 0;
+    put(name, values.dump());
+  };
+  const auto right = put_shards(spec::built_in(), 2);
+  deny_time("2.json");
+  const auto whole = nlohmann::json::parse(merge(right, kExitNoTime));
+  EXPECT_EQ(whole["passed"], false);
+  EXPECT_EQ(whole["laws"][0]["verdict"], "not judged");
+  EXPECT_GT(whole["laws"][0]["judged_px"], 0) << "by the other shard";
+  EXPECT_EQ(whole["laws"][1]["verdict"], "holds");
+  expect_contains(get("out.xml"), "<skipped message=\"not judged: the time was over\"/>");
+  const auto wrong = put_shards(shifted_texture(1), 2);
+  deny_time("2.json");
+  (void)merge(wrong, kExitLawFailed);
+}
+
 TEST_F(Merge, RefusesACaseThatWasCutOff) {
   auto damaged = nlohmann::json::parse(verified(blank(), "1/1", "5", "exact", "4", "0"));
   for (const char* key : {"case", "shown_case"}) {

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/console.h"
 #include "cli/junit.h"
 #include "cli/verdict_json.h"
 
@@ -54,6 +55,35 @@ TEST(Verdict, CountsALawWithoutASayAsAFailure) {
   expect_contains(
       table_summary(run_of({holding("COV"), holding("MAP", 0)})),
       "1 of 2 laws hold, 1 judged nothing, which shows nothing and counts as a failure");
+}
+
+TEST(Verdict, CountsALawWithoutTimeAsNeitherHeldNorFailed) {
+  Verdict unjudged = holding("MAP", 0);
+  unjudged.lacked_time = true;
+  const VerifyRun run = run_of({holding("COV"), unjudged});
+  EXPECT_EQ(outcome(unjudged), "not judged");
+  EXPECT_FALSE(passed(run));
+  EXPECT_EQ(exit_code(run), kExitNoTime);
+  expect_contains(table_summary(run), "1 of 2 laws hold, 1 not judged: the time was over");
+  expect_contains(junit_xml(run), "failures=\"0\" errors=\"0\" skipped=\"1\"");
+  expect_contains(junit_xml(run), "<skipped message=\"not judged: the time was over\"/>");
+  EXPECT_EQ(exit_code(run_of({unjudged, violated("COV")})), kExitLawFailed);
+  EXPECT_EQ(exit_code(run_of({unjudged, holding("COV", 0)})), kExitLawFailed);
+  EXPECT_EQ(exit_code(run_of({holding("COV")})), kExitFine);
+}
+
+// A shard that had no time is none that passed, whatever the others did.
+TEST(Verdict, OfAShardCountsALawWithoutTime) {
+  Verdict unjudged = holding("MAP", 0);
+  unjudged.lacked_time = true;
+  VerifyRun shard = run_of({holding("COV", 0), unjudged});
+  shard.shard = {1, 2};
+  EXPECT_FALSE(passed(shard));
+  EXPECT_EQ(exit_code(shard), kExitNoTime);
+  expect_contains(table_summary(shard), "1 judged nothing in this shard, 1 not judged: the time");
+  EXPECT_EQ(read_verdict(verdict_json(shard)).verdicts[1].lacked_time, true);
+  shard.verdicts[1].lacked_time = false;
+  EXPECT_EQ(exit_code(shard), kExitFine);
 }
 
 TEST(Verdict, OfAReplayNeedsOneLawWithASay) {

@@ -66,6 +66,18 @@ const json kLaws = {{{"law", "COV"}, {"statement", "covered <is> covered"}},
                    kLaws, findings);
 }
 
+// `selvage verify --time` may end before a law had its turn.
+TEST(Matrix, ShowsWhatWasNotJudged) {
+  MatrixRow row{.group = "ours", .id = "one", .verdict = verdict(), .error = ""};
+  row.verdict["laws"].erase(1);
+  row.verdict["laws"][0] = {
+      {"law", "COV"}, {"verdict", "not judged"}, {"cases", 0}, {"judged_px", 0}, {"time_ns", 0}};
+  const json matrix = matrix_of({row}, kLaws, json::object());
+  EXPECT_EQ(matrix.at("subjects")[0].at("cells")[0].at("verdict"), "not judged");
+  EXPECT_TRUE(holds(matrix_section(matrix), "<td class=quiet>not judged"));
+  EXPECT_FALSE(ours_hold(matrix)) << "it has shown nothing";
+}
+
 TEST(Matrix, TakesFromEachVerdictWhatItsCellsSay) {
   const json matrix = matrix_with(json::object());
   EXPECT_EQ(matrix.at("seed"), 7);

@@ -46,6 +46,7 @@ INSTANTIATE_TEST_SUITE_P(
         Hostile{"writes_vertices", "wrote in the vertices (SIGSEGV)"},
         Hostile{"reads_past_texture", "read just after the end of the texture, at texel ("},
         Hostile{"recurses", "ran out of stack (SIGSEGV)"},
+        Hostile{"fills_stack", "ran out of stack (SIGSEGV)"},
         Hostile{"divides", "divided by zero, or alike (SIGFPE)"},
         Hostile{"aborts", "aborted (SIGABRT)"}, Hostile{"exits", "exited with status 3"},
         Hostile{"raises", "was ended by a signal that was sent to it (SIGSEGV)"},
