@@ -39,7 +39,7 @@ All shards of one run are needed. What they knew from a corpus may differ: each 
 
 [[nodiscard]] std::string footer(const char* examples) {
   return std::string(examples) + "\n" + kUsualExitCodes +
-         "            3 no violation, but --time was over before each law had judged something\n";
+         "\n3 no violation, but --time was over before each law had judged something.\n";
 }
 
 constexpr const char* kSubject = "Another mapper to judge";
