@@ -7,6 +7,8 @@
 #define SELVAGE_VECTOR_BOX_KERNEL_INL_H
 #endif
 
+#include <type_traits>
+
 #include "mapper/box_row.h"
 #include "mapper/plane_footprint.h"
 #include "mapper/vector_blend_kernel-inl.h"
@@ -153,34 +155,34 @@ HWY_NOINLINE void draw_given_means(const BoxRow& boxes, const Span& piece, const
   draw_means(boxes, piece, surface, Means(surface));
 }
 
-void draw_boxes_affine(const AffineSpans& spans, BoxSides sides, const Surface& surface) {
+// Calls draw with the type of the means of such a surface.
+template <class Draw>
+HWY_INLINE void with_means(const Surface& surface, const Draw& draw) {
   with_layout(surface.texture.layout, [&](auto layout) {
     using Layout = decltype(layout);
-    const auto draw = surface.address == SELVAGE_ADDRESS_CLAMP
-                          ? draw_affine_means<BoxMeans<ClampEdge, Layout>>
-                          : draw_affine_means<BoxMeans<WrapEdge, Layout>>;
-    draw(spans, sides, surface);
+    if (surface.address == SELVAGE_ADDRESS_CLAMP) {
+      return draw(std::type_identity<BoxMeans<ClampEdge, Layout>>());
+    }
+    draw(std::type_identity<BoxMeans<WrapEdge, Layout>>());
+  });
+}
+
+void draw_boxes_affine(const AffineSpans& spans, BoxSides sides, const Surface& surface) {
+  with_means(surface, [&](auto means) {
+    draw_affine_means<typename decltype(means)::type>(spans, sides, surface);
   });
 }
 
 void draw_boxes_projective(const ProjectiveSpans& spans, const PlaneFootprint& footprint,
                            const Surface& surface) {
-  with_layout(surface.texture.layout, [&](auto layout) {
-    using Layout = decltype(layout);
-    const auto draw = surface.address == SELVAGE_ADDRESS_CLAMP
-                          ? draw_projective_means<BoxMeans<ClampEdge, Layout>>
-                          : draw_projective_means<BoxMeans<WrapEdge, Layout>>;
-    draw(spans, footprint, surface);
+  with_means(surface, [&](auto means) {
+    draw_projective_means<typename decltype(means)::type>(spans, footprint, surface);
   });
 }
 
 void draw_boxes(const BoxRow& boxes, const Span& piece, const Surface& surface) {
-  with_layout(surface.texture.layout, [&](auto layout) {
-    using Layout = decltype(layout);
-    const auto draw = surface.address == SELVAGE_ADDRESS_CLAMP
-                          ? draw_given_means<BoxMeans<ClampEdge, Layout>>
-                          : draw_given_means<BoxMeans<WrapEdge, Layout>>;
-    draw(boxes, piece, surface);
+  with_means(surface, [&](auto means) {
+    draw_given_means<typename decltype(means)::type>(boxes, piece, surface);
   });
 }
 
