@@ -6,6 +6,7 @@
 
 #include "reports/stability/bound.h"
 #include "spec/law_tools.h"
+#include "spec/refusal.h"
 
 namespace selvage::stability {
 namespace {
@@ -107,7 +108,9 @@ bool is_worse(const Errors& a, const Errors& b, Promise promise) {
 }
 
 spec::Picture drawing_of(const Contender& contender, const Reference& model) {
-  return spec::draw(contender.subject, in_its_way(contender, model.scene));
+  const spec::Case scene = in_its_way(contender, model.scene);
+  return spec::draw_whatever_answered(contender.subject, scene,
+                                      spec::coordinate_texture(scene.format));
 }
 
 Errors errors_of(const Contender& contender, const Reference& model) {
