@@ -166,10 +166,12 @@ class Line {
 }
 
 // floor(n / d) below 2^8, by a reciprocal: its product with n is off by less than 2^-43, so its
-// floor by one at most. Several times as fast as to divide 64 bits.
-[[nodiscard]] uint32_t quotient(int64_t n, int64_t d, double reciprocal) {
-  const auto near = static_cast<int32_t>(static_cast<double>(n) * reciprocal);
-  const int64_t rest = n - near * d;
+// floor by one at most. Several times as fast as to divide 64 bits. Whatever n is, for sums are
+// memory of the caller, some number comes out.
+[[nodiscard]] uint32_t quotient(uint64_t n, int64_t d, double reciprocal) {
+  const double estimate = std::min(static_cast<double>(n) * reciprocal, 255.0);
+  const auto near = static_cast<int32_t>(estimate);
+  const auto rest = static_cast<int64_t>(n - static_cast<uint64_t>(near * d));
   return static_cast<uint32_t>(rest < 0 ? near - 1 : rest >= d ? near + 1 : near);
 }
 
@@ -197,7 +199,8 @@ uint32_t box_mean(const BoxSum& sum, const Box& box) {
   const double reciprocal = 0.5 / static_cast<double>(area);
   uint32_t pixel = 0;
   for (size_t i = 0; i < sum.size(); ++i) {
-    pixel |= quotient(2 * static_cast<int64_t>(sum[i]) + area, 2 * area, reciprocal) << (8 * i);
+    const uint64_t doubled = 2 * sum[i] + static_cast<uint64_t>(area);
+    pixel |= quotient(doubled, 2 * area, reciprocal) << (8 * i);
   }
   return pixel;
 }

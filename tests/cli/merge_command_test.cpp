@@ -130,10 +130,11 @@ TEST_F(Merge, AddsWhatIsNewToACorpus) {
   ASSERT_FALSE(known.empty());
   for (const auto& law : nlohmann::json::parse(out.str())["laws"]) {
     if (!law.contains("violation")) continue;
+    const std::string name = law["law"], found = law["violation"]["case"];
     const auto is_it = [&](const KnownCase& one) {
-      return one.law == law["law"] && spec::to_hex(one.found) == law["violation"]["case"];
+      return one.law == name && spec::to_hex(one.found) == found;
     };
-    EXPECT_TRUE(std::ranges::any_of(known, is_it)) << law["law"];
+    EXPECT_TRUE(std::ranges::any_of(known, is_it)) << name;
   }
 }
 
