@@ -128,7 +128,8 @@ TEST_F(Merge, AddsWhatIsNewToACorpus) {
             kExitLawFailed);
   const auto known = read_corpus("known");
   ASSERT_FALSE(known.empty());
-  for (const auto& law : nlohmann::json::parse(out.str())["laws"]) {
+  const nlohmann::json merged = nlohmann::json::parse(out.str());
+  for (const auto& law : merged["laws"]) {
     if (!law.contains("violation")) continue;
     const std::string name = law["law"], found = law["violation"]["case"];
     const auto is_it = [&](const KnownCase& one) {
