@@ -26,8 +26,8 @@ class Outline {
   [[nodiscard]] Chain* backward() { return &backward_; }
 
   [[nodiscard]] bool is_triangle() const { return polygon_->vertices.size() == 3; }
-  // Of a triangle that has rows. A line is not asked about rows that its edge does not cross, and
-  // so may have no height.
+  // Of a triangle that has rows. They go on where their edges do not, but mean nothing there: one
+  // whose edge crosses no row may have no height.
   [[nodiscard]] TriangleLines lines_from(int32_t row) const {
     const selvage_vertex* const v = polygon_->vertices.data();
     const size_t first = polygon_->top, second = first == 2 ? 0 : first + 1,
