@@ -45,11 +45,33 @@ namespace {
   return spans;
 }
 
+// How many batches the kernel made, each of them as walked and with its widest span.
+int expect_as_walked(const Polygon& polygon, const selvage_rect& visible, FindSpans find_spans) {
+  const std::vector<Span> wanted = walked(polygon, visible);
+  BatchWalk walk(polygon, visible, find_spans);
+  SpanBatch batch;
+  size_t row = 0;
+  int batches = 0;
+  for (; walk.next(&batch); ++batches) {
+    int32_t widest_px = 0;
+    for (int32_t i = 0; i < batch.rows; ++i, ++row) {
+      const Span span = batch.span(i), want = wanted.at(row);
+      EXPECT_EQ(span.row, want.row);
+      EXPECT_EQ(span.left_px, want.left_px) << "row " << span.row;
+      EXPECT_EQ(span.right_px, want.right_px) << "row " << span.row;
+      widest_px = std::max(widest_px, want.width_px());
+    }
+    EXPECT_EQ(batch.widest_px, widest_px);
+  }
+  EXPECT_EQ(row, wanted.size());
+  return batches;
+}
+
 // Most batches end inside of edges that go on to part.
 TEST(RowKernel, FindsSpansAndTheWidest) {
   spec::Random random(4);
   int batches = 0;
-  while (batches < 4000) {
+  while (batches < 4000 && !HasFailure()) {
     const std::vector<selvage_vertex> vertices = any_outline(random);
     Polygon polygon;
     if (examine(vertices, &polygon) != SELVAGE_OK || polygon.top_row >= polygon.bottom_row)
@@ -58,26 +80,59 @@ TEST(RowKernel, FindsSpansAndTheWidest) {
                   top = random.in(polygon.top_row - 5, polygon.bottom_row);
     const selvage_rect visible{left_px, top, left_px + random.in(0, 400),
                                top + random.in(1, 2 * kRowsPerBatch)};
-    const std::vector<Span> wanted = walked(polygon, visible);
     for (const FindSpans find_spans : row_kernels()) {
-      BatchWalk walk(polygon, visible, find_spans);
-      SpanBatch batch;
-      size_t row = 0;
-      while (walk.next(&batch)) {
-        ++batches;
-        int32_t widest_px = 0;
-        for (int32_t i = 0; i < batch.rows; ++i, ++row) {
-          ASSERT_LT(row, wanted.size());
-          const Span span = batch.span(i), &want = wanted[row];
-          ASSERT_EQ(span.row, want.row);
-          ASSERT_EQ(span.left_px, want.left_px) << "row " << span.row;
-          ASSERT_EQ(span.right_px, want.right_px) << "row " << span.row;
-          widest_px = std::max(widest_px, want.width_px());
-        }
-        ASSERT_EQ(batch.widest_px, widest_px);
-      }
-      ASSERT_EQ(row, wanted.size());
+      batches += expect_as_walked(polygon, visible, find_spans);
     }
+  }
+}
+
+// Vertices on centres and beside them, level edges and none, in either order of any start; what is
+// seen of them begins in every row.
+TEST(RowKernel, FindsEverySpanOfSmallTriangles) {
+  const std::vector<int32_t> xs_fx8 = {-700, 128, 129, 2000},
+                             ys_fx8 = {127, 128, 1000, 1664, 1665, 3100};
+  std::vector<selvage_vertex> points;
+  for (const int32_t x : xs_fx8) {
+    for (const int32_t y : ys_fx8) points.push_back({x, y, 0, 0, 1});
+  }
+  const std::vector<FindSpans> kernels = row_kernels();
+  for (const selvage_vertex& a : points) {
+    for (const selvage_vertex& b : points) {
+      for (const selvage_vertex& c : points) {
+        const std::vector<selvage_vertex> vertices = {a, b, c};
+        Polygon polygon;
+        ASSERT_EQ(examine(vertices, &polygon), SELVAGE_OK);
+        for (int32_t top = polygon.top_row; top < polygon.bottom_row; top += 3) {
+          for (const FindSpans find_spans : kernels) {
+            expect_as_walked(polygon, {-3, top, 7, polygon.bottom_row}, find_spans);
+          }
+        }
+        ASSERT_FALSE(HasFailure()) << "(" << a.x << ", " << a.y << "), (" << b.x << ", " << b.y
+                                   << "), (" << c.x << ", " << c.y << ")";
+      }
+    }
+  }
+}
+
+// Numerators and divisors of full length; most of the lines' rows are another edge's.
+TEST(RowKernel, FindsSpansOfTheLargestTriangles) {
+  spec::Random random(7);
+  constexpr int32_t kEnds_fx8[] = {SELVAGE_X_MIN,     SELVAGE_X_MIN + 1, -1, 0, 1,
+                                   SELVAGE_X_END - 2, SELVAGE_X_END - 1};
+  for (int i = 0; i < 400; ++i) {
+    std::vector<selvage_vertex> vertices(3);
+    for (selvage_vertex& v : vertices) {
+      v = {random.pick(kEnds_fx8), random.pick(kEnds_fx8), 0, 0, 1};
+    }
+    Polygon polygon;
+    ASSERT_EQ(examine(vertices, &polygon), SELVAGE_OK);
+    if (polygon.top_row >= polygon.bottom_row) continue;
+    const int32_t top = random.in(polygon.top_row, polygon.bottom_row);
+    const selvage_rect visible{-70000, top, 70000, std::min(top + 200, polygon.bottom_row)};
+    for (const FindSpans find_spans : row_kernels()) {
+      expect_as_walked(polygon, visible, find_spans);
+    }
+    ASSERT_FALSE(HasFailure());
   }
 }
 

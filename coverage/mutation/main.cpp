@@ -1,4 +1,4 @@
-// Tries mutants one after another and writes a line for each.
+// Tries mutants and writes a line for each.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -17,6 +17,7 @@
 
 #include "coverage/mutation/store.h"
 #include "coverage/mutation/trial.h"
+#include "coverage/mutation/workers.h"
 
 namespace selvage::mutation {
 namespace {
@@ -26,6 +27,7 @@ struct Options {
   Made made;
   uint64_t seeds = 300, first_seed = 1;
   double most_s = 1e6, each_s = 1e6;
+  int jobs = 1;
   bool again = false;
   std::vector<int> only;
   std::string in;
@@ -72,20 +74,6 @@ void tell(size_t done, size_t all, size_t left_alive, double since_s) {
   return items;
 }
 
-void try_all(const std::vector<Mutant>& mutants, Trials* trials, Store* store) {
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const auto start = std::chrono::steady_clock::now();
-  size_t count = 0, alive = 0;
-  for (const Mutant& mutant : mutants) {
-    const Outcome outcome = trials->of(mutant, store->killer_of(mutant));
-    store->add(mutant, outcome);
-    alive += outcome.lived() ? 1 : 0;
-    const std::chrono::duration<double> since_s = std::chrono::steady_clock::now() - start;
-    if (terminal) tell(++count, mutants.size(), alive, since_s.count());
-  }
-  if (terminal) std::fputc('\n', stderr);
-}
-
 int run(const Options& options) {
   const std::vector<Mutant> mutants = read_mutants(options.sites);
   Store store(options.store, options.made, mutants);
@@ -99,8 +87,14 @@ int run(const Options& options) {
     silence_stdout();
     std::vector<Item> items = recorded_items(options);
     if (items.empty()) return 2;
-    Trials trials(std::move(items), options.each_s);
-    try_all(to_try, &trials, &store);
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    const auto start = std::chrono::steady_clock::now();
+    const Trials trials(std::move(items), options.each_s);
+    try_all(to_try, options.jobs, trials, &store, [&](size_t done, size_t alive) {
+      const std::chrono::duration<double> since_s = std::chrono::steady_clock::now() - start;
+      if (terminal) tell(done, to_try.size(), alive, since_s.count());
+    });
+    if (terminal) std::fputc('\n', stderr);
   }
   std::ofstream outcomes(options.outcomes);
   for (const Mutant& mutant : mutants) {
@@ -129,6 +123,7 @@ int main(int argc, char** argv) {
   app.add_option("--first-seed", options.first_seed, "of these cases");
   app.add_option("--most-seconds", options.most_s, "what costs more, unmutated, is left out");
   app.add_option("--seconds-each", options.each_s, "of processor time for a mutant");
+  app.add_option("--jobs", options.jobs, "so many side by side")->check(CLI::PositiveNumber);
   app.add_option("--mutant", options.only, "only these numbers, anew");
   app.add_option("--in", options.in, "only those in files whose path has this in it");
   CLI11_PARSE(app, argc, argv);

@@ -32,6 +32,18 @@ struct EdgeLine {
 };
 static_assert(kPositionBits - 1 + kPositionBits < 53, "the dividend is exact in double");
 
+// Of the edge between two vertices, of which the first is not below the second:
+// ceil((x - 128 height) / (256 height)), as a floor, x being 256 dx more a row.
+[[nodiscard]] inline EdgeLine line_between(const selvage_vertex& top, const selvage_vertex& bottom,
+                                           int32_t row) {
+  const int64_t height = int64_t{bottom.y} - top.y;
+  const int64_t dx = int64_t{bottom.x} - top.x;
+  const int64_t x = top.x * height + dx * (centre_fx8(row) - top.y);
+  const int64_t divisor = kSubpixels * height;
+  return {static_cast<double>(x - kHalfPixel * height + divisor - 1),
+          static_cast<double>(kSubpixels * dx), static_cast<double>(divisor)};
+}
+
 // floor(a / b) for whole a and b > 0. Rounded once, the quotient floors right: a whole one is
 // exact, any other is at least 1 / b from the next whole number, and rounding moves it by less
 // (spec/proofs/edge_quotient.g).
@@ -79,16 +91,8 @@ class Edge {
     }
   }
 
-  // Of the rows from this one on, which it crosses:
-  // ceil((x - 128 height) / (256 height)), as a floor, x being 256 dx more a row.
-  [[nodiscard]] EdgeLine line_from(int32_t row) const {
-    const int64_t height = int64_t{bottom_->y} - top_->y;
-    const int64_t dx = int64_t{bottom_->x} - top_->x;
-    const int64_t x = top_->x * height + dx * (centre_fx8(row) - top_->y);
-    const int64_t divisor = kSubpixels * height;
-    return {static_cast<double>(x - kHalfPixel * height + divisor - 1),
-            static_cast<double>(kSubpixels * dx), static_cast<double>(divisor)};
-  }
+  // Of the rows from this one on, which it crosses.
+  [[nodiscard]] EdgeLine line_from(int32_t row) const { return line_between(*top_, *bottom_, row); }
 
   // The least column whose centre is at or right of the edge: ceil(x - 1/2), at the current row.
   [[nodiscard]] int32_t first_px() const { return static_cast<int32_t>(first_px_); }

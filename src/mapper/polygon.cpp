@@ -66,7 +66,11 @@ selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygo
   // A triangle turns twice at most.
   if (vertices.size() > 3 && !is_monotone(vertices)) return SELVAGE_ERROR_NOT_MONOTONE;
 
-  *polygon = Polygon{.vertices = vertices};
+  // Field by field: a whole Polygon would be copied by sixteens of bytes from where it was just made
+  // by eights, and wait for it.
+  polygon->vertices = vertices;
+  polygon->top = 0;
+  polygon->affine = true;
   const selvage_vertex& first = vertices[0];
   int32_t top_fx8 = first.y, bottom_fx8 = first.y, left_fx8 = first.x, right_fx8 = first.x;
   TexelBox texels{first.u, first.u, first.v, first.v};

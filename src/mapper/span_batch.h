@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 
-#include "mapper/edge.h"
+#include "mapper/outline.h"
 #include "mapper/polygon.h"
 #include "mapper/span.h"
 
@@ -36,13 +36,11 @@ struct SpanBatch {
   return batch;
 }
 
-// From edges to the spans of a batch's rows within these columns, and to the widest of them. Of the
-// two chains, the left one is decided row by row.
-using FindSpans = void (*)(Chain* forward, Chain* backward, int32_t left_px, int32_t right_px,
-                           SpanBatch* batch);
+// From edges to the spans of a batch's rows within these columns, and to the widest of them. Rows
+// rise from call to call.
+using FindSpans = void (*)(Outline* outline, int32_t left_px, int32_t right_px, SpanBatch* batch);
 
-void find_spans_scalar(Chain* forward, Chain* backward, int32_t left_px, int32_t right_px,
-                       SpanBatch* batch);
+void find_spans_scalar(Outline* outline, int32_t left_px, int32_t right_px, SpanBatch* batch);
 
 // All rows of a polygon that are visible, a batch at a time.
 class BatchWalk {
@@ -52,8 +50,7 @@ class BatchWalk {
         visible_(visible),
         row_(std::max(polygon.top_row, visible.top)),
         end_row_(std::min(polygon.bottom_row, visible.bottom)),
-        forward_(polygon, Chain::Direction::kForward),
-        backward_(polygon, Chain::Direction::kBackward) {}
+        outline_(polygon) {}
 
   // False where no row is left.
   [[nodiscard]] bool next(SpanBatch* batch) {
@@ -61,7 +58,7 @@ class BatchWalk {
     batch->first_row = row_;
     batch->rows = std::min(end_row_ - row_, kRowsPerBatch);
     row_ += batch->rows;
-    find_spans_(&forward_, &backward_, visible_.left, visible_.right, batch);
+    find_spans_(&outline_, visible_.left, visible_.right, batch);
     return true;
   }
 
@@ -69,7 +66,7 @@ class BatchWalk {
   FindSpans find_spans_;
   selvage_rect visible_;
   int32_t row_, end_row_;
-  Chain forward_, backward_;
+  Outline outline_;
 };
 
 }  // namespace selvage::mapper

@@ -42,7 +42,7 @@ template <class Pixel, class Address, class OneWindow>
       const LaneVectors lanes = batch.lanes_from(anchor);
       const auto is_pixel = hn::FirstN(d, static_cast<size_t>(count_px));
       changed = hn::IfThenElse(is_pixel, hn::Or(changed, batch.changes(lanes)), changed);
-      store_pixels(window.texels(lanes), count_px, pixels);
+      store_first(window.texels(lanes), count_px, pixels);
       pixels += kLanes;
       count_px -= kLanes;
       anchor = plus(anchor, kLanes, step_x);

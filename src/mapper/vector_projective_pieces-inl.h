@@ -125,7 +125,7 @@ template <class Pixel, class Address, class OneWindow>
         const LaneVectors lanes = AnchoredVectors::lanes_from(anchors, k, at);
         const auto is_pixel = hn::FirstN(d, static_cast<size_t>(count_px));
         changed = hn::IfThenElse(is_pixel, hn::Or(changed, fixed.changes(lanes)), changed);
-        store_pixels(window.texels(lanes), count_px, to);
+        store_first(window.texels(lanes), count_px, to);
         count_px -= kLanes;
         to += kLanes;
       }

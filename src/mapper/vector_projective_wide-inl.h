@@ -6,8 +6,7 @@
 #define SELVAGE_VECTOR_PROJECTIVE_WIDE_INL_H
 #endif
 
-#include <cmath>
-
+#include "mapper/steepness.h"
 #include "mapper/vector_lanes-inl.h"
 #include "mapper/vector_projective_kernel-inl.h"
 
@@ -62,23 +61,14 @@ class DividedVectors {
   double error_fx16_;
 };
 
-// The most that u changes by from a pixel of the span to the next, |u' d - u d'| over the least d
-// squared, in texels. What cancellation may hide of it is added: where u is far from 0 and d steep,
-// it may be more than lanes lack.
-[[nodiscard]] HWY_INLINE double steepest_texel(const DividedLanes::Linear& u_fx32,
-                                               const DividedLanes::Linear& d, int32_t width_px) {
-  const double least = HWY_MIN(d.start, d.start + (width_px - 1) * d.step);
-  const double rise = u_fx32.step * d.start, turn = u_fx32.start * d.step;
-  const double most = std::abs(rise - turn) + 0x1p-40 * (std::abs(rise) + std::abs(turn));
-  return most / (least * least) * kUnit_texel;
-}
+inline constexpr double kTooSteep_fx32 = 0x1p33;  // two texels: no window is for that
 
 [[nodiscard]] HWY_INLINE int32_t window_rows(const DividedLanes& lanes, int32_t width_px,
                                              const selvage_texture& texture) {
   if (!kHasWindows || width_px < 2 * kLanes) return 0;  // finding out would cost more than it saves
   const auto step_fx32 = [&](const DividedLanes::Linear& numerator) {
-    const double steepest = steepest_texel(numerator, lanes.denominator(), width_px);
-    return static_cast<int64_t>(HWY_MIN(steepest, 2.0) * 0x1p32) + 1;
+    const double steepest = steepest_fx32(numerator, lanes.denominator(), width_px);
+    return static_cast<int64_t>(HWY_MIN(steepest, kTooSteep_fx32)) + 1;
   };
   return window_rows({step_fx32(lanes.u_numerator_fx32()), step_fx32(lanes.v_numerator_fx32())},
                      texture);
