@@ -4,10 +4,31 @@
 
 #include "scene/plan.h"
 #include "scene/ruled_footprint.h"
-#include "scene/slopes.h"
 
 namespace selvage::scene {
 namespace {
+
+// u q (or v q) and q on the screen, linear in x and y: values at corners and their slopes a pixel.
+struct Linear {
+  double along_x = 0, along_y = 0;
+};
+
+using Triangle = std::span<const selvage_vertex, 3>;
+
+[[nodiscard]] double px(int32_t fx8) { return fx8 / kSubpixels; }
+
+[[nodiscard]] double doubled_area_px(Triangle t) {
+  return px(t[1].x - t[0].x) * px(t[2].y - t[0].y) - px(t[2].x - t[0].x) * px(t[1].y - t[0].y);
+}
+
+template <class Value>
+[[nodiscard]] Linear slopes(Triangle t, Value value) {
+  const double b = value(t[1]) - value(t[0]), c = value(t[2]) - value(t[0]);
+  const double bx = px(t[1].x - t[0].x), by = px(t[1].y - t[0].y);
+  const double cx = px(t[2].x - t[0].x), cy = px(t[2].y - t[0].y);
+  const double area_px = doubled_area_px(t);
+  return {(b * cy - c * by) / area_px, (c * bx - b * cx) / area_px};
+}
 
 // The greatest of (a + b t) / (c + d t)^2 for t in [0, 1], a, a + b >= 0 and c, c + d > 0: at an
 // end, or where the derivative vanishes.
