@@ -1,8 +1,6 @@
 // The bounds of spec/proofs, proved by Gappa with the constants of the code. Each claimed bound is
 // then made wrong, and each assumption too weak, one at a time: the proof must fail.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <array>
 #include <cstdint>
@@ -21,11 +19,13 @@
 #include "mapper/footprint.h"
 #include "mapper/lanes.h"
 #include "mapper/plane.h"
+#include "mapper/plane_footprint.h"
 #include "mapper/projective_plane.h"
 #include "mapper/tolerance.h"
 #include "mapper/vector_kernel.h"
 #include "spec/dda_bounds.h"
 #include "spec/oracle.h"
+#include "tests/gappa.h"
 
 namespace selvage {
 namespace {
@@ -160,6 +160,12 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
         {"STEP_BITS", number(kStepBits), "30"},
         {"STEP_DIVISOR_BITS", number(kStepDivisorBits), "29"}}},
       {"footprint", {{"ROUNDINGS", number(kFootprintRoundings), number(kFootprintRoundings - 2)}}},
+      {"plane_footprint",
+       {{"CONVERSION", number(kPlaneConversionRoundings * 0x1p-53), "0x5p-53"},
+        {"SUM", number(kPlaneRoundings * 0x1p-53), "0xa.2p-53"},
+        {"ROUNDINGS", number(kSideRoundings), "18"},
+        {"TRUNCATIONS", number(kProjectiveTruncations_fx32), "1"},
+        {"LEAST_SHARE", number(0.5 / kMostReach), "0x1p-60"}}},
       {"filter_grid",
        {{"GRID_FRACTION", number(kGridFraction)},
         {"WIDEST", number(kWidestMargin_fx32), "50331649"}}},
@@ -217,27 +223,6 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
   return text;
 }
 
-struct Verdict {
-  int status;  // Gappa's exit status, or -1
-  std::string output;
-};
-
-[[nodiscard]] Verdict ask_gappa(const std::string& text) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) /
-                                     ("selvage_proof_" + std::to_string(getpid()) + ".g");
-  std::ofstream(path) << text;
-  const std::string command = std::string("'") + SELVAGE_GAPPA + "' '" + path.string() + "' 2>&1";
-  Verdict verdict{-1, ""};
-  if (FILE* pipe = popen(command.c_str(), "r")) {
-    std::array<char, 4096> piece{};
-    while (fgets(piece.data(), piece.size(), pipe) != nullptr) verdict.output += piece.data();
-    const int status = pclose(pipe);
-    if (WIFEXITED(status)) verdict.status = WEXITSTATUS(status);
-  }
-  std::filesystem::remove(path);
-  return verdict;
-}
-
 class Proofs : public testing::TestWithParam<Proof> {
  protected:
   void SetUp() override {
@@ -250,7 +235,7 @@ class Proofs : public testing::TestWithParam<Proof> {
 // A warning is a failure too: Gappa takes a rewriting rule that it cannot verify on trust.
 TEST_P(Proofs, HoldWithTheConstantsOfTheCode) {
   const std::string text = filled(GetParam());
-  const Verdict verdict = ask_gappa(text);
+  const Verdict verdict = ask_gappa(SELVAGE_GAPPA, text);
   EXPECT_TRUE(verdict.status == 0 && verdict.output.empty())
       << "gappa: status " << verdict.status << "\n"
       << verdict.output << "\n"
@@ -267,7 +252,7 @@ TEST_P(Proofs, FailWithAWrongConstant) {
     const std::string change = constant.name + " = " + constant.wrong + " for " + constant.value;
     constant.value = constant.wrong;
     const std::string text = filled(wrong);
-    const Verdict verdict = ask_gappa(text);
+    const Verdict verdict = ask_gappa(SELVAGE_GAPPA, text);
     const bool refused =
         verdict.output.find("some properties were not satisfied") != std::string::npos;
     EXPECT_TRUE(verdict.status == 1 && refused)

@@ -27,7 +27,7 @@ std::vector<selvage_kernel> kernels_here() { return kernels_that(true); }
 std::vector<selvage_kernel> kernels_elsewhere() { return kernels_that(false); }
 
 std::vector<FastestKernel> fastest_kernels() {
-  constexpr std::array kFilters{"nearest", "four", "bilinear"};
+  constexpr std::array kFilters{"nearest", "four", "bilinear", "area"};
   constexpr std::array kWorks{"large", "mesh", "perspective"};
   std::vector<std::max_align_t> scratch(SELVAGE_FASTEST_KERNEL_BYTES / sizeof(std::max_align_t));
   std::vector<FastestKernel> all;

@@ -63,6 +63,7 @@ void report(const DemoState& state, const DemoPicture& picture, Rate& rate,
 void run(const scene::Scene& scene, DemoWindow& window, int32_t frames, const Console& console) {
   DemoState state = demo_start(scene);
   scene::Scene now = scene;
+  scene::Paints paints(now, scene::kLitBytes);
   Rate rate;
   Clock::time_point last = Clock::now();
   for (int32_t frame = 0; frames == 0 || frame < frames; frame += frames != 0) {
@@ -72,7 +73,7 @@ void run(const scene::Scene& scene, DemoWindow& window, int32_t frames, const Co
     advance(state, std::min(Seconds(start - last).count(), kMostStep_s));
     last = start;
     pose(scene, state, now);
-    DemoPicture picture = posed_picture(now, state, window.size());
+    DemoPicture picture = posed_picture(now, state, window.size(), paints);
     rate.drawing += Clock::now() - start;
     ++rate.frames;
     window.show(picture.raster);

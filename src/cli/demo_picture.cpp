@@ -79,19 +79,22 @@ void draw_texts(const DemoState& state, DemoPicture& picture) {
 }  // namespace
 
 DemoPicture demo_picture(const scene::Scene& scene, const DemoState& state, scene::Size size) {
-  return posed_picture(posed(scene, state), state, size);
+  const scene::Scene now = posed(scene, state);
+  scene::Paints paints(now, scene::kLitBytes);
+  return posed_picture(now, state, size, paints);
 }
 
-DemoPicture posed_picture(const scene::Scene& now, const DemoState& state, scene::Size size) {
+DemoPicture posed_picture(const scene::Scene& now, const DemoState& state, scene::Size size,
+                          scene::Paints& paints) {
   const bool exact_mapper = state.mapper == SELVAGE_PROFILE_EXACT;
   scene::Wish wish{now.tolerance_texel, state.filter};
-  ProfileDrawing drawn = draw_by_profile(now, state.time_s, size, wish, state.mapper);
+  ProfileDrawing drawn = draw_by_profile(now, state.time_s, size, wish, state.mapper, paints);
   DemoPicture picture{to_raster(std::move(drawn.picture)), drawn.faces, 0};
   if (state.difference) {
     wish.tolerance_texel = 0;
     if (!exact_mapper) wish.filter = SELVAGE_FILTER_NEAREST;
-    const Raster exact =
-        to_raster(draw_by_profile(now, state.time_s, size, wish, SELVAGE_PROFILE_EXACT).picture);
+    const Raster exact = to_raster(
+        draw_by_profile(now, state.time_s, size, wish, SELVAGE_PROFILE_EXACT, paints).picture);
     picture.differing_px = show_difference(exact, picture.raster);
   }
   draw_texts(state, picture);

@@ -7,6 +7,7 @@
 
 #include "cli/demo_state.h"
 #include "cli/raster.h"
+#include "scene/draw.h"
 
 namespace selvage::cli {
 
@@ -21,9 +22,9 @@ struct DemoPicture {
 [[nodiscard]] DemoPicture demo_picture(const scene::Scene& scene, const DemoState& state,
                                        scene::Size size);
 
-// The same of a scene that is posed already.
+// The same of a scene that is posed already; the paints are its own, and may be of earlier poses.
 [[nodiscard]] DemoPicture posed_picture(const scene::Scene& now, const DemoState& state,
-                                        scene::Size size);
+                                        scene::Size size, scene::Paints& paints);
 
 // "214 faces", and where the difference is shown "214 faces, 1034 px differ".
 [[nodiscard]] std::string demo_counts(const DemoState& state, const DemoPicture& picture);

@@ -36,7 +36,8 @@ void move_to_coverage(const spec::Profile& profile, Vertices& vertices) {
 }
 
 [[nodiscard]] ProfileDrawing draw_historic(const scene::Scene& scene, scene::Drawing drawing,
-                                           scene::Size size, selvage_profile profile) {
+                                           scene::Size size, selvage_profile profile,
+                                           scene::Paints& paints) {
   std::vector<scene::ScreenFace>& faces = drawing.view.faces;
   ProfileDrawing drawn{blank(size), faces.size()};
   const selvage_image image = drawn.picture.image();
@@ -46,7 +47,6 @@ void move_to_coverage(const spec::Profile& profile, Vertices& vertices) {
     outlines.push_back(in_profile(face, profile));
     move_to_coverage(spec::profile_of(profile), face.vertices);
   }
-  scene::Paints paints(scene);
   for (const scene::Piece& piece : visible_pieces(scene::Hidden::kScanLine, faces, size)) {
     const Vertices& vertices = outlines[piece.face];
     const selvage_texture texture = paints.texture(faces[piece.face].paint);
@@ -62,14 +62,23 @@ void move_to_coverage(const spec::Profile& profile, Vertices& vertices) {
 }  // namespace
 
 ProfileDrawing draw_by_profile(const scene::Scene& scene, double time_s, scene::Size size,
-                               const scene::Wish& wish, selvage_profile profile) {
+                               const scene::Wish& wish, selvage_profile profile,
+                               scene::Paints& paints) {
   scene::Drawing drawing = compose(scene, time_s, size, wish, scene::Hidden::kScanLine);
   if (profile != SELVAGE_PROFILE_EXACT) {
-    return draw_historic(scene, std::move(drawing), size, profile);
+    return draw_historic(scene, std::move(drawing), size, profile, paints);
   }
   ProfileDrawing drawn{blank(size), drawing.view.faces.size()};
-  expect_ok(draw(scene, drawing, drawn.picture.image()));
+  const selvage_image image = drawn.picture.image();
+  clear(scene, image);
+  expect_ok(draw_pieces(scene, drawing, image, paints));
   return drawn;
+}
+
+ProfileDrawing draw_by_profile(const scene::Scene& scene, double time_s, scene::Size size,
+                               const scene::Wish& wish, selvage_profile profile) {
+  scene::Paints paints(scene, scene::kLitBytes);
+  return draw_by_profile(scene, time_s, size, wish, profile, paints);
 }
 
 }  // namespace selvage::cli

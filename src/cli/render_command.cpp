@@ -122,7 +122,7 @@ class Output {
 struct Frame {
   Bitmap picture;
   scene::Drawing drawing;
-  int64_t compose_ns = 0, light_ns = 0, draw_ns = 0;
+  int64_t compose_ns = 0, light_ns = 0, sums_ns = 0, draw_ns = 0;
 };
 
 [[nodiscard]] Frame draw_frame(const scene::Scene& scene, double time_s, const Size& size,
@@ -135,12 +135,13 @@ struct Frame {
   frame.picture = to_bitmap(filled(size.width_px, size.height_px, {}), SELVAGE_RGBA8888);
   const selvage_image target = frame.picture.image();
   clear(scene, target);
-  const int64_t lit_before_ns = paints.light_ns();
+  const int64_t lit_before_ns = paints.light_ns(), sums_before_ns = paints.sums().ns();
   const int64_t drawing_ns = now_ns();
   const selvage_status status = draw_pieces(scene, frame.drawing, target, paints);
   frame.draw_ns = now_ns() - drawing_ns;
   frame.light_ns = paints.light_ns() - lit_before_ns;
-  frame.draw_ns -= frame.light_ns;
+  frame.sums_ns = paints.sums().ns() - sums_before_ns;
+  frame.draw_ns -= frame.light_ns + frame.sums_ns;
   if (status != SELVAGE_OK) throw UserError(selvage_status_text(status));
   return frame;
 }
@@ -168,6 +169,7 @@ class Told {
     RenderStats one = stats_of(scene, frame.drawing, frame.picture);
     one.compose_ns = frame.compose_ns;
     one.light_ns = frame.light_ns;
+    one.sums_ns = frame.sums_ns;
     one.draw_ns = frame.draw_ns;
     stats_.add(one);
   }

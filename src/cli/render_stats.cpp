@@ -103,6 +103,7 @@ void RenderStats::add(const RenderStats& other) {
   shown_px += other.shown_px;
   compose_ns += other.compose_ns;
   light_ns += other.light_ns;
+  sums_ns += other.sums_ns;
   draw_ns += other.draw_ns;
 }
 
@@ -167,6 +168,7 @@ ordered_json stats_json(const RenderStats& stats, int32_t frames) {
           {"pixels_shown", stats.shown_px},
           {"compose_ns", stats.compose_ns},
           {"light_ns", stats.light_ns},
+          {"sums_ns", stats.sums_ns},
           {"draw_ns", stats.draw_ns},
           {"draw_ns_per_pixel", static_cast<double>(stats.draw_ns) / written}};
 }

@@ -28,6 +28,7 @@ struct RenderStats {
   int64_t shown_px = 0;    // of the picture, where a face shows
   int64_t compose_ns = 0;
   int64_t light_ns = 0;  // of textures
+  int64_t sums_ns = 0;   // of textures, to make them
   int64_t draw_ns = 0;   // of selvage_draw, without the above
 
   void add(const RenderStats& other);

@@ -21,30 +21,46 @@ struct Bounds {
 
 }  // namespace
 
-Footprint::Linear Footprint::mix(Weights weights, int128 left, int128 left_change, int128 right,
-                                 int128 right_change) const {
-  return {left * weights.left + right * weights.right, right * left_.height - left * right_.height,
-          left_change * weights.left + left * right_change_.x + right_change * weights.right -
-              right * left_change_.x};
+// At a place the left edge's numbers have the weight right.x - place * right.height, and those of
+// the right edge place * left.height - left.x.
+Footprint::Footprint(const EdgePoint& left, const EdgeChange& left_change, const EdgePoint& right,
+                     const EdgeChange& right_change) {
+  const auto wide = [](int128 a) { return static_cast<uint128>(a); };
+  const auto row = [&](int128 on_left, int128 change_left, int128 on_right, int128 change_right) {
+    const auto weighed = [&](int128 a, int128 b) {
+      return Line{wide(a) * wide(right.x) - wide(b) * wide(left.x),
+                  wide(b) * wide(left.height) - wide(a) * wide(right.height)};
+    };
+    const Line value = weighed(on_left, on_right);
+    Line along_y = weighed(change_left, change_right);
+    along_y.start += wide(on_left) * wide(right_change.x) - wide(on_right) * wide(left_change.x);
+    return Row{value, along_y, static_cast<double>(static_cast<int128>(value.step))};
+  };
+  u_ = row(left.uq, left_change.uq, right.uq, right_change.uq);
+  v_ = row(left.vq, left_change.vq, right.vq, right_change.vq);
+  q_ = row(left.q, left_change.q, right.q, right_change.q);
+}
+
+Footprint::Terms Footprint::terms(const Row& row, int64_t place_fx8) {
+  const int128 value = row.value.at(place_fx8), along_y = row.along_y.at(place_fx8);
+  return {value,       static_cast<int128>(row.value.step), along_y, static_cast<double>(value),
+          row.along_x, static_cast<double>(along_y)};
 }
 
 BoxSides Footprint::at(int32_t px) const {
   const int64_t centre = centre_fx8(px);
-  const Weights weights{right_.x - centre * right_.height, centre * left_.height - left_.x};
-  const Linear d = mix(weights, left_.q, left_change_.q, right_.q, right_change_.q);
-  const Linear u = mix(weights, left_.uq, left_change_.uq, right_.uq, right_change_.uq);
-  const Linear v = mix(weights, left_.vq, left_change_.vq, right_.vq, right_change_.vq);
-  return {side_fx8(u, d), side_fx8(v, d)};
+  const Terms d = terms(q_, centre);
+  return {side_fx8(terms(u_, centre), d), side_fx8(terms(v_, centre), d)};
 }
 
 // The least side that is not below (|N_x D - N D_x| + |N_y D - N D_y|) / D^2: by an estimate in
 // double with a certified bound (spec/proofs/footprint.g), and where that leaves a choice, by
 // comparisons of integers.
-int32_t Footprint::side_fx8(const Linear& n, const Linear& d) {
+int32_t Footprint::side_fx8(const Terms& n, const Terms& d) {
   const auto estimate = [&] {
-    const auto n0 = static_cast<double>(n.value), d0 = static_cast<double>(d.value);
-    const double a = static_cast<double>(n.along_x) * d0, b = n0 * static_cast<double>(d.along_x);
-    const double e = static_cast<double>(n.along_y) * d0, f = n0 * static_cast<double>(d.along_y);
+    const double n0 = n.near_value, d0 = d.near_value;
+    const double a = n.near_along_x * d0, b = n0 * d.near_along_x;
+    const double e = n.near_along_y * d0, f = n0 * d.near_along_y;
     const double sum = std::abs(a - b) + std::abs(e - f);
     const double slack =
         (std::abs(a) + std::abs(b) + std::abs(e) + std::abs(f)) * (kFootprintRoundings * 0x1p-53);

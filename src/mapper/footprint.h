@@ -35,26 +35,35 @@ inline constexpr double kFootprintRoundings = 44;
 class Footprint {
  public:
   Footprint(const EdgePoint& left, const EdgeChange& left_change, const EdgePoint& right,
-            const EdgeChange& right_change)
-      : left_(left), right_(right), left_change_(left_change), right_change_(right_change) {}
+            const EdgeChange& right_change);
 
   // ceil of the footprint's sides at a pixel between the edges, within the least and the most.
   [[nodiscard]] BoxSides at(int32_t px) const;
 
  private:
-  // What is linear along a row, and how it changes with x and y.
-  struct Linear {
-    int128 value, along_x, along_y;
-  };
-  struct Weights {
-    int64_t left, right;
-  };
-  [[nodiscard]] Linear mix(Weights weights, int128 left, int128 left_change, int128 right,
-                           int128 right_change) const;
-  [[nodiscard]] static int32_t side_fx8(const Linear& n, const Linear& d);
+  // What is linear along a row, by the place in 1/256 px. Modulo 2^128: at place 0, which may lie
+  // far beyond the edges, it may be longer than anything between them.
+  struct Line {
+    uint128 start, step;
 
-  EdgePoint left_, right_;
-  EdgeChange left_change_, right_change_;
+    [[nodiscard]] int128 at(int64_t place_fx8) const {
+      return static_cast<int128>(start + static_cast<uint128>(place_fx8) * step);
+    }
+  };
+  // N or D along the row, and its change along y. Its change along x is the step.
+  struct Row {
+    Line value, along_y;
+    double along_x;
+  };
+  // N or D at a place with its changes, and all three rounded to double.
+  struct Terms {
+    int128 value, along_x, along_y;
+    double near_value, near_along_x, near_along_y;
+  };
+  [[nodiscard]] static Terms terms(const Row& row, int64_t place_fx8);
+  [[nodiscard]] static int32_t side_fx8(const Terms& n, const Terms& d);
+
+  Row u_, v_, q_;
 };
 
 // |N| < 2^127 and D < 2^96 by SpanMap's bounds, D here without its 16 bits of fraction. N_x is a

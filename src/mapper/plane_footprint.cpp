@@ -54,18 +54,14 @@ PlaneFootprint::Terms PlaneFootprint::terms(const PlaneFrame& frame, int32_t sel
 
 // The bound, e = 2^-53. With Q = D q_least d, d the lanes' denominator, a side is (|J_x| + |J_y|)
 // unit / d^2 with unit = 1 / (D q_least^2). Let M be the most that |J_x| + |J_y| can be over the
-// rectangle, terms without their signs. Each J is a start and a product, each number rounded at
-// most 3 times, times a unit rounded twice: off by less than kPlaneRoundings e M, as in
-// ProjectivePlane, and 3 e M for the unit. d >= 1 is off by less than kPlaneRoundings e R with the
-// reach R >= d, and 2 e d; its reciprocal squared by twice so much and 3 e of itself; sums and
-// products in what a kernel makes of them come to less than 8 e. Since R < error_fx32 - 1,
+// rectangle, terms without their signs. Each J is a start and a product, rounded as the terms of
+// ProjectivePlane are, times a unit rounded twice; so is M. d >= 1 is off by less than
+// kPlaneRoundings e R with the reach R >= d, and by its own unit's roundings; its reciprocal
+// squared by twice so much. With all that a kernel makes of them, a side is off by less than
 //
-//     (kPlaneRoundings + 3 + 2 kPlaneRoundings R + 4 + 3 + 8) e M < kSideRoundings (R + 2) e M,
+//     kSideRoundings (R + 2) e M <= kSideRoundings (error_fx32 + 1) e M
 //
-// and the little that is left makes up for products of errors.
-inline constexpr double kSideRoundings = 20;
-static_assert(kPlaneRoundings + 18 < 2 * kSideRoundings && 2 * kPlaneRoundings < kSideRoundings);
-
+// over d^2 (spec/proofs/plane_footprint.g).
 PlaneFootprint::Line PlaneFootprint::line(const Terms& terms, double unit) const {
   const int64_t x = centre_fx8(lanes_.first_px) - int64_t{frame_.origin().x};
   const int64_t y = centre_fx8(lanes_.first_row) - int64_t{frame_.origin().y};

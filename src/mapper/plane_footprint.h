@@ -24,6 +24,10 @@ namespace selvage::mapper {
 // Of all pixels of an affine polygon whose vertices lie on this frame's plane.
 [[nodiscard]] BoxSides affine_sides(const PlaneFrame& frame);
 
+// In units of 2^-53, the error of a side in double, relative to the reach, two more and the most
+// that its numerator can be in the rectangle.
+inline constexpr double kSideRoundings = 20;
+
 // One side of the boxes of a row, in double: (across + |down|) weight^2 in 1/256 texel, where
 // `weight` is the reciprocal of the lanes' denominator; off by less than slack weight^2.
 struct FootprintLine {

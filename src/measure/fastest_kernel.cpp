@@ -51,7 +51,7 @@ inline constexpr size_t kRounds = 16;
       const selvage_kernel kernel = order[(round + i) % order.size()];
       if (!mapper::is_usable(kernel)) continue;
       const Clock::time_point start = Clock::now();
-      picture.draw(work, filter, kernel);
+      picture.draw(work, kernel);
       const auto passed = std::chrono::nanoseconds(Clock::now() - start);
       times.record(kernel, passed.count());
     }
@@ -69,7 +69,6 @@ selvage_status selvage_fastest_kernel(selvage_filter filter, selvage_format form
   selvage_status status = check_what(filter, format, work);
   if (status == SELVAGE_OK) status = check_memory(scratch, scratch_bytes, fastest);
   if (status != SELVAGE_OK) return status;
-  *fastest = filter == SELVAGE_FILTER_AREA ? SELVAGE_KERNEL_FASTEST
-                                           : race(WorkPicture(format, scratch), filter, work);
+  *fastest = race(WorkPicture(filter, format, scratch), filter, work);
   return SELVAGE_OK;
 }

@@ -2,15 +2,19 @@
 
 #include <cstring>
 
+#include "scene/box_work.h"
 #include "scene/reach.h"
 
 namespace selvage::scene {
 namespace {
 
 [[nodiscard]] selvage_texture texture_of(const Scene& scene, const ScreenFace& face,
-                                         const Plan& plan, Paints& paints) {
+                                         const Plan& plan, const selvage_rect& clip,
+                                         Paints& paints) {
   if (!face.paint.texture) return paints.texture(face.paint);
-  return paints.texture(face.paint, reach_texel(scene.textures[*face.paint.texture], face, plan));
+  const TextureImage& image = scene.textures[*face.paint.texture];
+  return paints.texture(face.paint, reach_texel(image, face, plan),
+                        spared_texels(image, vertices_to_draw(face, plan), plan.options, clip));
 }
 
 }  // namespace
@@ -46,7 +50,7 @@ selvage_status draw_pieces(const Scene& scene, const Drawing& drawing, const sel
     const ScreenFace& face = drawing.view.faces[piece.face];
     const Plan& plan = drawing.plans[piece.face];
     const std::vector<selvage_vertex> vertices = vertices_to_draw(face, plan);
-    const selvage_texture texture = texture_of(scene, face, plan, paints);
+    const selvage_texture texture = texture_of(scene, face, plan, piece.clip, paints);
     const selvage_status status = selvage_draw(&target, &piece.clip, vertices.data(),
                                                vertices.size(), &texture, &plan.options);
     if (status != SELVAGE_OK) return status;

@@ -32,9 +32,13 @@ selvage_texture Paints::texture(const Paint& paint) {
   return texture(paint, {0, 0, image.width_texel, image.height_texel});
 }
 
-selvage_texture Paints::texture(const Paint& paint, const selvage_rect& texels) {
+selvage_texture Paints::texture(const Paint& paint, const selvage_rect& texels,
+                                double spared_texels) {
   const TextureImage& image = scene_.textures[*paint.texture];
-  if (paint.light == Light{}) return rows(image.rgba.data(), image.width_texel, image.height_texel);
+  if (paint.light == Light{}) {
+    return sums_.of(*paint.texture, rows(image.rgba.data(), image.width_texel, image.height_texel),
+                    spared_texels);
+  }
   Copy& copy = copy_of(*paint.texture, paint.light);
   if (!is_within(texels, copy.lit)) light_texels(copy, texels);
   return rows(copy.rgba.get(), image.width_texel, image.height_texel);

@@ -32,7 +32,7 @@ enum {
  * kernels within 1/16 of the shortest are as fast as each other: of these it is the one that
  * SELVAGE_KERNEL_FASTEST would be.
  *
- * filter         SELVAGE_FILTER_AREA is not measured: it gets SELVAGE_KERNEL_FASTEST, at once.
+ * filter         SELVAGE_FILTER_AREA is measured where the texture is minified by about 2.
  * format         of target and texture: SELVAGE_RGBA8888 for filters other than nearest.
  * scratch        aligned as max_align_t is; its first SELVAGE_FASTEST_KERNEL_BYTES are overwritten.
  * scratch_bytes  what is there.

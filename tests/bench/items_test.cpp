@@ -261,7 +261,7 @@ TEST(Plan, HasKernelsWhereAskedFor) {
 
 TEST(FastestKernels, AreAnsweredForEachFilterAndWork) {
   const std::vector<FastestKernel> all = fastest_kernels();
-  EXPECT_EQ(all.size(), 9U);
+  EXPECT_EQ(all.size(), 12U);
   for (const FastestKernel& one : all) {
     EXPECT_EQ(std::ranges::count(kernels_here(), one.kernel), 1) << one.filter << " " << one.work;
   }

@@ -1,6 +1,7 @@
 #include "work.h"
 
 #include <cmath>
+#include <initializer_list>
 #include <random>
 
 namespace selvage::budget {
@@ -9,6 +10,8 @@ namespace {
 
 constexpr uint64_t kSeed = 1;
 constexpr int32_t kMostTriangles = 2000;
+constexpr int32_t kTargetWidth_px = 1024;
+constexpr int32_t kTextureSide_texel = 256;
 constexpr int32_t kTexture_fx16 = kTextureSide_texel * SELVAGE_SUBTEXELS;
 constexpr int32_t kQ = 1 << 20;
 constexpr double kSubpixels = SELVAGE_SUBPIXELS;
@@ -49,12 +52,13 @@ Work mesh(double area_px, Depth depth) {
   const auto cell_fx8 = static_cast<int32_t>(std::lround(std::sqrt(2 * area_px) * kSubpixels));
   const int32_t cells = (kTargetWidth_px - 1) * SELVAGE_SUBPIXELS / cell_fx8;
   const std::vector<selvage_vertex> grid = jittered_grid(cells, cell_fx8, depth);
-  Work work{"triangle", {}, kTargetWidth_px, SELVAGE_FILTER_NEAREST};
+  Work work{
+      "triangle", {}, kTargetWidth_px, kTargetWidth_px, kTextureSide_texel, SELVAGE_FILTER_NEAREST};
   for (int32_t cell = 0; cell < cells * cells && 2 * cell < kMostTriangles; ++cell) {
     const auto at = static_cast<size_t>(cell / cells * (cells + 1) + cell % cells);
     const size_t below = at + static_cast<size_t>(cells) + 1;
-    work.triangles.push_back({grid[at], grid[at + 1], grid[below]});
-    work.triangles.push_back({grid[at + 1], grid[below + 1], grid[below]});
+    work.polygons.push_back({grid[at], grid[at + 1], grid[below]});
+    work.polygons.push_back({grid[at + 1], grid[below + 1], grid[below]});
   }
   return work;
 }
@@ -68,25 +72,61 @@ struct Corner {
 Work spans(const Corner& right, const Corner& below, selvage_filter filter) {
   constexpr int32_t px = SELVAGE_SUBPIXELS, texel = SELVAGE_SUBTEXELS, height_px = 64;
   constexpr int32_t left_px = -64, right_px = 4096, bottom_px = 2 * height_px;
-  return {
-      "px",
-      {{{{left_px * px, 0, 10 * texel, 10 * texel, kQ},
-         {right_px * px, 0, right.u_texel * texel, right.v_texel * texel, right.q},
-         {left_px * px, bottom_px * px, below.u_texel * texel, below.v_texel * texel, below.q}}}},
-      height_px,
-      filter};
+  const Polygon polygon = {
+      {left_px * px, 0, 10 * texel, 10 * texel, kQ},
+      {right_px * px, 0, right.u_texel * texel, right.v_texel * texel, right.q},
+      {left_px * px, bottom_px * px, below.u_texel * texel, below.v_texel * texel, below.q}};
+  return {"px", {polygon}, kTargetWidth_px, height_px, kTextureSide_texel, filter};
 }
 
 // The same spans from corners off every grid, so that near-ties are as rare as in a free hand's
 // polygon: where steps are simple fractions, each vector has some.
 Work uneven_spans(selvage_filter filter) {
   constexpr int32_t height_px = 64;
-  return {"px",
-          {{{{-16411, -77, 655363, 655411, kQ},
-             {1048613, 33, 54329341, 26870309, kQ},
-             {-16519, 32801, 2621477, 3932311, kQ}}}},
-          height_px,
-          filter};
+  const Polygon polygon = {{-16411, -77, 655363, 655411, kQ},
+                           {1048613, 33, 54329341, 26870309, kQ},
+                           {-16519, 32801, 2621477, 3932311, kQ}};
+  return {"px", {polygon}, kTargetWidth_px, height_px, kTextureSide_texel, filter};
+}
+
+struct Knot {
+  int32_t x_px, y_px, u_texel, v_texel, q;
+};
+
+// 64 spans of such a width, by the area filter and off every grid. The polygon covers the target,
+// no box reaches beyond the texture.
+Work minified(std::initializer_list<Knot> knots, int32_t width_px) {
+  constexpr int32_t px = SELVAGE_SUBPIXELS, texel = SELVAGE_SUBTEXELS, height_px = 64;
+  constexpr int32_t texture_side_texel = 1024;
+  Polygon polygon;
+  for (const Knot& k : knots) {
+    polygon.push_back({k.x_px * px + 83, k.y_px * px + 39, k.u_texel * texel + 21011,
+                       k.v_texel * texel + 7, k.q});
+  }
+  return {"px", {polygon}, width_px, height_px, texture_side_texel, SELVAGE_FILTER_AREA};
+}
+
+// Boxes of 4.6 x 4.6 texels; of 2.2 to 6; of 2.5 to 8.8; and of 14.5 x 14.5.
+Work area() {
+  return minified({{-11, -3, 30, 400, 1}, {600, -2, 1998, -434, 1}, {-13, 150, 234, 896, 1}}, 256);
+}
+Work area_tilted() {
+  return minified(
+      {{-11, -3, 30, 400, kQ}, {600, -2, 1430, -160, 2 * kQ}, {-13, 150, 234, 896, kQ + kQ / 4}},
+      256);
+}
+Work area_ruled() {
+  return minified({{-11, -3, 30, 300, kQ},
+                   {300, -2, 1000, 40, 2 * kQ},
+                   {290, 90, 900, 700, kQ + kQ / 2},
+                   {-20, 80, 60, 900, kQ}},
+                  256);
+}
+Work area_sums() {
+  Work work =
+      minified({{-2, -3, 30, 250, 1}, {200, -2, 2255, -446, 1}, {-4, 150, 543, 1940, 1}}, 64);
+  work.with_sums = true;
+  return work;
 }
 
 }  // namespace
@@ -102,6 +142,10 @@ std::optional<Work> work_of(std::string_view kind) {
   if (kind == "perspective") return spans(near, near_below, SELVAGE_FILTER_NEAREST);
   if (kind == "bilinear") return spans(right, below, SELVAGE_FILTER_BILINEAR);
   if (kind == "bilinear-any") return uneven_spans(SELVAGE_FILTER_BILINEAR);
+  if (kind == "area") return area();
+  if (kind == "area-tilted") return area_tilted();
+  if (kind == "area-ruled") return area_ruled();
+  if (kind == "area-sums") return area_sums();
   return std::nullopt;
 }
 

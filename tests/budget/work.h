@@ -1,7 +1,6 @@
 // Stated workloads for counting instructions.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -11,20 +10,20 @@
 
 namespace selvage::budget {
 
-using Triangle = std::array<selvage_vertex, 3>;
+using Polygon = std::vector<selvage_vertex>;
 
 struct Work {
   std::string_view unit;  // what a budget is per: "triangle" or "px"
-  std::vector<Triangle> triangles;
-  int32_t target_height_px;
+  std::vector<Polygon> polygons;
+  int32_t target_width_px, target_height_px;
+  int32_t texture_side_texel;
   selvage_filter filter;
+  bool with_sums = false;
 };
 
-inline constexpr int32_t kTargetWidth_px = 1024;
-inline constexpr int32_t kTextureSide_texel = 256;
-
 // mesh-52 and mesh-484: a jittered mesh of triangles of about so many pixels; tilted-52 and
-// tilted-484: the same in perspective; affine, perspective and bilinear: 64 spans of 1024 px.
+// tilted-484: the same in perspective; affine, perspective and bilinear: 64 spans of 1024 px; area,
+// area-tilted, area-ruled and area-sums: minified spans, the last by looking boxes up.
 // Nothing for another name.
 [[nodiscard]] std::optional<Work> work_of(std::string_view kind);
 

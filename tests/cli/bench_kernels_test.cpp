@@ -40,7 +40,7 @@ TEST_F(BenchKernels, AreToldInJson) {
   options_.filter = "^W1/fill$";
   options_.json = true;
   const nlohmann::json values = nlohmann::json::parse(output());
-  for (const char* filter : {"nearest", "four", "bilinear"}) {
+  for (const char* filter : {"nearest", "four", "bilinear", "area"}) {
     for (const char* work : {"large", "mesh", "perspective"})
       EXPECT_TRUE(values["fastest_kernels"][filter][work].is_string()) << filter << " " << work;
   }

@@ -42,6 +42,25 @@ TEST(DemoPicture, IsTheScenesWithTextUponIt) {
   EXPECT_EQ(demo_picture(scene, state, kSize).raster, picture.raster);
 }
 
+// Lit copies and sums of earlier poses change no pixel of later ones.
+TEST(DemoPicture, IsTheSameFromPaintsThatAreKept) {
+  const scene::Scene scene = station();
+  DemoState state = quiet_start(scene);
+  scene::Scene now = scene;
+  scene::Paints paints(now, scene::kLitBytes);
+  for (int frame = 0; frame < 6; ++frame) {
+    if (frame == 3) press(state, DemoKey::kFilter);
+    if (frame == 4) press(state, DemoKey::kMapper);
+    if (frame == 5) press(state, DemoKey::kDifference);
+    advance(state, 0.5);
+    pose(scene, state, now);
+    EXPECT_EQ(posed_picture(now, state, kSize, paints).raster,
+              demo_picture(scene, state, kSize).raster)
+        << "frame " << frame;
+  }
+  EXPECT_GT(paints.lit_texels(), 0);
+}
+
 TEST(DemoPicture, EverySettingShows) {
   const scene::Scene scene = station();
   const DemoState state = quiet_start(scene);

@@ -215,6 +215,27 @@ TEST_F(Render, TellsWhatLightingCosts) {
   EXPECT_GT(lit["draw_ns"], 0);
 }
 
+// A texture that is repeated often, far minified: all of it lies under each box.
+TEST_F(Render, TellsWhatSumsCost) {
+  put("square.obj", std::string("mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nvt 0 0\nvt 40 0\n"
+                                "vt 40 40\nusemtl red\nf 1/1 2/2 3/3\n"));
+  put("square.mtl", "newmtl red\nmap_Kd own.png\nillum 0\n");
+  put("own.png", encode_png(filled(32, 32, {200, 100, 50, 255})));
+  options_.stats = options_.json = true;
+  const auto stats_with = [&](const std::string& filter) {
+    options_.filter = filter;
+    EXPECT_EQ(run(), kExitFine);
+    const auto stats = nlohmann::json::parse(out_.str())["stats"];
+    out_.str("");
+    EXPECT_EQ(picture("out.png").at(50, 40), (Colour{200, 100, 50, 255}));
+    return stats;
+  };
+  EXPECT_EQ(stats_with("nearest")["sums_ns"], 0);
+  const auto summed = stats_with("auto");
+  EXPECT_GT(summed["sums_ns"], 0);
+  EXPECT_GT(summed["draw_ns"], 0);
+}
+
 // Painter's order draws the hidden one too, and its pixels twice.
 TEST_F(Render, CountsWhatIsPaintedOver) {
   put("square.obj", kSquare + std::string("v -1 -1 -4\nv 1 -1 -4\nv 1 1 -4\nv -1 1 -4\n"
@@ -259,6 +280,7 @@ TEST_F(Render, TellsPeopleTheSame) {
   expect_contains(out_.str(), "drawn_by:\n  exact affine, nearest, kernel ");
   expect_contains(out_.str(), ": 1 faces, 900 pixels\n");
   expect_contains(out_.str(), "light_ns: 0\n");
+  expect_contains(out_.str(), "sums_ns: 0\n");
   expect_contains(out_.str(), "pixels_written: 900\n");
 }
 

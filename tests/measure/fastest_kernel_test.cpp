@@ -35,8 +35,8 @@ TEST_F(FastestKernel, IsOneThatThisMachineCanRun) {
   for (const selvage_format format : {SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888}) {
     for (const selvage_work work :
          {SELVAGE_WORK_LARGE, SELVAGE_WORK_MESH, SELVAGE_WORK_PERSPECTIVE}) {
-      for (const selvage_filter filter :
-           {SELVAGE_FILTER_NEAREST, SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR}) {
+      for (const selvage_filter filter : {SELVAGE_FILTER_NEAREST, SELVAGE_FILTER_FOUR,
+                                          SELVAGE_FILTER_BILINEAR, SELVAGE_FILTER_AREA}) {
         if (filter != SELVAGE_FILTER_NEAREST && format != SELVAGE_RGBA8888) continue;
         fastest_ = kNone;
         ASSERT_EQ(fastest_kernel(filter, format, work, std::span(memory_).first(kBytes), fastest_),
@@ -47,13 +47,6 @@ TEST_F(FastestKernel, IsOneThatThisMachineCanRun) {
     }
   }
   EXPECT_EQ(std::count(memory_.begin() + kBytes, memory_.end(), kFill), kMore) << "beyond scratch";
-}
-
-TEST_F(FastestKernel, IsAnyForTheAreaFilter) {
-  EXPECT_EQ(
-      fastest_kernel(SELVAGE_FILTER_AREA, SELVAGE_RGBA8888, SELVAGE_WORK_MESH, memory_, fastest_),
-      SELVAGE_OK);
-  EXPECT_EQ(fastest_, SELVAGE_KERNEL_FASTEST);
 }
 
 TEST_F(FastestKernel, RefusesWhatItDoesNotKnow) {
