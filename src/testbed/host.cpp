@@ -100,6 +100,7 @@ void Host::have_worker(const Call& call, const Placement& placement) {
   control.end.signal = 0;
   control.end.threw = control.end.was_sent = control.end.is_address_known = false;
   control.end.fork_error = 0;
+  control.end.memory_bytes = 0;
   control.end.access = Access::kUnknown;
   set_state(control, State::kFork);
   const auto limit = std::max<std::chrono::nanoseconds>(call_limit_, kLeastForkLimit);
@@ -135,7 +136,7 @@ Answer Host::call(const Call& call) {
   if (!is_held) throw failure(call, keeper_->describe_loss("ended", "stopped", kHolder));
   if (hung) {
     if (keeper_->is_alive()) set_state(control, State::kNoWorker);
-    throw failure(call, describe_hang(call_limit_), hung);
+    throw failure(call, describe_hang(call_limit_, control.end), hung);
   }
   if (state == State::kGone) {
     set_state(control, State::kNoWorker);
