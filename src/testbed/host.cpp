@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <new>
 
 #include "testbed/ending.h"
@@ -15,6 +16,14 @@ constexpr const char* kHolder = "the process that holds it";
 
 [[nodiscard]] LibraryError cannot_use(const std::string& name, const std::string& why) {
   return LibraryError("cannot use '" + printable(name) + "' as a subject: " + why);
+}
+
+// It may have told itself what is amiss.
+[[nodiscard]] std::string quoted(std::string printed) {
+  constexpr size_t kMostBytes = 300;
+  while (!printed.empty() && printed.back() == '\n') printed.pop_back();
+  std::ranges::replace(printed, '\n', ' ');
+  return printed.empty() ? "" : "; it printed: " + printable(printed, kMostBytes);
 }
 
 // What a call did, in words that follow "it".
@@ -53,7 +62,8 @@ Host::Host(const std::filesystem::path& library, std::chrono::nanoseconds call_l
                                                                    : "it is no regular file") +
                                 std::string("; the name of a shared library is right"));
   }
-  if (const std::string fault = load(); !fault.empty()) throw cannot_use(name_, fault);
+  if (const std::string fault = load(); !fault.empty())
+    throw cannot_use(name_, fault + quoted(printed()));
 }
 
 // Loads the library in a process of its own; tells why it cannot be used, empty if it can.
