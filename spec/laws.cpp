@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
@@ -41,8 +42,10 @@ template <Judgement (*kCheck)(const Subject&, const Case&)>
 // where it is near it, for that side decides.
 [[nodiscard]] std::string with_decimals(const std::string& fraction) {
   constexpr double kNear_texel = 0.001;
-  const Rational number(fraction);
-  if (number.get_den() < 100) return fraction;
+  Rational number;  // it may come from a file
+  if (number.set_str(fraction, 10) != 0 || number.get_den() < 100) return fraction;
+  number.canonicalize();
+  if (abs(number) >= std::numeric_limits<int32_t>::max()) return fraction;
   const int32_t next = floor(number + Rational(1, 2));
   const double from_next = Rational(number - next).get_d();
   const double size = std::abs(from_next);

@@ -69,7 +69,9 @@ TEST(Explain, TellsLongFractionsInDecimalsAndOnWhichSideOfAWholeNumber) {
   EXPECT_NE(told("129999999997/10000000000").find(", about 13 - 3e-10\n"), std::string::npos);
   EXPECT_NE(told("-10000000001/10000000000").find(", about -1 - 1e-10\n"), std::string::npos);
   EXPECT_NE(told("20001/20000").find(", about 1 + 5e-05\n"), std::string::npos);
-  EXPECT_EQ(told("3/2").find("about"), std::string::npos);
+  for (const char* as_it_is : {"3/2", "1/0", "", "<u>", "1/-300", "300000000000000001/100"}) {
+    EXPECT_EQ(told(as_it_is).find("about"), std::string::npos) << as_it_is;
+  }
 }
 
 TEST(Explain, TellsTexelsThatAreNone) {
