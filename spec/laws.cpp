@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
@@ -49,13 +50,14 @@ template <Judgement (*kCheck)(const Subject&, const Case&)>
   const int32_t next = floor(number + Rational(1, 2));
   const double from_next = Rational(number - next).get_d();
   const double size = std::abs(from_next);
-  char text[64];
+  std::ostringstream text;
+  text << fraction << ", about ";
   if (size < kNear_texel) {
-    std::snprintf(text, sizeof text, "%d %c %.2g", next, from_next < 0 ? '-' : '+', size);
+    text << next << (from_next < 0 ? " - " : " + ") << std::setprecision(2) << size;
   } else {
-    std::snprintf(text, sizeof text, "%.6f", number.get_d());
+    text << std::fixed << std::setprecision(6) << number.get_d();
   }
-  return fraction + ", about " + text;
+  return text.str();
 }
 
 constexpr std::array kLaws = {

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <iomanip>
 #include <optional>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -39,9 +40,9 @@ inline constexpr double kNear_px = 1.0 / kSubpixels;
     if (a == p) return "on the vertex " + describe_px(a);
     const std::optional<double> distance = distance_px(p, a, b);
     if (!distance || *distance >= nearest.first) continue;
-    char beside[48];
-    std::snprintf(beside, sizeof beside, "%.2g px beside", *distance);
-    nearest = {*distance, (*distance > 0 ? std::string(beside) : "on") + " the edge from " +
+    std::ostringstream beside;
+    beside << std::setprecision(2) << *distance << " px beside";
+    nearest = {*distance, (*distance > 0 ? beside.str() : "on") + " the edge from " +
                               describe_px(a) + " to " + describe_px(b)};
   }
   return nearest.second;
@@ -55,10 +56,10 @@ inline constexpr double kNear_px = 1.0 / kSubpixels;
 
 // 13 digits tell any position of the grid.
 std::string describe_px(Point p) {
-  char text[64];
-  std::snprintf(text, sizeof text, "(%.13g, %.13g)", static_cast<double>(p.x) / kSubpixels,
-                static_cast<double>(p.y) / kSubpixels);
-  return text;
+  std::ostringstream text;
+  text << std::setprecision(13) << '(' << static_cast<double>(p.x) / kSubpixels << ", "
+       << static_cast<double>(p.y) / kSubpixels << ')';
+  return text.str();
 }
 
 std::string describe_sample(const Case& shown, int32_t x_px, int32_t y_px) {

@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <iostream>
 #include <new>
-#include <thread>
 
 #include "testbed/ending.h"
 #include "testbed/host_state.h"
@@ -21,7 +20,7 @@ namespace selvage::testbed {
 namespace {
 
 inline constexpr auto kLookAfterKeeper = std::chrono::milliseconds(20);
-inline constexpr auto kLookAfterEnd = std::chrono::microseconds(200);
+inline constexpr useconds_t kLookAfterEnd_us = 200;
 
 // What is buffered would be printed by each process that inherits it.
 void flush_all() {
@@ -36,7 +35,7 @@ void flush_all() {
   const auto end = std::chrono::steady_clock::now() + kLeastForkLimit;
   while (std::chrono::steady_clock::now() < end) {
     if (waitpid(child, &status, WNOHANG) != 0) return status;
-    std::this_thread::sleep_for(kLookAfterEnd);
+    usleep(kLookAfterEnd_us);
   }
   kill(child, SIGKILL);
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {

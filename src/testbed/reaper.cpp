@@ -8,14 +8,13 @@
 #include <chrono>
 #include <fstream>
 #include <iterator>
-#include <thread>
 #include <vector>
 
 namespace selvage::testbed {
 namespace {
 
 inline constexpr auto kMostToEnd = std::chrono::seconds(2);
-inline constexpr auto kBetweenLooks = std::chrono::milliseconds(1);
+inline constexpr useconds_t kBetweenLooks_us = 1000;
 
 // By proc(5); none where the kernel does not list them.
 [[nodiscard]] std::vector<pid_t> children() {
@@ -34,7 +33,7 @@ void end_children_but(pid_t spared) {
       kill(child, SIGKILL);
       waitpid(child, nullptr, WNOHANG | __WALL);
     }
-    std::this_thread::sleep_for(kBetweenLooks);
+    usleep(kBetweenLooks_us);
   }
 }
 
