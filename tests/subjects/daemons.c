@@ -22,8 +22,9 @@ static void leave_daemon(void) {
     while (is_printed && write(told[1], &ready, 1) == 1) pause();
     _exit(1);
   }
+  close(told[1]); /* nothing comes of a daemon that ends with those of the process before */
   (void)!read(told[0], &ready, 1);
-  close(told[0]), close(told[1]);
+  close(told[0]);
 }
 
 __attribute__((constructor)) static void load(void) {
