@@ -63,7 +63,7 @@ namespace {
 
 void print_image(std::ostream& out, const Case& c, bool flipped) {
   if (c.padding_px > 0) out << ", padding " << c.padding_px << " px a row";
-  if (flipped) out << ", bottom row first";
+  if (flipped) out << ", bottom row first (negative pitch)";
 }
 
 }  // namespace

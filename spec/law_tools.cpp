@@ -78,8 +78,11 @@ std::string describe_colour(uint32_t pixel) {
 
 std::string describe_pixel(const Case& c, const std::optional<uint32_t>& pixel) {
   if (!pixel) return "nothing";
-  return c.filter == SELVAGE_FILTER_NEAREST ? describe_texel(c.format, *pixel)
-                                            : describe_colour(*pixel);
+  if (c.filter != SELVAGE_FILTER_NEAREST) return describe_colour(*pixel);
+  const std::optional<Texel> texel = read_texel(c, *pixel);
+  const bool is_outside =
+      texel && (texel->s >= c.texture_width_texel || texel->t >= c.texture_height_texel);
+  return describe_texel(c.format, *pixel) + (is_outside ? ", which the texture does not have" : "");
 }
 
 Violation violation_at(std::string_view law, std::string what, const Case& shown, int32_t x_px,

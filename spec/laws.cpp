@@ -2,10 +2,15 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <sstream>
 
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
 #include "spec/refusal.h"
+#include "spec/sample_place.h"
 #include "spec/status_name.h"
 
 namespace selvage::spec {
@@ -32,6 +37,27 @@ template <Judgement (*kCheck)(const Subject&, const Case&)>
   } catch (const Refusal& refusal) {
     return refused(refusal, name_of(held<kCheck>));
   }
+}
+
+// A fraction that nobody can read at a glance is told in decimals, too: from the next whole number
+// where it is near it, for that side decides.
+[[nodiscard]] std::string with_decimals(const std::string& fraction) {
+  constexpr double kNear_texel = 0.001;
+  Rational number;  // it may come from a file
+  if (number.set_str(fraction, 10) != 0 || number.get_den() < 100) return fraction;
+  number.canonicalize();
+  if (abs(number) >= std::numeric_limits<int32_t>::max()) return fraction;
+  const int32_t next = floor(number + Rational(1, 2));
+  const double from_next = Rational(number - next).get_d();
+  const double size = std::abs(from_next);
+  std::ostringstream text;
+  text << fraction << ", about ";
+  if (size < kNear_texel) {
+    text << next << (from_next < 0 ? " - " : " + ") << std::setprecision(2) << size;
+  } else {
+    text << std::fixed << std::setprecision(6) << number.get_d();
+  }
+  return text.str();
 }
 
 constexpr std::array kLaws = {
@@ -86,9 +112,11 @@ std::string explain(const Violation& violation) {
   if (violation.x_px >= 0) {
     text += "  pixel    (" + std::to_string(violation.x_px) + ", " +
             std::to_string(violation.y_px) + ")\n";
+    text += "  sample   " + describe_sample(violation.shown, violation.x_px, violation.y_px) + "\n";
   }
   if (!violation.u.empty()) {
-    text += "  exact u  " + violation.u + "\n  exact v  " + violation.v + "\n";
+    text += "  exact u  " + with_decimals(violation.u) + "\n";
+    text += "  exact v  " + with_decimals(violation.v) + "\n";
   }
   text += "  allowed  " + violation.allowed + "\n  drawn    " + violation.drawn + "\n";
   return text + print(violation.shown);

@@ -8,6 +8,7 @@
 #include "spec/geometry.h"
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
+#include "spec/sample_place.h"
 
 namespace selvage::spec {
 namespace {
@@ -71,7 +72,8 @@ struct Fan {
          times_text(times.counter_clockwise);
 }
 
-[[nodiscard]] Judgement judge_counts(std::string_view law, const Case& shown, const Fan& fan) {
+[[nodiscard]] Judgement judge_counts(std::string_view law, const Case& shown, const Fan& fan,
+                                     Point centre) {
   Judgement judgement;
   size_t index = 0;
   for (int32_t y = 0; y < shown.target_height_px; ++y) {
@@ -79,9 +81,11 @@ struct Fan {
       ++judgement.judged_px;
       const int wanted = winding_number(sample_point(shown, {x, y}), shown.vertices);
       if (fan.times[index].sum() == wanted) continue;
-      judgement.violation = violation_at(
-          law, "the tiles of a fan cover a pixel as often as the outline winds around it", shown, x,
-          y, wanted_text(fan, wanted), std::nullopt);
+      judgement.violation =
+          violation_at(law,
+                       "the tiles of a fan from " + describe_px(centre) +
+                           " cover a pixel as often as the outline winds around it",
+                       shown, x, y, wanted_text(fan, wanted), std::nullopt);
       judgement.violation->drawn = drawn_text(fan, fan.times[index]);
       return judgement;
     }
@@ -168,7 +172,8 @@ Judgement check_part(const Subject& subject, const Case& c) {
     std::vector<selvage_vertex> hull = convex_hull(region.vertices);
     if (hull.size() >= 3) region.vertices = std::move(hull);
   }
-  return judge_counts("PART", region, draw_fan(subject, region, choose_centre(region, choices)));
+  const selvage_vertex centre = choose_centre(region, choices);
+  return judge_counts("PART", region, draw_fan(subject, region, centre), position(centre));
 }
 
 Judgement check_pinwheel(const Subject& subject, const Case& c) {

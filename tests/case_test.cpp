@@ -237,7 +237,8 @@ TEST(CasePrint, TellsEverythingExactly) {
   EXPECT_EQ(print(distinct()),
             "exact, RGB565, bilinear, wrap, choice 2309737967\n"
             "target   3 x 260 px, padding 11 px a row\n"
-            "texture  17 x 5 texels, padding 11 px a row, bottom row first, prepared in rows\n"
+            "texture  17 x 5 texels, padding 11 px a row, bottom row first (negative pitch), "
+            "prepared in rows\n"
             "clip     columns [-1, 300), rows [2, -32768)\n"
             "2 vertices: (x, y) px, (u, v) texels, q\n"
             "  (-0.00390625, 1), (1, -1), 1\n"
@@ -251,7 +252,7 @@ TEST(CasePrint, TellsThePlainCasePlainly) {
                  std::numeric_limits<int32_t>::max(), 1}};
   EXPECT_EQ(print(c),
             "exact, RGBA8888, clamp, choice 0\n"
-            "target   16 x 16 px, bottom row first\n"
+            "target   16 x 16 px, bottom row first (negative pitch)\n"
             "texture  16 x 16 texels\n"
             "1 vertex: (x, y) px, (u, v) texels, q\n"
             "  (-32768, 32767.99609375), (-32768, 32767.9999847412109375), 1\n");

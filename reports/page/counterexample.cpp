@@ -45,10 +45,10 @@ std::string facts(const json& matrix, const json& cell) {
   for (const json& note : violation.value("notes", json::array()))
     notes += line("note", escaped(note.get<std::string>()));
   return element("table", line("law", statement_of(matrix, cell)) + line("what", text("what")) +
-                              line("pixel", pixel) + line("exact u", text("u_texel")) +
-                              line("exact v", text("v_texel")) + line("allowed", text("allowed")) +
-                              line("drawn", text("drawn")) + line("found", found_by(violation)) +
-                              notes);
+                              line("pixel", pixel) + line("sample", text("sample")) +
+                              line("exact u", text("u_texel")) + line("exact v", text("v_texel")) +
+                              line("allowed", text("allowed")) + line("drawn", text("drawn")) +
+                              line("found", found_by(violation)) + notes);
 }
 
 std::string finding_of(const json& cell) {

@@ -9,6 +9,7 @@
 
 #include "cli/error.h"
 #include "selvage.h"
+#include "spec/sample_place.h"
 #include "testbed/printable.h"
 
 namespace selvage::cli {
@@ -58,7 +59,10 @@ template <std::integral Integer = uint64_t>
   ordered_json values = {{"what", violation.what},   {"u_texel", violation.u},
                          {"v_texel", violation.v},   {"allowed", violation.allowed},
                          {"drawn", violation.drawn}, {"shown_case", spec::to_hex(violation.shown)}};
-  if (violation.x_px >= 0) values["pixel_px"] = {violation.x_px, violation.y_px};
+  if (violation.x_px >= 0) {
+    values["pixel_px"] = {violation.x_px, violation.y_px};
+    values["sample"] = spec::describe_sample(violation.shown, violation.x_px, violation.y_px);
+  }
   if (!run.replay) values["case_number"] = verdict.found.failed_case;
   if (!run.replay) values["found_by"] = found_by(verdict);
   if (!run.replay) {

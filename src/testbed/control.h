@@ -43,7 +43,10 @@ struct End {
   bool threw = false;           // an exception came out of the call
   int fork_error = 0;           // as in errno: there was no worker at all
   int wait_status = 0;          // as by waitpid
+  uint64_t memory_bytes = 0;    // the most that were in use at a time
 };
+
+inline constexpr uint64_t kMostMemoryBytes = uint64_t{1} << 30;  // that a library may take
 
 enum class Function : uint32_t {
   kDraw,

@@ -71,7 +71,20 @@ std::string describe_status(int wait_status) {
   return describe_signal(signal) + name_of_signal(signal);
 }
 
-std::string describe_end(const Control& control, const Placement& placement) {
+namespace {
+
+// A lack of memory may be why.
+[[nodiscard]] std::string describe_memory(const End& end) {
+  if (end.memory_bytes < kMostMemoryBytes / 2) return {};
+  constexpr double kMiB = 1 << 20;
+  char text[96];
+  std::snprintf(text, sizeof text, ", with %.0f MiB of memory in use; it may take %.0f",
+                static_cast<double>(end.memory_bytes) / kMiB,
+                static_cast<double>(kMostMemoryBytes) / kMiB);
+  return text;
+}
+
+[[nodiscard]] std::string describe_cause(const Control& control, const Placement& placement) {
   const End& end = control.end;
   if (end.fork_error != 0) {
     return std::string("left no process to draw in: ") + std::strerror(end.fork_error);
@@ -87,8 +100,14 @@ std::string describe_end(const Control& control, const Placement& placement) {
   return describe_status(end.wait_status);
 }
 
-std::string describe_hang(std::chrono::nanoseconds limit) {
-  return "hung: no answer in " + in_seconds(limit);
+}  // namespace
+
+std::string describe_end(const Control& control, const Placement& placement) {
+  return describe_cause(control, placement) + describe_memory(control.end);
+}
+
+std::string describe_hang(std::chrono::nanoseconds limit, const End& end) {
+  return "hung: no answer in " + in_seconds(limit) + describe_memory(end);
 }
 
 std::string in_seconds(std::chrono::nanoseconds time) {

@@ -18,8 +18,8 @@ namespace selvage::testbed {
 // " (SIGABRT)".
 [[nodiscard]] std::string name_of_signal(int signal);
 
-// "hung: no answer in 2 s".
-[[nodiscard]] std::string describe_hang(std::chrono::nanoseconds limit);
+// "hung: no answer in 2 s", of a worker that has been ended.
+[[nodiscard]] std::string describe_hang(std::chrono::nanoseconds limit, const End& end);
 // "0.2 s".
 [[nodiscard]] std::string in_seconds(std::chrono::nanoseconds time);
 

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <new>
 
 #include "testbed/ending.h"
@@ -15,6 +16,14 @@ constexpr const char* kHolder = "the process that holds it";
 
 [[nodiscard]] LibraryError cannot_use(const std::string& name, const std::string& why) {
   return LibraryError("cannot use '" + printable(name) + "' as a subject: " + why);
+}
+
+// It may have told itself what is amiss.
+[[nodiscard]] std::string quoted(std::string printed) {
+  constexpr size_t kMostBytes = 300;
+  while (!printed.empty() && printed.back() == '\n') printed.pop_back();
+  std::ranges::replace(printed, '\n', ' ');
+  return printed.empty() ? "" : "; it printed: " + printable(printed, kMostBytes);
 }
 
 // What a call did, in words that follow "it".
@@ -53,7 +62,8 @@ Host::Host(const std::filesystem::path& library, std::chrono::nanoseconds call_l
                                                                    : "it is no regular file") +
                                 std::string("; the name of a shared library is right"));
   }
-  if (const std::string fault = load(); !fault.empty()) throw cannot_use(name_, fault);
+  if (const std::string fault = load(); !fault.empty())
+    throw cannot_use(name_, fault + quoted(printed()));
 }
 
 // Loads the library in a process of its own; tells why it cannot be used, empty if it can.
@@ -100,6 +110,7 @@ void Host::have_worker(const Call& call, const Placement& placement) {
   control.end.signal = 0;
   control.end.threw = control.end.was_sent = control.end.is_address_known = false;
   control.end.fork_error = 0;
+  control.end.memory_bytes = 0;
   control.end.access = Access::kUnknown;
   set_state(control, State::kFork);
   const auto limit = std::max<std::chrono::nanoseconds>(call_limit_, kLeastForkLimit);
@@ -135,7 +146,7 @@ Answer Host::call(const Call& call) {
   if (!is_held) throw failure(call, keeper_->describe_loss("ended", "stopped", kHolder));
   if (hung) {
     if (keeper_->is_alive()) set_state(control, State::kNoWorker);
-    throw failure(call, describe_hang(call_limit_), hung);
+    throw failure(call, describe_hang(call_limit_, control.end), hung);
   }
   if (state == State::kGone) {
     set_state(control, State::kNoWorker);

@@ -14,11 +14,13 @@
 #include "testbed/ending.h"
 #include "testbed/host_state.h"
 #include "testbed/keeper.h"
+#include "testbed/reaper.h"
 
 namespace selvage::testbed {
 namespace {
 
 inline constexpr auto kLookAfterKeeper = std::chrono::milliseconds(20);
+inline constexpr useconds_t kLookAfterEnd_us = 200;
 
 // What is buffered would be printed by each process that inherits it.
 void flush_all() {
@@ -27,9 +29,15 @@ void flush_all() {
   std::fflush(nullptr);
 }
 
-// The status of a child, by waitpid.
+// The status of a child that is about to end, by waitpid; of one that does not in time, too.
 [[nodiscard]] int wait_for(pid_t child) {
   int status = 0;
+  const auto end = std::chrono::steady_clock::now() + kLeastForkLimit;
+  while (std::chrono::steady_clock::now() < end) {
+    if (waitpid(child, &status, WNOHANG) != 0) return status;
+    usleep(kLookAfterEnd_us);
+  }
+  kill(child, SIGKILL);
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   return status;
@@ -51,26 +59,28 @@ void Host::Keeper::start(const std::string& library) {
   flush_all();
   stopped_by = wait_status = 0;
   const pid_t parent = getpid();
+  sigset_t all{}, usual{};
+  sigfillset(&all);
+  pthread_sigmask(SIG_BLOCK, &all, &usual);  // a reaper that is not ready yet is told all the same
   process = fork();
+  const bool is_child = process == 0;
+  const pid_t reaper = is_child ? stay_behind_as_reaper(parent) : process;
+  pthread_sigmask(SIG_SETMASK, &usual, nullptr);
   if (process < 0) throw std::bad_alloc();
-  if (process > 0) {
-    setpgid(process, process);  // here, too: either of the two may be first
-    return;
-  }
+  if (!is_child) return;
   for (const Arena* arena : {&arenas.texture, &arenas.other_textures, &arenas.vertices,
                              &arenas.polygons, &arenas.structures}) {
     arena->make_read_only();
   }
   for (const Arena& arena : arenas.prepared) arena.make_read_only();
-  keep(control, library, output, parent, arenas.prepared);
+  keep(control, library, output, reaper, arenas.prepared);
 }
 
-// Its group goes first: until the keeper is waited for, the number of the group is no other's.
 void Host::Keeper::end() {
   kill_worker();
   if (process <= 0) return;
-  kill(-process, SIGKILL);
-  kill(process, SIGKILL);
+  kill(process, kEndAll);
+  kill(process, SIGCONT);  // it may have been stopped
   wait_status = wait_for(process);
   process = -1;
 }

@@ -21,7 +21,7 @@ struct Host::Keeper {
   Arena control_memory{sizeof(Control)};
   Control& control;
   int output;
-  pid_t process = -1;  // -1: there is none, and these two tell how the last one came to its end
+  pid_t process = -1;  // its reaper; -1: none, and these two tell how the last keeper ended
   int stopped_by = 0;  // a signal; 0: it was not stopped
   int wait_status = 0;
 
@@ -31,7 +31,7 @@ struct Host::Keeper {
   ~Keeper();
 
   void start(const std::string& library);
-  void end();  // and all that the library has forked and that is in its group
+  void end();  // and all that the library has forked
   // One that was stopped is ended: nobody would wake it.
   [[nodiscard]] bool is_alive();
   // "ended the process that holds it, which exited with status 3", of one that is not alive: each

@@ -14,13 +14,15 @@
 #include <span>
 
 #include "testbed/printable.h"
+#include "testbed/reaper.h"
 #include "testbed/worker.h"
 
 namespace selvage::testbed {
 namespace {
 
 inline constexpr rlim_t kMostOutputBytes = rlim_t{1} << 20;
-inline constexpr rlim_t kMostMemoryBytes = rlim_t{4} << 30;  // beyond what is in use at the start
+// Beyond what is in use at the start. Threads reserve much and use little of it.
+inline constexpr rlim_t kMostReservedBytes = rlim_t{4} << 30;
 
 inline constexpr size_t kMostCharacterBytes = 4;
 
@@ -49,20 +51,26 @@ void limit(__rlimit_resource resource, rlim_t most) {
   setrlimit(resource, &both);
 }
 
-[[nodiscard]] rlim_t bytes_in_use() {
-  unsigned long pages = 0;
+struct BytesInUse {
+  rlim_t reserved = 0, data = 0;
+};
+
+[[nodiscard]] BytesInUse bytes_in_use() {
+  unsigned long size = 0, data = 0;  // pages: proc(5)
   if (FILE* file = std::fopen("/proc/self/statm", "r")) {
-    if (std::fscanf(file, "%lu", &pages) != 1) pages = 0;
+    if (std::fscanf(file, "%lu %*u %*u %*u %*u %lu", &size, &data) != 2) size = data = 0;
     std::fclose(file);
   }
-  return rlim_t{pages} * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+  const auto page_bytes = static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+  return {size * page_bytes, data * page_bytes};
 }
 
 void limit_resources() {
   std::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit fails and nothing more
-  limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, kMostOutputBytes);
-  limit(RLIMIT_AS, bytes_in_use() + kMostMemoryBytes);
+  const BytesInUse start = bytes_in_use();
+  limit(RLIMIT_AS, start.reserved + kMostReservedBytes);
+  limit(RLIMIT_DATA, start.data + kMostMemoryBytes);
 }
 
 // Whoever has asked to hear of them before: a sanitizer would end the process in a way of its own.
@@ -142,7 +150,7 @@ void put_back(const Signals& signals) {
   sigprocmask(SIG_SETMASK, &signals.blocked, nullptr);
 }
 
-void fork_worker(Control& control, const Functions& functions, const Signals& signals,
+void fork_worker(Control& control, const Functions& functions, const Signals& signals, pid_t reaper,
                  std::span<const Arena> to_prepare_in) {
   const pid_t keeper = getpid();
   const pid_t worker = fork();
@@ -155,31 +163,34 @@ void fork_worker(Control& control, const Functions& functions, const Signals& si
   control.end.fork_error = worker < 0 ? errno : 0;
   control.worker = std::max(worker, 0);
   int status = 0;
-  while (worker > 0 && waitpid(worker, &status, 0) < 0 && errno == EINTR) {
+  rusage use{};
+  while (worker > 0 && wait4(worker, &status, 0, &use) < 0 && errno == EINTR) {
   }
   if (worker > 0) kill(-worker, SIGKILL);  // what it forked itself
+  kill(reaper, kEndOrphans);               // and what of that has left its group
   control.end.wait_status = status;
+  control.end.memory_bytes = static_cast<uint64_t>(use.ru_maxrss) * 1024;  // getrusage(2)
   control.worker = 0;
   set_state(control, State::kGone);
 }
 
 }  // namespace
 
-void keep(Control& control, const std::string& library, int output, pid_t parent,
+void keep(Control& control, const std::string& library, int output, pid_t reaper,
           std::span<const Arena> to_prepare_in) {
   control.keeper = getpid();
-  die_with(parent);
+  die_with(reaper);
   setpgid(0, 0);
   seal_off(output);
   limit_resources();
   let_faults_end_it();
   const Functions functions = load(control, library);
-  die_with(parent);  // which the library may have undone
+  die_with(reaper);  // which the library may have undone
   const Signals signals = keep_signals_off();
   control.step = static_cast<uint32_t>(Step::kDone);
   set_state(control, State::kNoWorker);
   for (State state = State::kNoWorker;;) {
-    if (state == State::kFork) fork_worker(control, functions, signals, to_prepare_in);
+    if (state == State::kFork) fork_worker(control, functions, signals, reaper, to_prepare_in);
     state = static_cast<State>(control.state.load());  // which may be kFork again
     if (state != State::kFork) state = wait_while(control, state);
   }

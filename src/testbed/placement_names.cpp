@@ -11,13 +11,28 @@ namespace {
   return std::to_string(count) + (count == 1 ? " byte" : " bytes");
 }
 
-// Which pixel an address is, or would be.
-[[nodiscard]] std::string pixel_at(intptr_t offset, ptrdiff_t pitch, selvage_format format) {
-  const ptrdiff_t stride = pitch < 0 ? -pitch : pitch;
+struct Grid {
+  ptrdiff_t pitch;
+  int32_t width, height;
+  selvage_format format;
+};
+
+// Which pixel an address is, or would be. Without padding the pixel after the end of a row is the
+// first of the next; which of them was meant there is no telling.
+[[nodiscard]] std::string pixel_at(intptr_t offset, const Grid& grid) {
+  const auto bytes = static_cast<ptrdiff_t>(bytes_per_pixel(grid.format));
+  const ptrdiff_t stride = grid.pitch < 0 ? -grid.pitch : grid.pitch;
   const ptrdiff_t down = offset >= 0 ? offset / stride : -((stride - 1 - offset) / stride);
-  const ptrdiff_t column =
-      (offset - down * stride) / static_cast<ptrdiff_t>(bytes_per_pixel(format));
-  return "(" + std::to_string(column) + ", " + std::to_string(pitch < 0 ? -down : down) + ")";
+  const ptrdiff_t column = (offset - down * stride) / bytes;
+  const auto text = [&](ptrdiff_t x, ptrdiff_t y) {
+    return "(" + std::to_string(x) + ", " + std::to_string(grid.pitch < 0 ? -y : y) + ")";
+  };
+  const ptrdiff_t first = grid.pitch < 0 ? 1 - ptrdiff_t{grid.height} : 0;
+  const bool is_tight = stride == grid.width * bytes;
+  std::string told = text(column, down);
+  if (is_tight && down == first + grid.height) told += " or " + text(column + grid.width, down - 1);
+  if (is_tight && down == first - 1) told += " or " + text(column - grid.width, down + 1);
+  return told;
 }
 
 [[nodiscard]] std::string relation(uintptr_t address, const Range& range, const std::string& name) {
@@ -55,7 +70,9 @@ std::string Placement::place_of(uintptr_t address) const {
     const std::string where = relation(address, target_.range(), "target");
     if (target_.from.is_empty()) return where;
     const auto offset = static_cast<intptr_t>(address - target_.moved(call_.target->pixels));
-    return where + ", where pixel " + pixel_at(offset, call_.target->pitch, call_.target->format) +
+    const selvage_image& target = *call_.target;
+    const Grid grid{target.pitch, target.width, target.height, target.format};
+    return where + ", where pixel " + pixel_at(offset, grid) +
            (target_.range().holds(address) ? " is" : " would be");
   }
   if (arenas_.vertices.guarded().holds(address)) {
@@ -103,7 +120,8 @@ std::string Placement::place_in_textures(uintptr_t address) const {
   if (placed.from.is_empty() || texture->layout != SELVAGE_LAYOUT_ROWS) return where;
   const auto offset = static_cast<intptr_t>(address - placed.moved(texture->texels));
   if (!is_copied && (texture->pitch == 0 || offset < 0)) return where;
-  return where + ", at texel " + pixel_at(offset, texture->pitch, texture->format);
+  const Grid grid{texture->pitch, texture->width, texture->height, texture->format};
+  return where + ", at texel " + pixel_at(offset, grid);
 }
 
 }  // namespace selvage::testbed

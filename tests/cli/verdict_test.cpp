@@ -124,6 +124,7 @@ TEST(VerdictJson, TellsEverything) {
   EXPECT_EQ(values["laws"][1]["verdict"], "violated");
   EXPECT_EQ(violation["what"], "it should have held");
   EXPECT_EQ(violation["pixel_px"], nlohmann::json::parse("[3, 4]"));
+  EXPECT_EQ(violation["sample"], "(3.5, 4.5) px, not in the polygon");
   EXPECT_EQ(violation["u_texel"], "7/2");
   EXPECT_EQ(violation["allowed"], "texel (3, 0)");
   EXPECT_EQ(violation["drawn"], "texel (4, 0)");

@@ -28,6 +28,7 @@ const json kLaws = {{{"law", "COV"}, {"statement", "covered <is> covered"}},
                           {"drawn", "nothing"},
                           {"shown_case", spec::to_hex(shown)},
                           {"pixel_px", {4, 5}},
+                          {"sample", "(4.5, 5.5) px, in the polygon"},
                           {"case_number", 12},
                           {"case", spec::to_hex(shown)},
                           {"replay", "selvage verify --subject a.so --law MAP --case 02"},
@@ -213,9 +214,10 @@ TEST(Matrix, CounterexampleTellsAllThatIsNeeded) {
   const json& subject = matrix.at("subjects")[0];
   const std::string html = counterexample_page(matrix, subject, subject.at("cells")[1]);
   for (const char* part :
-       {"one 2.0: MAP", "the texel", "texel &amp; place", "(4, 5)", "1/3", "2/7", "texel (0, 0)",
-        "nothing", "case 12", "one-MAP.png", "drawn | expected | difference", "(1, 0), (0, 0), 1",
-        "selvage verify --subject a.so --law MAP --case 02", "../index.html#matrix"})
+       {"one 2.0: MAP", "the texel", "texel &amp; place", "(4, 5)", "(4.5, 5.5) px", "1/3", "2/7",
+        "texel (0, 0)", "nothing", "case 12", "one-MAP.png", "drawn | expected | difference",
+        "(1, 0), (0, 0), 1", "selvage verify --subject a.so --law MAP --case 02",
+        "../index.html#matrix"})
     EXPECT_TRUE(holds(html, part)) << part;
 
   json cell = subject.at("cells")[1];

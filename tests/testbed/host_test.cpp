@@ -57,7 +57,8 @@ TEST(Host, RefusesWhatIsNoSubject) {
 TEST(Host, OutlivesALibraryThatCannotBeLoaded) {
   const std::string described = "its selvage_subject()", process = " the process that does so";
   const std::pair<const char*, std::string> endings[] = {
-      {"exits", " ends" + process + ", which exited with status 7"},
+      {"exits",
+       " ends" + process + ", which exited with status 7; it printed: no licence was found"},
       {"crashes", " ends" + process + ", which touched memory that it was not given (SIGSEGV)"},
       {"stops", " stops" + process + " (SIGSTOP)"}};
   for (const auto& [name, ending] : endings) {

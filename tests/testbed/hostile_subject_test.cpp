@@ -65,6 +65,22 @@ TEST(HostileSubjectThatHangs, TakesItsTimeAndNoMore) {
   }
 }
 
+// Both end for want of something that a fault or a time alone does not tell.
+TEST(HostileSubjectThatTakesMemory, IsToldHowMuchItTook) {
+  const auto drawn = [](const char* name, std::chrono::nanoseconds limit) {
+    const spec::Subject subject = Host::subject(host_of(name, limit));
+    const spec::Judgement judgement =
+        spec::judge(*spec::find_law("COV"), subject, spec::generate(1, SELVAGE_PROFILE_EXACT));
+    return judgement.violation ? judgement.violation->drawn : "";
+  };
+  const std::string all = drawn("takes_memory_all", std::chrono::minutes(5));
+  EXPECT_EQ(all.rfind("it wrote through a null pointer (SIGSEGV), with ", 0), 0u) << all;
+  EXPECT_NE(all.find(" MiB of memory in use; it may take 1024"), std::string::npos) << all;
+  const std::string much = drawn("takes_memory_much", std::chrono::seconds(10));
+  EXPECT_EQ(much.rfind("it hung: no answer in 10 s, with ", 0), 0u) << much;
+  EXPECT_NE(much.find(" MiB of memory in use; it may take 1024"), std::string::npos) << much;
+}
+
 TEST(HostileSubjectThatDrawsNothing, IsNoCrash) {
   const spec::Subject subject = Host::subject(host_of("draws_nothing"));
   const spec::LawVerdict verdict = spec::verify(*spec::find_law("COV"), subject, 1, 50);

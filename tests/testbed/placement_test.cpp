@@ -70,7 +70,7 @@ TEST_F(PlacementTest, OfABottomRowFirstStaysSo) {
   const Call call = placed(true).copy_in();
   EXPECT_EQ(reinterpret_cast<uintptr_t>(call.target->pixels) + 32, arenas_.target.range().end);
   EXPECT_EQ(placed(true).place_of(arenas_.target.range().end),
-            "just after the end of the target, where pixel (0, -1) would be");
+            "just after the end of the target, where pixel (0, -1) or (8, 0) would be");
 }
 
 TEST_F(PlacementTest, OfMemoryThatIsSharedStaysShared) {
@@ -110,12 +110,31 @@ TEST_F(PlacementTest, NamesPlaces) {
   const Placement placement = placed(true);
   const Range target = arenas_.target.range(), texture = arenas_.texture.range();
   EXPECT_EQ(placement.place_of(target.end + 8),
-            "8 bytes after the end of the target, where pixel (2, 5) would be");
+            "8 bytes after the end of the target, where pixel (2, 5) or (10, 4) would be");
   EXPECT_EQ(placement.place_of(target.end - 5 * 32 - 1),
-            "1 byte before the start of the target, where pixel (7, -1) would be");
+            "1 byte before the start of the target, where pixel (7, -1) or (-1, 0) would be");
   EXPECT_EQ(placement.place_of(texture.end - 4), "in the texture, at texel (3, 3)");
   EXPECT_EQ(placement.place_of(arenas_.vertices.range().end), "just after the end of the vertices");
   EXPECT_EQ(placement.place_of(16), "");
+}
+
+// Without padding one address is the end of a row and the beginning of the next.
+TEST_F(PlacementTest, NamesBothPixelsWhereRowsMeet) {
+  target_ = {pixels_.data(), 4, 2, 16, SELVAGE_RGBA8888};
+  const auto place = [&](ptrdiff_t offset) {
+    return placed(true).place_of(arenas_.target.range().end + static_cast<uintptr_t>(offset));
+  };
+  const std::string after = "just after the end of the target, where pixel ";
+  EXPECT_EQ(place(0), after + "(0, 2) or (4, 1) would be");
+  EXPECT_EQ(place(-36),
+            "4 bytes before the start of the target, where pixel (3, -1) or (-1, 0) would be");
+  EXPECT_EQ(place(-16), "in the target, where pixel (0, 1) is");
+  EXPECT_EQ(place(16), "16 bytes after the end of the target, where pixel (0, 3) would be");
+  target_.pixels = pixels_.data() + 4;
+  target_.pitch = -16;
+  EXPECT_EQ(place(0), after + "(0, -1) or (4, 0) would be");
+  EXPECT_EQ(place(-36),
+            "4 bytes before the start of the target, where pixel (3, 2) or (-1, 1) would be");
 }
 
 TEST_F(PlacementTest, OfManyHasEachTextureOnceAndTwoAtGuards) {
@@ -141,7 +160,7 @@ TEST_F(PlacementTest, OfManyHasEachTextureOnceAndTwoAtGuards) {
   EXPECT_EQ(reinterpret_cast<uintptr_t>(call.polygons[0].vertices + 3),
             arenas_.vertices.range().end);
   EXPECT_EQ(placement.place_of(arenas_.other_textures.range().end),
-            "just after the end of the texture, at texel (0, 3)");
+            "just after the end of the texture, at texel (0, 3) or (3, 2)");
   EXPECT_EQ(placement.place_of(arenas_.polygons.range().end),
             "in the list of polygons, or beside it");
 }

@@ -1,0 +1,88 @@
+// What a violation tells whoever has to find the fault: where the sample point lies, coordinates
+// that can be read, and texels that are none.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "spec/law_tools.h"
+#include "spec/laws.h"
+#include "spec/sample_place.h"
+
+namespace selvage::spec {
+namespace {
+
+// From (0.5, 0.5) px to (2.5, 2.5) px: samples on each of its edges.
+[[nodiscard]] Case square() {
+  Case c;
+  c.target_width_px = c.target_height_px = 4;
+  c.vertices = {{128, 128, 0, 0, 1}, {640, 128, 0, 0, 1}, {640, 640, 0, 0, 1}, {128, 640, 0, 0, 1}};
+  return c;
+}
+
+TEST(DescribeSample, TellsTheEdgeAndWhoseItIs) {
+  const std::string rule = " (left and top edges are in it, others are not)";
+  EXPECT_EQ(describe_sample(square(), 1, 0),
+            "(1.5, 0.5) px, in the polygon: on the edge from (0.5, 0.5) to (2.5, 0.5)" + rule);
+  EXPECT_EQ(describe_sample(square(), 0, 1),
+            "(0.5, 1.5) px, in the polygon: on the edge from (0.5, 2.5) to (0.5, 0.5)" + rule);
+  EXPECT_EQ(describe_sample(square(), 1, 2),
+            "(1.5, 2.5) px, not in the polygon: on the edge from (2.5, 2.5) to (0.5, 2.5)" + rule);
+  EXPECT_EQ(describe_sample(square(), 2, 1),
+            "(2.5, 1.5) px, not in the polygon: on the edge from (2.5, 0.5) to (2.5, 2.5)" + rule);
+  EXPECT_EQ(describe_sample(square(), 0, 0),
+            "(0.5, 0.5) px, in the polygon: on the vertex (0.5, 0.5)" + rule);
+  EXPECT_EQ(describe_sample(square(), 1, 1), "(1.5, 1.5) px, in the polygon");
+  EXPECT_EQ(describe_sample(square(), 3, 3), "(3.5, 3.5) px, not in the polygon");
+}
+
+TEST(DescribeSample, TellsAnEdgeThatIsVeryNear) {
+  Case c = square();
+  c.vertices = {{0, 0, 0, 0, 1}, {1001, 1000, 0, 0, 1}, {0, 1000, 0, 0, 1}};
+  EXPECT_EQ(describe_sample(c, 1, 1),
+            "(1.5, 1.5) px, in the polygon: 0.0015 px beside the edge from (0, 0) to "
+            "(3.91015625, 3.90625)");
+  c.vertices[1].x = 999;
+  EXPECT_EQ(describe_sample(c, 1, 1),
+            "(1.5, 1.5) px, not in the polygon: 0.0015 px beside the edge from (0, 0) to "
+            "(3.90234375, 3.90625)");
+}
+
+TEST(DescribeSample, TellsTheClipAndNoRuleOfAnotherProfile) {
+  Case c = square();
+  c.has_clip = true;
+  c.clip = {0, 0, 1, 4};
+  EXPECT_EQ(describe_sample(c, 1, 1), "(1.5, 1.5) px, in the polygon; outside of the clip");
+  EXPECT_EQ(describe_sample(c, 0, 1).find("clip"), std::string::npos);
+  c = square();
+  c.profile = SELVAGE_PROFILE_DKIT;
+  for (selvage_vertex& v : c.vertices) v.x += 128, v.y += 128;
+  EXPECT_EQ(describe_sample(c, 1, 3).find("(left and top"), std::string::npos);
+}
+
+[[nodiscard]] std::string told(const std::string& u) {
+  return explain({.law = "MAP", .x_px = 1, .y_px = 1, .u = u, .v = "1/3", .shown = square()});
+}
+
+TEST(Explain, TellsLongFractionsInDecimalsAndOnWhichSideOfAWholeNumber) {
+  EXPECT_NE(told("22016307/43874816").find("22016307/43874816, about 0.501798\n"),
+            std::string::npos);
+  EXPECT_NE(told("129999999997/10000000000").find(", about 13 - 3e-10\n"), std::string::npos);
+  EXPECT_NE(told("-10000000001/10000000000").find(", about -1 - 1e-10\n"), std::string::npos);
+  EXPECT_NE(told("20001/20000").find(", about 1 + 5e-05\n"), std::string::npos);
+  for (const char* as_it_is : {"3/2", "1/0", "", "<u>", "1/-300", "300000000000000001/100"}) {
+    EXPECT_EQ(told(as_it_is).find("about"), std::string::npos) << as_it_is;
+  }
+}
+
+TEST(Explain, TellsTexelsThatAreNone) {
+  Case c = square();
+  c.texture_width_texel = 1;
+  c.texture_height_texel = 2;
+  EXPECT_EQ(describe_pixel(c, 0x00010000u), "texel (0, 1)");
+  EXPECT_EQ(describe_pixel(c, 0xEEEEEEEEu),
+            "texel (61166, 61166), which the texture does not have");
+  EXPECT_EQ(describe_pixel(c, 0x00020000u), "texel (0, 2), which the texture does not have");
+}
+
+}  // namespace
+}  // namespace selvage::spec
