@@ -55,7 +55,8 @@ std::string picture_of(const json& violation, const Drawing& drawing) {
   if (!violation.contains("picture"))
     return element("p", "No picture: it takes several drawings to see this.");
   const std::string file = escaped(violation["picture"].get<std::string>());
-  const std::string counts = "; one tile draws what is blue, two what is yellow, none what is grey";
+  const std::string counts =
+      "; blue is drawn by one tile, yellow by two, white by more, grey by none";
   return element("figure",
                  "<img class=enlarged src=\"" + file + "\" alt=\"drawn, expected, difference\">" +
                      element("figcaption",

@@ -184,14 +184,14 @@ TEST(CounterexamplePicture, OfAFanShowsTheOneThatTheLawDrew) {
   for (const char* name : {"PART", "PINWHEEL"}) {
     for (const spec::Subject& wrong : {blank(), everywhere()}) {
       int seen = 0;
-      for (uint64_t seed = 0; seed < 300; ++seed) {
+      for (uint64_t seed = 0; seed < 100; ++seed) {
         const auto found = spec::find_law(name)->check(wrong, spec::generate(seed)).violation;
         if (!found || found->x_px < 0) continue;
         ++seen;
         EXPECT_TRUE(has_red_in_a_frame(counterexample_picture(wrong, *found)))
             << name << ", " << wrong.name << ", seed " << seed;
       }
-      EXPECT_GT(seen, 50) << name << ", " << wrong.name;
+      EXPECT_GT(seen, 15) << name << ", " << wrong.name;
     }
   }
 }

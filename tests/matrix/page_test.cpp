@@ -238,7 +238,7 @@ TEST(Matrix, CounterexampleTellsAllThatIsNeeded) {
   cell["law"] = "PINWHEEL";
   const std::string fan = counterexample_page(matrix, subject, cell);
   EXPECT_TRUE(holds(fan, "drawn in tiles: triangles from (4.5, 5.5) px to each side"));
-  EXPECT_TRUE(holds(fan, "one tile draws what is blue"));
+  EXPECT_TRUE(holds(fan, "blue is drawn by one tile"));
 }
 
 }  // namespace
