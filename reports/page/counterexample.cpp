@@ -86,6 +86,15 @@ std::string facts(const json& matrix, const json& cell) {
                               notes);
 }
 
+std::string replay_of(const json& cell) {
+  const std::string line =
+      element("pre", escaped(cell.at("violation").at("replay").get<std::string>()), "class=replay");
+  if (!cell.contains("finding") || !cell["finding"].value("varies", false)) return line;
+  return line + element("p",
+                        "What it shows is memory of others, which may look right: by itself the "
+                        "case can hold.");
+}
+
 std::string finding_of(const json& cell) {
   if (!cell.contains("finding")) {
     return element("p",
@@ -107,12 +116,11 @@ std::string counterexample_page(const json& matrix, const json& subject, const j
   const auto name = subject.at("subject").get<std::string>();
   const std::string title = escaped(name + ": " + cell.at("law").get<std::string>());
   const Drawing drawing = drawing_of(cell);
-  std::string body =
-      element("p", element("a", "the matrix", "href=\"../index.html#matrix\"")) +
-      element("h2", title) + finding_of(cell) + facts(matrix, cell) +
-      picture_of(violation, drawing) + element("h3", "The drawing") +
-      element("pre", escaped(drawing.text)) + element("h3", "To see it again, from the checkout") +
-      element("pre", escaped(violation.at("replay").get<std::string>()), "class=replay");
+  std::string body = element("p", element("a", "the matrix", "href=\"../index.html#matrix\"")) +
+                     element("h2", title) + finding_of(cell) + facts(matrix, cell) +
+                     picture_of(violation, drawing) + element("h3", "The drawing") +
+                     element("pre", escaped(drawing.text)) +
+                     element("h3", "To see it again, from the checkout") + replay_of(cell);
   if (subject.contains("convention"))
     body += element("h3", "What " + escaped(name) + " follows") +
             element("p", escaped(subject["convention"].get<std::string>()));

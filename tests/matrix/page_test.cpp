@@ -235,6 +235,10 @@ TEST(Matrix, CounterexampleTellsAllThatIsNeeded) {
   EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "in hunted case 12"));
   cell["violation"]["found_by"] = "corpus";
   EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "known before, and tried first"));
+  cell["finding"] = {{"kind", "defect"}, {"text", "t"}};
+  EXPECT_FALSE(holds(counterexample_page(matrix, subject, cell), "by itself the case can hold"));
+  cell["finding"]["varies"] = true;
+  EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "by itself the case can hold"));
   cell["law"] = "PINWHEEL";
   const std::string fan = counterexample_page(matrix, subject, cell);
   EXPECT_TRUE(holds(fan, "drawn in tiles: triangles from (4.5, 5.5) px to each side"));
