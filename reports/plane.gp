@@ -39,7 +39,7 @@ set ylabel 'ns per covered pixel'
 set ytics (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 set format y '%g'
 set pointintervalbox 0
-set key outside right top vertical Left reverse samplen 1
+set key outside right top vertical Left reverse samplen 0.5 spacing 0.85 font ',11' maxcols 1
 # One at either end, the upper one above its line and the lower one below: the two may be close.
 off(i, other) = limits > 1 && limit[i] < limit[other] ? -0.6 : 0.5
 if (limits > 0) set label 1 sprintf('%s %.2f', limit_name[1], limit[1]) \

@@ -1,10 +1,10 @@
 // Laws of coverage: COV, PART, PINWHEEL.
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "spec/fan.h"
 #include "spec/geometry.h"
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
@@ -17,41 +17,8 @@ namespace {
   return {static_cast<int32_t>(p.x), static_cast<int32_t>(p.y), like.u, like.v, like.q};
 }
 
-// How many tiles draw a pixel: those that run clockwise, and the others.
-struct Times {
-  int clockwise = 0, counter_clockwise = 0;
-
-  // As often as the outline winds around it: where tiles fold back they cancel each other out.
-  [[nodiscard]] int sum() const { return clockwise - counter_clockwise; }
-};
-
-// The tiles (centre, v_k, v_k+1) of an outline, drawn one at a time.
-struct Fan {
-  std::vector<Times> times;  // of each pixel of the target
-  bool runs_one_way = true;  // no tile is counter-clockwise
-};
-
-[[nodiscard]] bool is_counter_clockwise(const std::vector<selvage_vertex>& corners) {
-  return doubled_area(position(corners[0]), position(corners[1]), position(corners[2])) < 0;
-}
-
 [[nodiscard]] Fan draw_fan(const Subject& subject, const Case& c, const selvage_vertex& centre) {
-  Fan fan{std::vector<Times>(static_cast<size_t>(c.target_width_px) *
-                             static_cast<size_t>(c.target_height_px))};
-  for (size_t k = 0; k < c.vertices.size(); ++k) {
-    const selvage_vertex& a = c.vertices[k];
-    const selvage_vertex& b = c.vertices[(k + 1) % c.vertices.size()];
-    Case tile_case = with_vertices(c, {centre, a, b});
-    const bool is_reverse = is_counter_clockwise(tile_case.vertices);
-    fan.runs_one_way = fan.runs_one_way && !is_reverse;
-    make_visible(profile_of(c), subject.claims, &tile_case.vertices);
-    const Picture tile = draw(subject, tile_case);
-    for (size_t i = 0; i < fan.times.size(); ++i) {
-      int& times = is_reverse ? fan.times[i].counter_clockwise : fan.times[i].clockwise;
-      times += tile.pixels[i] ? 1 : 0;
-    }
-  }
-  return fan;
+  return draw_fan(c, centre, subject.claims, [&](const Case& tile) { return draw(subject, tile); });
 }
 
 [[nodiscard]] std::string times_text(int count) {
@@ -98,25 +65,6 @@ struct Fan {
   Case whole = c;
   whole.has_clip = false;
   return whole;
-}
-
-// A centre for a fan: a corner of the outline, a point between corners, or one near the target.
-[[nodiscard]] selvage_vertex choose_centre(const Case& c, Choices& choices) {
-  const auto count = static_cast<int32_t>(c.vertices.size());
-  const selvage_vertex& a = c.vertices[static_cast<size_t>(choices.pick(0, count))];
-  const selvage_vertex& b = c.vertices[static_cast<size_t>(choices.pick(0, count))];
-  switch (choices.pick(0, 4)) {
-    case 0:
-      return a;
-    case 1:
-      return vertex_at(sample_point(c, choose_pixel(c, choices)), a);
-    case 2:
-      return vertex_at({sample_point(c, choose_pixel(c, choices)).x + choices.pick(-128, 128),
-                        sample_point(c, choose_pixel(c, choices)).y + choices.pick(-128, 128)},
-                       a);
-    default:
-      return vertex_at({std::midpoint(a.x, b.x), std::midpoint(a.y, b.y)}, a);
-  }
 }
 
 // Points all around a centre, clockwise, no two neighbours half a turn or more apart.
@@ -172,7 +120,7 @@ Judgement check_part(const Subject& subject, const Case& c) {
     std::vector<selvage_vertex> hull = convex_hull(region.vertices);
     if (hull.size() >= 3) region.vertices = std::move(hull);
   }
-  const selvage_vertex centre = choose_centre(region, choices);
+  const selvage_vertex centre = part_centre(region);
   return judge_counts("PART", region, draw_fan(subject, region, centre), position(centre));
 }
 
@@ -183,7 +131,7 @@ Judgement check_pinwheel(const Subject& subject, const Case& c) {
   const auto [x_px, y_px] = pixel;
   const Point centre = sample_point(c, pixel);
   const Case region = with_vertices(unclipped(c), ring_around(centre, acceptable(c), choices));
-  const Fan fan = draw_fan(subject, region, vertex_at(centre, region.vertices.front()));
+  const Fan fan = draw_fan(subject, region, pinwheel_centre(region, x_px, y_px));
   Judgement judgement = {.judged_px = 1};
   const size_t index = static_cast<size_t>(y_px) * static_cast<size_t>(c.target_width_px) +
                        static_cast<size_t>(x_px);

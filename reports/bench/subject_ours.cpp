@@ -17,9 +17,7 @@ Subject subject_with(std::string id, std::string title, const selvage_options& c
   subject.group = "ours";
   subject.reference = true;
   subject.tolerance_texel = chosen.tolerance / static_cast<double>(SELVAGE_SUBTEXELS);
-  subject.bilinear =
-      chosen.tolerance == 0;  // the bound of a filtered colour is not that of a place
-  subject.area = subject.bilinear;
+  subject.bilinear = subject.area = true;
   subject.refusal = [](const Workload&) { return std::string(); };
   subject.prepare = [chosen](const Workload& load, const Texture& texture,
                              Target& target) -> std::function<void()> {

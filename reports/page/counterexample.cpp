@@ -3,6 +3,7 @@
 #include "reports/page/matrix.h"
 #include "reports/page/sections.h"
 #include "spec/case.h"
+#include "spec/fan.h"
 
 namespace selvage::reports {
 
@@ -21,11 +22,45 @@ std::string statement_of(const json& matrix, const json& cell) {
   return {};
 }
 
-// The drawing in which it was seen, in pixels and texels.
-std::string drawing_of(const json& violation) {
+// The drawing in which it was seen.
+struct Drawing {
+  std::string text;       // in pixels and texels
+  bool is_a_fan = false;  // drawn in tiles
+};
+
+std::string print(const selvage_vertex& centre) {
+  const auto px = [](int32_t fx8) {
+    if (fx8 % SELVAGE_SUBPIXELS == 0) return std::to_string(fx8 / SELVAGE_SUBPIXELS);
+    return json(fx8 / static_cast<double>(SELVAGE_SUBPIXELS)).dump();
+  };
+  return "(" + px(centre.x) + ", " + px(centre.y) + ")";
+}
+
+Drawing drawing_of(const json& cell) {
+  const json& violation = cell.at("violation");
   const std::optional<spec::Case> shown =
       spec::from_hex(violation.at("shown_case").get<std::string>());
-  return shown ? element("pre", escaped(spec::print(*shown))) : "";
+  if (!shown) return {};
+  Drawing drawing{.text = spec::print(*shown)};
+  const json pixel = violation.value("pixel_px", json::array({-1, -1}));
+  const auto centre = spec::fan_centre(cell.at("law").get<std::string>(), *shown,
+                                       pixel[0].get<int32_t>(), pixel[1].get<int32_t>());
+  if (!centre) return drawing;
+  drawing.text += "\ndrawn in tiles: triangles from " + print(*centre) + " px to each side";
+  drawing.is_a_fan = true;
+  return drawing;
+}
+
+std::string picture_of(const json& violation, const Drawing& drawing) {
+  if (!violation.contains("picture"))
+    return element("p", "No picture: it takes several drawings to see this.");
+  const std::string file = escaped(violation["picture"].get<std::string>());
+  const std::string counts =
+      "; blue is drawn by one tile, yellow by two, white by more, grey by none";
+  return element("figure",
+                 "<img class=enlarged src=\"" + file + "\" alt=\"drawn, expected, difference\">" +
+                     element("figcaption",
+                             "drawn | expected | difference" + (drawing.is_a_fan ? counts : "")));
 }
 
 std::string found_by(const json& violation) {
@@ -51,6 +86,15 @@ std::string facts(const json& matrix, const json& cell) {
                               line("found", found_by(violation)) + notes);
 }
 
+std::string replay_of(const json& cell) {
+  const std::string line =
+      element("pre", escaped(cell.at("violation").at("replay").get<std::string>()), "class=replay");
+  if (!cell.contains("finding") || !cell["finding"].value("varies", false)) return line;
+  return line + element("p",
+                        "What it shows is memory of others, which may look right: by itself the "
+                        "case can hold.");
+}
+
 std::string finding_of(const json& cell) {
   if (!cell.contains("finding")) {
     return element("p",
@@ -60,9 +104,9 @@ std::string finding_of(const json& cell) {
   const json& finding = cell["finding"];
   std::string text = element("strong", escaped(finding.at("kind").get<std::string>())) + ": " +
                      escaped(finding.at("text").get<std::string>());
-  if (finding.contains("source"))
-    text += " " + element("small", escaped(finding["source"].get<std::string>()));
-  return element("p", text);
+  if (!finding.contains("source")) return element("p", text);
+  return element("p", text) +
+         element("p", element("small", "Source: " + escaped(finding["source"].get<std::string>())));
 }
 
 }  // namespace
@@ -71,18 +115,12 @@ std::string counterexample_page(const json& matrix, const json& subject, const j
   const json& violation = cell.at("violation");
   const auto name = subject.at("subject").get<std::string>();
   const std::string title = escaped(name + ": " + cell.at("law").get<std::string>());
-  std::string picture = element("p", "No picture: it takes several drawings to see this.");
-  if (violation.contains("picture")) {
-    const std::string file = escaped(violation["picture"].get<std::string>());
-    picture = element("figure", "<img class=enlarged src=\"" + file +
-                                    "\" alt=\"drawn, expected, difference\">" +
-                                    element("figcaption", "drawn | expected | difference"));
-  }
+  const Drawing drawing = drawing_of(cell);
   std::string body = element("p", element("a", "the matrix", "href=\"../index.html#matrix\"")) +
-                     element("h2", title) + finding_of(cell) + facts(matrix, cell) + picture +
-                     element("h3", "The drawing") + drawing_of(violation) +
-                     element("h3", "To see it again") +
-                     element("pre", escaped(violation.at("replay").get<std::string>()));
+                     element("h2", title) + finding_of(cell) + facts(matrix, cell) +
+                     picture_of(violation, drawing) + element("h3", "The drawing") +
+                     element("pre", escaped(drawing.text)) +
+                     element("h3", "To see it again, from the checkout") + replay_of(cell);
   if (subject.contains("convention"))
     body += element("h3", "What " + escaped(name) + " follows") +
             element("p", escaped(subject["convention"].get<std::string>()));

@@ -55,6 +55,13 @@ std::string cell_html(const json& cell) {
                  kind == "defect" ? "class=bad" : "class=differs");
 }
 
+// Of a law that has no verdict: it says nothing of the subject's profile, and why.
+std::string silent(const json& subject, const json& law) {
+  const json notes = law.value("silent", json::object());
+  const std::string note = text_of(notes, subject.value("profile", "").c_str());
+  return element("td", "", note.empty() ? "class=quiet" : "class=quiet title=\"" + note + "\"");
+}
+
 std::string row_html(const json& subject, const json& laws) {
   std::string row = element("th", name_of(subject), "scope=row");
   if (subject.contains("error")) {
@@ -63,7 +70,7 @@ std::string row_html(const json& subject, const json& laws) {
     return element("tr", row);
   }
   for (const json& law : laws) {
-    std::string html = element("td", "", "class=quiet");
+    std::string html = silent(subject, law);
     for (const json& cell : subject.at("cells")) {
       if (cell.at("law") == law.at("law")) html = cell_html(cell);
     }
@@ -86,7 +93,8 @@ std::string finding_item(const json& cell) {
   std::string item = element("a", element("strong", text_of(cell, "law")),
                              "href=\"" + text_of(cell, "page") + "\"") +
                      " (" + text_of(finding, "kind") + "): " + text_of(finding, "text");
-  if (finding.contains("source")) item += " " + element("small", text_of(finding, "source"));
+  if (finding.contains("source"))
+    item += "<br>" + element("small", "Source: " + text_of(finding, "source"));
   return element("li", item);
 }
 
@@ -103,7 +111,7 @@ std::string about(const json& subject) {
   }
   std::string title = name_of(subject);
   const std::string examined = subject.value("examined", "");
-  if (!subject.value("subject", std::string()).ends_with(examined))
+  if (subject.value("subject", std::string()).find(examined) == std::string::npos)
     title += " (examined: " + escaped(examined) + ")";
   return element("details", element("summary", element("strong", title)) +
                                 element("p", text_of(subject, "convention")) +
@@ -126,9 +134,10 @@ std::string matrix_section(const json& matrix) {
                      "counterexample; it says that a picture differs from the exact one, not "
                      "that the mapper is wrong: most mappers never promised it. Where a "
                      "violation was examined, its kind is below it: a convention or a precision "
-                     "that the mapper documents or leaves open, or a defect, where its own "
-                     "documentation promises otherwise. &ndash; is not promised, * is promised "
-                     "in part.") +
+                     "that the mapper documents or leaves open, a limit of the range in which it "
+                     "works, or a defect, where its own documentation promises otherwise. &ndash; "
+                     "is not promised, * is promised in part; where a cell is empty, the law says "
+                     "nothing of the profile.") +
          table(matrix) + abouts;
 }
 

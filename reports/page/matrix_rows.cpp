@@ -58,6 +58,16 @@ void add_finding(const json& known, json* cell, json* subject) {
   if (standing == Standing::kStale) (*subject)["stale"].push_back(law);
 }
 
+// Why a law says nothing of a profile, by the profile's name: what `selvage laws --json` notes.
+json silent_of(const json& law) {
+  json silent = json::object();
+  const json promises = law.value("profiles", json::object());
+  for (const auto& [profile, promise] : promises.items()) {
+    if (promise.at("standing") == "says nothing of it") silent[profile] = promise.value("note", "");
+  }
+  return silent;
+}
+
 json subject_of(const MatrixRow& row, const json& laws, const json& known) {
   json subject = {{"id", row.id}, {"group", row.group}};
   if (known.contains("convention")) subject["convention"] = known["convention"];
@@ -121,7 +131,8 @@ json matrix_of(const std::vector<MatrixRow>& rows, const json& laws, const json&
   }
   matrix["laws"] = json::array();
   for (const json& law : laws)
-    matrix["laws"].push_back({{"law", law.at("law")}, {"statement", law.at("statement")}});
+    matrix["laws"].push_back(
+        {{"law", law.at("law")}, {"statement", law.at("statement")}, {"silent", silent_of(law)}});
   matrix["subjects"] = json::array();
   for (const MatrixRow& row : rows)
     matrix["subjects"].push_back(subject_of(row, laws, findings.value(row.id, json::object())));

@@ -11,8 +11,19 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-std::string overview_cell(const json* result) {
-  if (result == nullptr) return element("td", "&ndash;", "class=n");
+// Why the work item was not measured.
+std::string refusal_of(const json& work, const std::string& subject) {
+  for (const json& result : work.at("results")) {
+    if (result.at("id") == subject) return result.value("refusal", "");
+  }
+  return {};
+}
+
+std::string overview_cell(const json& work, const std::string& subject) {
+  const json* result = result_of(work, subject);
+  if (result == nullptr) {
+    return element("td", "&ndash;", "class=n title=\"" + escaped(refusal_of(work, subject)) + "\"");
+  }
   const std::string time = rounded(result->at("ns_per_px").at("median").get<double>()) + " ns";
   if (!has_errors(*result)) return element("td", time, "class=n");
   const double errors = errors_per_million(*result);
@@ -36,7 +47,7 @@ std::string overview(const json& bench) {
     const auto id = subject.at("id").get<std::string>();
     std::string row = element("th", escaped(id), "scope=row");
     for (const json& work : bench.at("workloads")) {
-      if (!is_adversarial(bench, work)) row += overview_cell(result_of(work, id));
+      if (!is_adversarial(bench, work)) row += overview_cell(work, id);
     }
     rows += element("tr", row);
   }
@@ -73,10 +84,11 @@ std::string introduction(const json& bench) {
           "(millionths) are all of "
           "these by the covered pixels. Had the exact mapper differed from the model in one pixel "
           "of them, or "
-          "one with a tolerance by more than that, nothing would have been timed. All mappers read "
+          "one with a tolerance by more than that (of nearest: filtered, it is exact too), nothing "
+          "would have been timed. All mappers read "
           "the same RGBA texture, its rows padded by 16 texels, and draw into the same memory. The "
           "limits are a solid fill of the same pixels and a memcpy of as many "
-          "bytes.");
+          "bytes. Where there is a dash, the item's table tells why.");
 }
 
 }  // namespace

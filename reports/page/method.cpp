@@ -58,6 +58,19 @@ std::string scenes_item(const json& scenes) {
       {count.kept, count.all});
 }
 
+// What other mappers break is no tally of ours: the table says what it means.
+std::string matrix_item(const json& matrix) {
+  if (matrix.is_null()) return "";
+  const auto of_group = [&](const char* group) {
+    const json& all = matrix.at("subjects");
+    return std::to_string(std::ranges::count_if(
+        all, [&](const json& subject) { return subject.at("group") == group; }));
+  };
+  return element("li", "<a href=#matrix>Subjects against laws</a>: " + of_group("ours") +
+                           " mappers of ours and " + of_group("peers") +
+                           " of other projects, each held against what it promises");
+}
+
 // Of all mutants of the mapper; of a sample, or of none, nothing is said.
 std::string mutants_item(const json& score) {
   if (score.is_null() || !score.at("whole").get<bool>()) return "";
@@ -120,6 +133,21 @@ std::string limits() {
           element("li", "The laws hold for the cases that were tried, not for all there are."));
 }
 
+// Links to what the page was made of.
+std::string files_of(const Results& results) {
+  const std::pair<const char*, const json*> files[] = {
+      {"verify.json", &results.verify},       {"matrix.json", &results.matrix},
+      {"scenes.json", &results.scenes},       {"gallery.json", &results.gallery},
+      {"stability.json", &results.stability}, {"bench.json", &results.bench}};
+  std::string links;
+  for (const auto& [name, values] : files) {
+    if (values->is_null()) continue;
+    const std::string file = name;
+    links += (links.empty() ? "<a href=" : ", <a href=") + file + ">" + file + "</a>";
+  }
+  return links;
+}
+
 }  // namespace
 
 std::string summary_line(const Results& results) {
@@ -149,6 +177,7 @@ std::string summary_section(const Results& results) {
                      "exact, or within a derived bound, are",
                      promises_of(results)) +
                  scenes_item(results.scenes) + mutants_item(results.mutants) +
+                 matrix_item(results.matrix) +
                  element("li",
                          "<a href=#speed>Speed against error</a>, beside the usual arithmetics, "
                          "the mappers of other projects, a solid fill and a memcpy") +
@@ -168,11 +197,7 @@ std::string method_section(const Results& results) {
     }
   }
   html += element("h3", "What it does not show") + limits();
-  html += element("p",
-                  "The numbers of this page as files: <a href=verify.json>verify.json</a>, "
-                  "<a href=scenes.json>scenes.json</a>, <a href=gallery.json>gallery.json</a>, "
-                  "<a href=stability.json>stability.json</a>, "
-                  "<a href=bench.json>bench.json</a>.");
+  html += element("p", "The numbers of this page as files: " + files_of(results) + ".");
   return html;
 }
 

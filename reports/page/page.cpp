@@ -50,12 +50,13 @@ img { max-width: 100%; height: auto; display: block; }
          grid-template-columns: repeat(auto-fit, minmax(min(24rem, 100%), 1fr)); }
 .worst code { overflow-wrap: anywhere; } .worst img { background: #181818; }
 pre { background: var(--soft); padding: .8rem 1rem; overflow-x: auto; font-size: .85rem; }
+pre.replay { white-space: pre-wrap; overflow-wrap: anywhere; }
 summary { cursor: pointer; } details { margin: .8rem 0; }
 .reaching { margin-inline: calc(min(0px, 40rem - 50vw + .5rem)); }
-.matrix td, .matrix th { padding: .2rem .25rem; font-size: .8rem; }
+.matrix td, .matrix th { padding: .2rem .16rem; font-size: .8rem; }
 .matrix tr:first-child th { font-size: .68rem; } .matrix small { font-size: .68rem; }
-.matrix th:first-child { position: sticky; left: 0; background: var(--page); min-width: 8rem; }
-.matrix small { display: block; font-weight: normal; white-space: nowrap; } .differs { background: var(--soft); }
+.matrix th:first-child { position: sticky; left: 0; background: var(--page); min-width: 7.5rem; }
+.matrix small { display: block; font-weight: normal; } .differs { background: var(--soft); }
 .quiet { opacity: .65; } .enlarged { image-rendering: pixelated; margin-top: .8rem; }
 )";
 

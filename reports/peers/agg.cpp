@@ -156,7 +156,7 @@ std::unique_ptr<Painter> paint_with_agg(const Canvas& canvas) {
 Peer peer_agg() {
   Subject subject;
   subject.id = "AGG";
-  subject.title = "Anti-Grain Geometry";
+  subject.title = "Anti-Grain Geometry " SELVAGE_PEER_MODULE_VERSION;
   subject.configuration =
       "rasterizer_scanline_aa with gamma_threshold(0.5) and scanline_bin, so no antialiasing; "
       "span_image_filter_rgb_nn (W5: _bilinear), image_accessor_clone (clamp), "

@@ -126,7 +126,7 @@ Peer peer_sdl() {
   number.append(".").append(std::to_string(version.patch));
   Subject subject;
   subject.id = "SDL";
-  subject.title = "SDL2's software renderer";
+  subject.title = "SDL " + number + " software renderer";
   subject.configuration =
       "SDL_CreateSoftwareRenderer on a surface over our memory, ARGB8888 to ARGB8888, "
       "SDL_BLENDMODE_NONE, SDL_ScaleModeNearest (it knows no other for triangles), one "

@@ -9,7 +9,9 @@
 namespace selvage::cli {
 
 // As comparison_picture.h has it: what differs is red, the blamed pixel framed. What was drawn is
-// looked up in `drawings`, if there are some, and drawn by the subject else.
+// looked up in `drawings`, if there are some, and drawn by the subject else. Laws PART and PINWHEEL
+// draw several tiles: a pixel that one of them draws is blue, one that two draw yellow, others
+// white; tiles that run the other way round are taken off.
 [[nodiscard]] Raster counterexample_picture(const spec::Subject& subject,
                                             const spec::Violation& violation,
                                             const spec::Drawings* drawings = nullptr);

@@ -116,6 +116,20 @@ TEST(Judging, TakesTheToleranceOfAReferenceAtItsWord) {
   EXPECT_THROW((void)measured(beyond), WrongAnswer);
 }
 
+// Only nearest makes use of a tolerance, so that filtered it is held to the exact colours.
+TEST(Judging, HoldsTheTolerantToTheExactColoursOfFilters) {
+  for (const selvage_filter filter : {kBilinear, kArea}) {
+    Workload load = small_workload({rectangle(2, 3, 10, 12, 0.3)});
+    load.filter = filter;
+    for (const auto& cell : measured(plan_of(load, subjects_tolerant()))[0].cells) {
+      EXPECT_EQ(cell.refusal, "");
+      ASSERT_TRUE(cell.errors);
+      EXPECT_GT(cell.errors->compared_px, 0u);
+      EXPECT_EQ(cell.errors->total(), 0u);
+    }
+  }
+}
+
 TEST(Judging, LeavesLimitsAndRefusalsUnjudged) {
   Subject refuser = box_subject("refuser", 0, 0);
   refuser.refusal = [](const Workload&) { return std::string("no reason"); };

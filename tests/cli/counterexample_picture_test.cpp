@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "spec/filter_texture.h"
+#include "spec/generate.h"
 #include "spec/picture.h"
 #include "support.h"
 #include "wrong_subjects.h"
@@ -135,6 +136,64 @@ TEST(CounterexamplePicture, ShowsAValueThatNoTexelHasInMagenta) {
       }};
   const Raster picture = counterexample_picture(painter, violation_of(rectangle(), 0, 0));
   EXPECT_EQ(at(picture, kDrawn, 0, 0), kMagenta);
+}
+
+// Draws every pixel of the target, whatever the polygon.
+[[nodiscard]] spec::Subject everywhere() {
+  return {
+      "everywhere",
+      [](const selvage_image* target, const selvage_rect*, const selvage_vertex*, size_t,
+         const selvage_texture*, const selvage_options*) -> selvage_status {
+        const auto side = [](int32_t px) { return px * SELVAGE_SUBPIXELS; };
+        const int32_t right = side(target->width), bottom = side(target->height);
+        const uint32_t texel = 0;
+        const selvage_texture texture{&texel, 1, 1, 4, target->format, 0, nullptr};
+        const selvage_vertex all[] = {
+            {0, 0, 0, 0, 1}, {right, 0, 0, 0, 1}, {right, bottom, 0, 0, 1}, {0, bottom, 0, 0, 1}};
+        return selvage_draw(target, nullptr, all, 4, &texture, nullptr);
+      }};
+}
+
+TEST(CounterexamplePicture, OfAFanShowsHowManyTilesDrawAPixel) {
+  constexpr Colour once{60, 150, 224}, many = kWhite;
+  const spec::Law& law = *spec::find_law("PINWHEEL");
+  const auto none = law.check(blank(), rectangle()).violation;
+  const auto all = law.check(everywhere(), rectangle()).violation;
+  ASSERT_TRUE(none && all);
+  const int32_t x = none->x_px, y = none->y_px;
+  const Raster without = counterexample_picture(blank(), *none);
+  EXPECT_TRUE(is_grey(at(without, kDrawn, x, y)));
+  EXPECT_EQ(at(without, kExpected, x, y), once);
+  EXPECT_EQ(at(without, kDifference, x, y), kRed);
+  const Raster with = counterexample_picture(everywhere(), *all);
+  EXPECT_EQ(at(with, kDrawn, x, y), many);
+  EXPECT_EQ(at(with, kExpected, x, y), once);
+  EXPECT_EQ(at(with, kDifference, x, y), kRed);
+}
+
+[[nodiscard]] bool has_red_in_a_frame(const Raster& picture) {
+  for (int32_t y = 0; y < picture.height_px; ++y) {
+    for (int32_t x = 1; x < picture.width_px; ++x) {
+      if (picture.at(x - 1, y) == kWhite && picture.at(x, y) == kRed) return true;
+    }
+  }
+  return false;
+}
+
+TEST(CounterexamplePicture, OfAFanShowsTheOneThatTheLawDrew) {
+  for (const char* name : {"PART", "PINWHEEL"}) {
+    for (const spec::Subject& wrong : {blank(), everywhere()}) {
+      int seen = 0;
+      for (uint64_t seed = 0; seed < 100; ++seed) {
+        const auto found = spec::find_law(name)->check(wrong, spec::generate(seed)).violation;
+        if (!found || found->x_px < 0) continue;
+        ++seen;
+        EXPECT_TRUE(has_red_in_a_frame(counterexample_picture(wrong, *found)))
+            << name << ", " << wrong.name << ", seed " << seed;
+      }
+      EXPECT_GT(seen, 15) << name << ", " << wrong.name;
+    }
+  }
 }
 
 TEST(CounterexamplePicture, OfALargeTargetShowsTheBlamedPart) {

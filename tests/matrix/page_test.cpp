@@ -16,7 +16,12 @@ using json = nlohmann::ordered_json;
 
 const json kLaws = {{{"law", "COV"}, {"statement", "covered <is> covered"}},
                     {{"law", "MAP"}, {"statement", "the texel"}},
-                    {{"law", "TOTAL"}, {"statement", "errors"}}};
+                    {{"law", "TOTAL"}, {"statement", "errors"}},
+                    {{"law", "DDA"},
+                     {"statement", "its arithmetic"},
+                     {"profiles",
+                      {{"exact", {{"standing", "says nothing of it"}, {"note", "MAP <does>"}}},
+                       {"dkit", {{"standing", "promised"}}}}}}};
 
 [[nodiscard]] json verdict() {
   spec::Case shown;
@@ -106,6 +111,8 @@ TEST(Matrix, SectionShowsEveryKindOfCell) {
   EXPECT_TRUE(holds(html, "unexamined"));
   EXPECT_TRUE(holds(html, "names no errors"));
   EXPECT_TRUE(holds(html, "not judged: no &lt;library&gt;"));
+  EXPECT_TRUE(holds(html, "<td class=quiet title=\"MAP &lt;does&gt;\"></td>"));
+  EXPECT_FALSE(holds(html, "promised\"></td>")) << "only what says nothing tells why";
   EXPECT_EQ(matrix_section(nullptr), "");
 }
 
@@ -121,6 +128,7 @@ TEST(Matrix, FindingsAreShownWhereTheLawWasBrokenAlone) {
   const std::string html = matrix_section(matrix);
   EXPECT_TRUE(holds(html, ">defect</a>"));
   EXPECT_TRUE(holds(html, "it promises &lt;more&gt;"));
+  EXPECT_TRUE(holds(html, "Source: its manual"));
   EXPECT_TRUE(holds(html, "samples corners"));
   EXPECT_TRUE(holds(html, "(examined: 1.9)"));
   EXPECT_FALSE(holds(html, "unexamined"));
@@ -220,6 +228,8 @@ TEST(Matrix, CounterexampleTellsAllThatIsNeeded) {
         "../index.html#matrix"})
     EXPECT_TRUE(holds(html, part)) << part;
 
+  EXPECT_FALSE(holds(html, "tile"));
+
   json cell = subject.at("cells")[1];
   cell["violation"]["notes"] = {"cut <short>"};
   EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "cut &lt;short&gt;"));
@@ -227,6 +237,14 @@ TEST(Matrix, CounterexampleTellsAllThatIsNeeded) {
   EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "in hunted case 12"));
   cell["violation"]["found_by"] = "corpus";
   EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "known before, and tried first"));
+  cell["finding"] = {{"kind", "defect"}, {"text", "t"}};
+  EXPECT_FALSE(holds(counterexample_page(matrix, subject, cell), "by itself the case can hold"));
+  cell["finding"]["varies"] = true;
+  EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "by itself the case can hold"));
+  cell["law"] = "PINWHEEL";
+  const std::string fan = counterexample_page(matrix, subject, cell);
+  EXPECT_TRUE(holds(fan, "drawn in tiles: triangles from (4.5, 5.5) px to each side"));
+  EXPECT_TRUE(holds(fan, "blue is drawn by one tile"));
 }
 
 }  // namespace

@@ -9,8 +9,23 @@
 
 namespace selvage::reports {
 
+namespace {
+
+// "22.3.6 (LLVM 15.0.6, 256 bits)" of "4.5 (Compatibility Profile) Mesa 22.3.6, llvmpipe (LLVM
+// 15.0.6, 256 bits)"; another driver remains to be seen.
+std::string version_in(const std::string& description) {
+  const std::string before = "Mesa ", driver = ", llvmpipe";
+  const size_t mesa = description.find(before);
+  if (mesa == std::string::npos) return description;
+  std::string version = description.substr(mesa + before.size());
+  const size_t at = version.find(driver);
+  return at == std::string::npos ? version : version.erase(at, driver.size());
+}
+
+}  // namespace
+
 const PeerSubject& peer_subject() {
-  static const std::string version = peer_llvmpipe().build_information;
+  static const std::string version = version_in(peer_llvmpipe().build_information);
   static const PeerSubject subject = {
       claims_of_triangles("Mesa llvmpipe", version.c_str(), kNearestAndBilinear, kClamp | kWrap, 0),
       paint_with_llvmpipe};
