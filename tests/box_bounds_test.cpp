@@ -110,7 +110,7 @@ TEST(BoxBounds, HoldTheGreatestSums) {
   int32_t count = 0;
   for (const int32_t width_fx8 : {256, 257, 300, 4096, 15360, 15361}) {
     const int32_t least_fx8 = (1 << 23) / width_fx8;
-    for (const int32_t height_fx8 : {least_fx8, least_fx8 + 1, least_fx8 + 300, 2 * least_fx8}) {
+    for (const int32_t height_fx8 : {least_fx8, least_fx8 + 1, least_fx8 / 2 * 3, 2 * least_fx8}) {
       boxes.set(count++, {128 + width_fx8 / 2, 128 + height_fx8 / 2}, {width_fx8, height_fx8});
     }
   }

@@ -6,6 +6,10 @@
 #include <vector>
 
 #include "mapper/kernel.h"
+#include "mapper/plane.h"
+#include "mapper/polygon.h"
+#include "mapper/projective_plane.h"
+#include "mapper/vector_kernel.h"
 #include "spec/picture.h"
 #include "tests/kernel_support.h"
 
@@ -32,7 +36,18 @@ using spec::Case;
   return (at.s % 2 == 0 ? 0x00000101U : 0U) | (at.t % 2 == 0 ? 0x01010000U : 0U);
 }
 
+// One map for all rows, and numbers that vectors hold: they find the sides and points of boxes.
+[[nodiscard]] bool is_for_vectors(const Case& c) {
+  Polygon polygon;
+  EXPECT_EQ(examine(c.vertices, &polygon), SELVAGE_OK);
+  if (!lanes_fit(polygon)) return false;
+  const selvage_rect visible{0, 0, c.target_width_px, c.target_height_px};
+  return polygon.affine ? Plane::of(polygon, visible).has_value()
+                        : ProjectivePlane::of(polygon, visible).has_value();
+}
+
 void expect_model(const Case& c, const spec::TexelAt& texel_at) {
+  ASSERT_TRUE(is_for_vectors(c));
   const spec::Picture model = spec::expected(c, texel_at);
   for (const selvage_kernel kernel : usable_kernels()) {
     spec::Subject subject = spec::built_in();
@@ -65,12 +80,10 @@ struct Depth {
 };
 [[nodiscard]] Case level(const Depth& depth, int32_t width_px, int32_t texture_texel) {
   Case c = area_case(width_px, depth.rows, texture_texel);
-  const int32_t right = 256 * width_px, bottom = 128 + 256 * depth.rows;
-  const int32_t right_u = width_px * 20000;
+  const int32_t right_px = 4 * width_px;
   c.vertices = {{0, 128, 0, depth.top_v, depth.top_q},
-                {right, 128, right_u, depth.top_v, depth.top_q},
-                {right, bottom, right_u, depth.bottom_v, depth.bottom_q},
-                {0, bottom, 0, depth.bottom_v, depth.bottom_q}};
+                {right_px * 256, 128, right_px * 20000, depth.top_v, depth.top_q},
+                {0, 128 + 256 * depth.rows, 0, depth.bottom_v, depth.bottom_q}};
   return c;
 }
 
@@ -96,7 +109,7 @@ TEST(BoxRow, HasSidesThatAreBarelyMoreThanWhole) {
       Depth moved = depth;
       moved.top_v += half_texels << 15;
       moved.bottom_v += half_texels << 15;
-      const Case c = level(moved, 40, 2);
+      const Case c = level(moved, 12, 2);
       for (const Case& each : {c, turned(c)}) {
         expect_model(each, stripes);
         ASSERT_FALSE(HasFatalFailure()) << half_texels;
@@ -106,22 +119,31 @@ TEST(BoxRow, HasSidesThatAreBarelyMoreThanWhole) {
 }
 
 // u goes so fast in the first column that its boxes would be longer than the longest, which holds
-// as much of either stripe.
+// as much of either stripe; in the last one it hardly goes.
 TEST(BoxRow, HasNoLongerSidesThanTheLongest) {
-  for (const int32_t near : {1, 100, 10000}) {
-    for (int32_t half_texels = 0; half_texels < 4; ++half_texels) {
-      Case c = area_case(300, 4, 2);
-      const int32_t left_u = INT32_MIN + (half_texels << 15);
-      c.vertices = {{128, 0, left_u, 0, near},
-                    {300 * 256, 0, INT32_MAX, 0, SELVAGE_Q_MAX},
-                    {300 * 256, 1024, INT32_MAX, 0, SELVAGE_Q_MAX},
-                    {128, 1024, left_u, 0, near}};
-      for (const Case& each : {c, turned(c)}) {
-        expect_model(each, stripes);
-        ASSERT_FALSE(HasFatalFailure()) << near << ", " << half_texels;
-      }
+  constexpr int32_t kRight = 20 * 256, kRoom_fx16 = 8 << 16;
+  constexpr int32_t kMost_u = INT32_MAX - kRoom_fx16;
+  for (int32_t half_texels = 0; half_texels < 4; ++half_texels) {
+    Case c = area_case(20, 4, 2);
+    const int32_t left_u = INT32_MIN + kRoom_fx16 + (half_texels << 15), near = SELVAGE_Q_MAX / 64;
+    c.vertices = {{128, 0, left_u, 0, near},
+                  {kRight, 0, kMost_u, 0, SELVAGE_Q_MAX},
+                  {kRight, 1024, kMost_u, 0, SELVAGE_Q_MAX},
+                  {128, 1024, left_u, 0, near}};
+    for (const Case& each : {c, turned(c)}) {
+      expect_model(each, stripes);
+      ASSERT_FALSE(HasFatalFailure()) << half_texels;
     }
   }
+}
+
+// Both q and u change along the row: boxes of 3 texels and less, then of one.
+TEST(BoxRow, HasSidesThatChangeAlongIt) {
+  Case c = area_case(150, 4, 64);
+  c.vertices = {{0, 0, 0, 0, 1 << 20},
+                {300 * 256, 0, 300 * 65536, 40 * 65536, 3 << 20},
+                {0, 300 * 256, 0, 200 * 65536, 1 << 20}};
+  for (const Case& each : {c, turned(c)}) expect_model(each, noise);
 }
 
 // An affine map of a texel and a half a pixel, from a polygon so wide that a change of u by 1/65536
@@ -136,6 +158,23 @@ TEST(BoxRow, HasPointsThatAreBarelyBesideTheGrid) {
                     {kFar_px * 256, 0, right, right, 1},
                     {kFar_px * 256, 4096, right, right, 1},
                     {0, 4096, left, left, 1}};
+      expect_model(c, noise);
+      ASSERT_FALSE(HasFatalFailure()) << sign << ", " << nudge;
+    }
+  }
+}
+
+// Of an area so large that 64 bits do not hold what decides a point, and beside the grid by a share
+// of x.
+TEST(BoxRow, HasPointsThatAreBarelyBesideTheGridUnderTheLargestMaps) {
+  constexpr int32_t kFar_fx8 = 32000 * 256, kFar_fx16 = 32000 << 16;
+  for (const int32_t sign : {1, -1}) {
+    for (const int32_t nudge : {-1, 0, 1}) {
+      Case c = area_case(150, 3, 64);
+      const int32_t first = sign * -kFar_fx16 + nudge, last = sign * kFar_fx16 - nudge;
+      c.vertices = {{-kFar_fx8, -kFar_fx8, first, first, 1},
+                    {kFar_fx8, -kFar_fx8, last, last, 1},
+                    {0, kFar_fx8, sign * kFar_fx16, sign * kFar_fx16, 1}};
       expect_model(c, noise);
       ASSERT_FALSE(HasFatalFailure()) << sign << ", " << nudge;
     }
