@@ -164,8 +164,8 @@ TEST(BoxRow, HasPointsThatAreBarelyBesideTheGrid) {
   }
 }
 
-// Of an area so large that 64 bits do not hold what decides a point, and beside the grid by a share
-// of x.
+// Of almost the largest area, so that the numbers that decide points are as long as they get, and
+// beside the grid by a share of x.
 TEST(BoxRow, HasPointsThatAreBarelyBesideTheGridUnderTheLargestMaps) {
   constexpr int32_t kFar_fx8 = 32000 * 256, kFar_fx16 = 32000 << 16;
   for (const int32_t sign : {1, -1}) {
