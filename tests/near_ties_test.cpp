@@ -93,6 +93,29 @@ TEST_P(NearTiesOf, AllPixelsAreDecidedAlikeByAllKernels) {
   }
 }
 
+// Boxes of two texels: u changes by as much from row to row as from pixel to pixel.
+class NearTiesOfBoxes : public testing::TestWithParam<uint64_t> {};
+
+TEST_P(NearTiesOfBoxes, AllPixelsAreDecidedAlikeByAllKernels) {
+  constexpr uint64_t kSeeds = 20;
+  for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
+    spec::Random random(seed);
+    std::vector<selvage_vertex> polygon = far_quad(random);
+    const int32_t across_fx16 = polygon[1].u - polygon[0].u;
+    for (selvage_vertex& vertex : polygon) {
+      if (vertex.y != 0) vertex.u -= across_fx16;
+    }
+    if (random.percent(50)) polygon.pop_back();
+    const spec::Canvas scalar = drawn(polygon, SELVAGE_FILTER_AREA, SELVAGE_KERNEL_SCALAR);
+    for (selvage_kernel kernel = SELVAGE_KERNEL_SCALAR; kernel <= SELVAGE_KERNEL_NEON; ++kernel) {
+      if (!is_usable(kernel)) continue;
+      ASSERT_TRUE(drawn(polygon, SELVAGE_FILTER_AREA, kernel) == scalar)
+          << "kernel " << kernel << ", seed " << seed;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Block, NearTiesOfBoxes, testing::Range(uint64_t{0}, uint64_t{10}));
 INSTANTIATE_TEST_SUITE_P(Block, NearTiesOf, testing::Range(uint64_t{0}, uint64_t{15}));
 
 // q from the least to 2^24 and back, over `width_px` columns whose first centre has the least.

@@ -1,46 +1,18 @@
 // No kernel reads beyond a texture: its first byte lies behind a page that may not be read, or its
 // last byte before one.
 #include <gtest/gtest.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <new>
 #include <vector>
 
 #include "spec/random.h"
+#include "tests/fenced_bytes.h"
 #include "tests/kernel_support.h"
 
 namespace selvage::mapper {
 namespace {
-
-enum class Side { kFirst, kLast };
-
-// Bytes that end, or begin, at memory whose touch ends the process.
-class FencedBytes {
- public:
-  FencedBytes(size_t bytes, Side side) {
-    const auto page = static_cast<size_t>(sysconf(_SC_PAGESIZE));
-    const size_t inside = (bytes + page - 1) / page * page;
-    length_ = inside + 2 * page;
-    void* const all = mmap(nullptr, length_, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (all == MAP_FAILED) throw std::bad_alloc();
-    pages_ = static_cast<char*>(all);
-    mprotect(pages_ + page, inside, PROT_READ | PROT_WRITE);
-    first_ = pages_ + page + (side == Side::kLast ? inside - bytes : 0);
-  }
-  FencedBytes(const FencedBytes&) = delete;
-  FencedBytes& operator=(const FencedBytes&) = delete;
-  ~FencedBytes() { munmap(pages_, length_); }
-
-  [[nodiscard]] char* first() const { return first_; }
-
- private:
-  char *pages_, *first_;
-  size_t length_;
-};
 
 struct Drawing {
   selvage_format format;
@@ -90,7 +62,8 @@ TEST_P(TextureBoundsOf, AreKeptByEveryKernel) {
     Drawing d = any_drawing(seed, GetParam());
     const ptrdiff_t pitch = d.width_texel * bytes_of(d.format);
     const auto bytes = static_cast<size_t>(pitch * d.height_texel);
-    const FencedBytes texels(bytes, seed % 2 == 0 ? Side::kFirst : Side::kLast);
+    const FencedBytes texels(bytes,
+                             seed % 2 == 0 ? FencedBytes::Side::kFirst : FencedBytes::Side::kLast);
     std::memset(texels.first(), 0x3C, bytes);
     const bool flipped = seed % 3 == 0;
     const selvage_texture texture{texels.first() + (flipped ? pitch * (d.height_texel - 1) : 0),
@@ -126,7 +99,8 @@ TEST(TextureBounds, AreKeptWherePixelsAreNotThere) {
     const int32_t width_texel = random.in(1, 12), height_texel = random.in(1, 12);
     const ptrdiff_t pitch = width_texel * 4;
     const auto bytes = static_cast<size_t>(pitch * height_texel);
-    const FencedBytes texels(bytes, seed % 2 == 0 ? Side::kFirst : Side::kLast);
+    const FencedBytes texels(bytes,
+                             seed % 2 == 0 ? FencedBytes::Side::kFirst : FencedBytes::Side::kLast);
     std::memset(texels.first(), 0x3C, bytes);
     const selvage_texture texture{texels.first(),   width_texel,         height_texel, pitch,
                                   SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr};

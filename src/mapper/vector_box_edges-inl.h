@@ -1,5 +1,5 @@
-// The sides of boxes in texels, and what is beyond the texture's edges. Included once for each SIMD
-// target.
+// The windows that boxes are summed in, and what is beyond the texture's edges. Included once for
+// each SIMD target.
 #if defined(SELVAGE_VECTOR_BOX_EDGES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_BOX_EDGES_INL_H
 #undef SELVAGE_VECTOR_BOX_EDGES_INL_H
@@ -7,6 +7,7 @@
 #define SELVAGE_VECTOR_BOX_EDGES_INL_H
 #endif
 
+#include "mapper/box_side.h"
 #include "mapper/filter_point.h"
 #include "mapper/vector_kernel-inl.h"
 
@@ -22,24 +23,6 @@ using VBytes = hn::Vec<DBytes>;
 using VWords = hn::Vec<DWords>;
 using VSums = hn::Vec<DSums>;
 inline constexpr int32_t kBoxWindow_texel = static_cast<int32_t>(hn::MaxLanes(DSums()));
-
-// One axis of a box: the texels that it may take parts of, wherever it lies. Of the first it takes
-// all but `part_fx8`, for no side is less than a texel.
-struct BoxSide {
-  int32_t first_texel, texels;
-  int32_t part_fx8, side_fx8;
-
-  static HWY_INLINE BoxSide of(int32_t begin_fx8, int32_t side_fx8, int32_t least_texels) {
-    const int32_t texels = ((side_fx8 + kTexel_fx8 - 2) >> kGridBits) + 1;
-    return {begin_fx8 >> kGridBits, HWY_MAX(texels, least_texels), begin_fx8 & (kTexel_fx8 - 1),
-            side_fx8};
-  }
-  [[nodiscard]] HWY_INLINE bool is_inside(int32_t size_texel) const {
-    return first_texel >= 0 && first_texel <= size_texel - texels;
-  }
-};
-// Rows are the first, some between, and the last two.
-inline constexpr int32_t kLeastRows = 3;
 
 // What a texel of a window stands for, from its left border on: of a box that begins or ends in it.
 struct Reach {
@@ -77,9 +60,7 @@ struct ClampEdge {
 // Boxes start in the first period; rows may go on in the second, columns are left to others there.
 struct WrapEdge : NoEdge {
   static HWY_INLINE int32_t start(int32_t begin_fx8, int32_t size_texel) {
-    const int64_t period_fx8 = int64_t{size_texel} * kTexel_fx8;
-    if (0 <= begin_fx8 && begin_fx8 < period_fx8) return begin_fx8;
-    return static_cast<int32_t>(begin_fx8 - floor_div(begin_fx8, period_fx8) * period_fx8);
+    return in_first_period(begin_fx8, size_texel);
   }
   static HWY_INLINE bool fits(const BoxSide& columns, const BoxSide& rows,
                               const selvage_texture& texture) {

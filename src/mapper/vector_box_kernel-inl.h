@@ -7,6 +7,7 @@
 #define SELVAGE_VECTOR_BOX_KERNEL_INL_H
 #endif
 
+#include <array>
 #include <type_traits>
 
 #include "mapper/box_row.h"
@@ -58,16 +59,17 @@ struct SideVectors {
           ceil_sides(hn::Mul(hn::Mul(hn::Add(changes, slack), weight), weight))};
 }
 
-// Rare, and kept out of the loop.
+// Of the boxes of a vector, where bounds differ. Rare, and kept out of the loop.
+using SideLanes = std::array<int32_t, kDoubles>;
 HWY_NOINLINE void decide_sides(const PlaneFootprint& footprint, const Span& piece, int32_t from,
-                               const int32_t* least_u, const int32_t* least_v, BoxRow* boxes) {
-  for (int32_t k = 0; k < kDoubles && from + k < piece.width_px(); ++k) {
-    const int32_t i = from + k;
-    const BoxSides most{boxes->width_fx8[static_cast<size_t>(i)],
-                        boxes->height_fx8[static_cast<size_t>(i)]};
-    if (most == BoxSides{least_u[k], least_v[k]}) continue;
-    boxes->set_sides(i,
-                     footprint.exact(piece.left_px + i, piece.row, {least_u[k], least_v[k]}, most));
+                               const SideLanes& least_u, const SideLanes& least_v, BoxRow* boxes) {
+  const int32_t end = HWY_MIN(from + kDoubles, piece.width_px());
+  for (int32_t i = from; i < end; ++i) {
+    const auto at = static_cast<size_t>(i), lane = static_cast<size_t>(i - from);
+    const BoxSides least{least_u[lane], least_v[lane]};
+    const BoxSides most{boxes->width_fx8[at], boxes->height_fx8[at]};
+    if (least == most) continue;
+    boxes->set_sides(i, footprint.exact(piece.left_px + i, piece.row, least, most));
   }
 }
 
@@ -87,9 +89,9 @@ HWY_INLINE void find_sides(const PlaneFootprint& footprint, const FootprintRow& 
                    hn::AllTrue(d32, hn::Eq(v.least_fx8, v.most_fx8)))) {
       continue;
     }
-    HWY_ALIGN int32_t least_u[kLanes], least_v[kLanes];
-    hn::Store(u.least_fx8, d32, least_u);
-    hn::Store(v.least_fx8, d32, least_v);
+    SideLanes least_u, least_v;
+    hn::StoreU(u.least_fx8, d32, least_u.data());
+    hn::StoreU(v.least_fx8, d32, least_v.data());
     decide_sides(footprint, piece, i, least_u, least_v, boxes);
   }
 }

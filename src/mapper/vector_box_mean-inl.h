@@ -5,10 +5,10 @@
 // in whole: of how many it takes parts depends on where it lies, of how many it may take parts on
 // its height alone, so that loops are as long for each box of a polygon. Each column of texels is
 // summed first, by the weights of the rows, then these by the weights of the columns. All fits
-// where no side is above 2^15 and the area not above 2^23 (1/256 texel)^2:
+// where the area is not above 2^23 (1/256 texel)^2, so that no side is above 2^15:
 //
 //   name              bits   bound
-//   sum of rows       16     127 rows of 255, signed
+//   sum of rows       16     126 rows of 255, signed
 //   column            23     255 * 2^15
 //   sum               31     255 * 2^23, signed
 //   mean              8      (sum + area / 2) / area, floored
@@ -25,52 +25,19 @@
 #include "mapper/filter_box.h"
 #include "mapper/vector_blend_mix-inl.h"
 #include "mapper/vector_box_edges-inl.h"
+#include "mapper/vector_box_rounding-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-using DPixel = hn::CappedTag<int32_t, 4>;
-using VPixel = hn::Vec<DPixel>;
-
-inline constexpr int32_t kMostSmallSide_fx8 = (1 << 15) - 1;
 inline constexpr int64_t kMostSmallArea_fx16 = 1 << 23;
-static_assert(255 * ((kMostSmallSide_fx8 >> kGridBits) + 1) < 1 << 15);
-// Parts of a box that is no wider are at least a texel high.
+static_assert(255 * (kMostSmallArea_fx16 / kLeastSide_fx8 >> kGridBits) < 1 << 15);
+// Parts of a box that is no wider are small, and at least so high that they take three rows.
 inline constexpr int32_t kMostDividedSide_fx8 = 60 * kTexel_fx8;
-static_assert((kMostSmallArea_fx16 - kMostSmallSide_fx8) / (2 * kMostDividedSide_fx8) > kTexel_fx8);
+inline constexpr int64_t kMostPart_fx16 = kMostSmallArea_fx16 - kMostDividedSide_fx8;
+static_assert(kMostPart_fx16 / (2 * kMostDividedSide_fx8) >= kTexel_fx8 + 2);
 static_assert(255 * kMostSmallArea_fx16 + kMostSmallArea_fx16 / 2 < int64_t{1} << 31);
-
-// (sum + area / 2) / area, floored. With a quarter more it is no closer to a whole number than
-// 2^-25, and what its three roundings come to is below 2^-43.
-template <class V>
-[[nodiscard]] HWY_INLINE uint32_t mean_of(V sums, int32_t area_fx16) {
-  const hn::CappedTag<double, 4> d;
-  const hn::Rebind<int32_t, decltype(d)> d32;
-  const auto half = hn::Set(d, 0.5 * area_fx16 + 0.25);
-  const auto reciprocal = hn::Set(d, 1.0 / area_fx16);
-  const auto mean = [&](auto some) {
-    return hn::DemoteTo(d32, hn::Mul(hn::Add(hn::PromoteTo(d, some), half), reciprocal));
-  };
-  V means;
-  if constexpr (hn::MaxLanes(hn::CappedTag<double, 4>()) == 4) {
-    means = mean(sums);
-  } else {
-    means = hn::Combine(DPixel(), mean(hn::UpperHalf(d32, sums)), mean(hn::LowerHalf(sums)));
-  }
-  const hn::Rebind<uint8_t, DPixel> d8;
-  const hn::Repartition<uint32_t, decltype(d8)> whole;
-  return hn::GetLane(hn::BitCast(whole, hn::DemoteTo(d8, means)));
-}
-
-template <class V>
-[[nodiscard]] HWY_INLINE VPixel blocks_added(V sums) {
-  if constexpr (hn::MaxLanes(hn::DFromV<V>()) == 4) {
-    return sums;
-  } else {
-    return hn::Add(hn::LowerHalf(sums), hn::UpperHalf(DPixel(), sums));
-  }
-}
 
 // A row of a window: 16 bits a channel, of the even and of the odd pairs of texels.
 struct WindowRow {
@@ -96,7 +63,7 @@ class BoxColumns {
   // The windows that hold a box's columns.
   [[nodiscard]] static HWY_INLINE int32_t windows(const BoxSide& columns) {
     const int32_t before = kTiled ? kTileSide_texel - 1 : 0;
-    return (columns.texels + before + kBoxWindow_texel - 1) / kBoxWindow_texel;
+    return static_cast<int32_t>(units(columns.texels + before, kBoxWindow_texel));
   }
   [[nodiscard]] HWY_INLINE bool has_room_for(int32_t windows) const {
     return windows * kBoxWindow_texel <= padded_texel_;
@@ -221,54 +188,61 @@ class BoxMeans {
   [[nodiscard]] HWY_INLINE bool is_large() const { return is_large_; }
   // Of a box inside the texture: others are few.
   HWY_INLINE void prefetch(const Box& box) const {
-    const int32_t s = (box.left_fx8 + box.width_fx8 / 2) >> kGridBits;
-    const int32_t top = box.top_fx8 >> kGridBits;
-    const int32_t bottom = (box.top_fx8 + box.height_fx8 - 1) >> kGridBits;
+    const BoxSide columns = BoxSide::of(box.left_fx8, box.width_fx8);
+    const BoxSide rows = BoxSide::of(box.top_fx8, box.height_fx8);
     const selvage_texture& texture = surface_.texture;
-    if (s < 0 || s >= texture.width || top < 0 || bottom >= texture.height) return;
-    for (int32_t t = top; t <= bottom; ++t) columns_.prefetch(t, s);
+    if (!columns.is_inside(texture.width) || !rows.is_inside(texture.height)) return;
+    const int32_t s = columns.first_texel + columns.texels / 2;
+    for (int32_t i = 0; i < rows.texels; ++i) columns_.prefetch(rows.first_texel + i, s);
   }
 
   HWY_INLINE uint32_t operator()(const Box& box) const {
-    if (HWY_UNLIKELY(box.width_fx8 > kMostSmallSide_fx8 || box.height_fx8 > kMostSmallSide_fx8)) {
-      return large(box);
-    }
+    const int64_t area_fx16 = int64_t{box.width_fx8} * box.height_fx8;
+    if (HWY_UNLIKELY(area_fx16 > kMostSmallArea_fx16)) return large(box, area_fx16);
     const selvage_texture& texture = surface_.texture;
-    const BoxSide columns = BoxSide::of(Edge::start(box.left_fx8, texture.width), box.width_fx8, 1);
-    const BoxSide rows =
-        BoxSide::of(Edge::start(box.top_fx8, texture.height), box.height_fx8, kLeastRows);
+    const BoxSide columns = columns_of(box), rows = rows_of(box);
     const int32_t windows = BoxColumns<Layout>::windows(columns);
-    const int32_t area_fx16 = box.width_fx8 * box.height_fx8;
-    if (HWY_UNLIKELY(area_fx16 > kMostSmallArea_fx16)) return large(box);
     if (HWY_UNLIKELY(!columns_.has_room_for(windows))) {
-      return box_mean(surface_.texture, surface_.address, box);
+      return box_mean(texture, surface_.address, box);
     }
     if (HWY_UNLIKELY(!columns.is_inside(texture.width) || !rows.is_inside(texture.height))) {
       return beyond(box, columns, rows, windows);
     }
-    return mean_of(columns_.template sum<NoEdge>(columns, rows, windows), area_fx16);
+    return mean_of(columns_.template sum<NoEdge>(columns, rows, windows),
+                   static_cast<int32_t>(area_fx16));
   }
 
  private:
+  [[nodiscard]] HWY_INLINE BoxSide columns_of(const Box& box) const {
+    return BoxSide::of(Edge::start(box.left_fx8, surface_.texture.width), box.width_fx8);
+  }
+  // The first, some between, and the last two.
+  [[nodiscard]] HWY_INLINE BoxSide rows_of(const Box& box) const {
+    BoxSide rows = BoxSide::of(Edge::start(box.top_fx8, surface_.texture.height), box.height_fx8);
+    rows.texels = HWY_MAX(rows.texels, 3);
+    return rows;
+  }
+
   // Without sums, and inside the texture: in parts that are small and as high, one below the other.
-  HWY_NOINLINE uint32_t large(const Box& box) const {
+  HWY_NOINLINE uint32_t large(const Box& box, int64_t area_fx16) const {
     const selvage_texture& texture = surface_.texture;
-    const BoxSide columns = BoxSide::of(Edge::start(box.left_fx8, texture.width), box.width_fx8, 1);
+    const BoxSide columns = columns_of(box);
     const int32_t windows = BoxColumns<Layout>::windows(columns);
-    const int64_t area_fx16 = int64_t{box.width_fx8} * box.height_fx8;
-    const int64_t parts = area_fx16 / (kMostSmallArea_fx16 - kMostSmallSide_fx8) + 1;
-    bool is_inside = texture.prepared == nullptr && box.width_fx8 <= kMostDividedSide_fx8 &&
-                     columns.is_inside(texture.width) && columns_.has_room_for(windows);
+    if (texture.prepared != nullptr || box.width_fx8 > kMostDividedSide_fx8 ||
+        !columns.is_inside(texture.width) || !columns_.has_room_for(windows)) {
+      return box_mean(texture, surface_.address, box);
+    }
     const int32_t top_fx8 = Edge::start(box.top_fx8, texture.height);
+    const int64_t parts = area_fx16 / kMostPart_fx16 + 1;
     BoxSum sum{};
-    for (int64_t part = 0; is_inside && part < parts; ++part) {
+    for (int64_t part = 0; part < parts; ++part) {
       const auto begin_fx8 = static_cast<int32_t>(box.height_fx8 * part / parts);
       const auto end_fx8 = static_cast<int32_t>(box.height_fx8 * (part + 1) / parts);
-      const BoxSide rows = BoxSide::of(top_fx8 + begin_fx8, end_fx8 - begin_fx8, kLeastRows);
-      is_inside = rows.is_inside(texture.height);
-      if (is_inside) add(columns_.template sum<NoEdge>(columns, rows, windows), &sum);
+      const BoxSide rows = BoxSide::of(top_fx8 + begin_fx8, end_fx8 - begin_fx8);
+      if (!rows.is_inside(texture.height)) return box_mean(texture, surface_.address, box);
+      add(columns_.template sum<NoEdge>(columns, rows, windows), &sum);
     }
-    return is_inside ? box_mean(sum, box) : box_mean(texture, surface_.address, box);
+    return box_mean(sum, box);
   }
   static HWY_INLINE void add(VPixel part, BoxSum* sum) {
     HWY_ALIGN int32_t channels[4];
