@@ -2,11 +2,13 @@
 // filter_box_test.cpp holds against the specification.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <memory>
 #include <vector>
 
+#include "mapper/box_row.h"
 #include "mapper/channels.h"
 #include "mapper/filter_box.h"
 #include "mapper/vector_kernel.h"
@@ -121,6 +123,20 @@ void expect_means(const BoxLine& line, int32_t count, const selvage_texture& tex
   const int32_t side = random.pick(
       {whole, whole + 1, whole + 2, whole + 255, random.in(256, 256 * most_texels + 1)});
   return side;
+}
+
+TEST(BoxPieces, FollowEachOtherAndAreNoLongerThanTheirRoom) {
+  for (const int32_t width_px : {1, 127, 128, 129, 255, 256, 257, 1000}) {
+    const Span span{5, -70, -70 + width_px};
+    int32_t next_px = span.left_px;
+    for_each_box_piece(span, [&](const Span& piece) {
+      EXPECT_EQ(piece.row, span.row);
+      EXPECT_EQ(piece.left_px, next_px);
+      EXPECT_EQ(piece.width_px(), std::min(kBoxPiece_px, span.right_px - next_px));
+      next_px = piece.right_px;
+    });
+    EXPECT_EQ(next_px, span.right_px);
+  }
 }
 
 // Textures about as wide as the windows that columns are summed in, and boxes that leave them.

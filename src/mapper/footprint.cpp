@@ -1,6 +1,5 @@
 #include "mapper/footprint.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "mapper/wide.h"
@@ -12,12 +11,6 @@ namespace {
 struct Bounds {
   double low, high;
 };
-
-// ceil, within the sides that a box may have.
-[[nodiscard]] int32_t ceil_side(double fx8) {
-  return static_cast<int32_t>(
-      std::ceil(std::clamp(fx8, double{kLeastSide_fx8}, double{kMostSide_fx8})));
-}
 
 }  // namespace
 

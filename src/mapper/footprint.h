@@ -9,6 +9,7 @@
 // With x, y in 1/256 px and u in 1/65536 texel this is in 1/256 texel per pixel, as it is needed.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "mapper/edge.h"
@@ -24,6 +25,13 @@ struct BoxSides {
 };
 inline constexpr int32_t kLeastSide_fx8 = 1 << 8;
 inline constexpr int32_t kMostSide_fx8 = 1 << 24;
+
+// ceil of a double within these.
+[[nodiscard]] inline int32_t ceil_side(double side_fx8) {
+  const double inside = std::clamp<double>(side_fx8, kLeastSide_fx8, kMostSide_fx8);
+  const auto whole = static_cast<int32_t>(inside);
+  return whole + (whole < inside ? 1 : 0);
+}
 
 // The least side in [least, most] that is not below sum / denominator^2, or most.
 [[nodiscard]] int32_t least_side(const Wide& sum, uint128 denominator, int32_t least, int32_t most);

@@ -78,8 +78,8 @@ PlaneFootprint::PlaneFootprint(const Polygon& polygon, const selvage_rect& visib
                                const ProjectiveField& lanes)
     : frame_(PlaneFrame::of(polygon.vertices)),
       lanes_(lanes),
-      columns_(std::max(std::min(visible.right, polygon.right_px) - lanes.first_px, 0)),
-      rows_(std::max(std::min(visible.bottom, polygon.bottom_row) - lanes.first_row, 0)),
+      columns_(std::min(visible.right, polygon.right_px) - lanes.first_px),
+      rows_(std::min(visible.bottom, polygon.bottom_row) - lanes.first_row),
       u_terms_(terms(frame_, &selvage_vertex::u)),
       v_terms_(terms(frame_, &selvage_vertex::v)) {
   int32_t least_q = SELVAGE_Q_MAX;

@@ -1,5 +1,4 @@
 // The area filter for every machine: points, sides, means.
-#include <algorithm>
 #include <cmath>
 
 #include "mapper/box_row.h"
@@ -26,13 +25,6 @@ void find_points(const Lanes& lanes, const ExactMap& map, const Span& span, cons
     boxes->u_fx8[i] = point.u_fx8;
     boxes->v_fx8[i] = point.v_fx8;
   }
-}
-
-// ceil of a double within the sides that a box may have.
-[[nodiscard]] int32_t ceil_side(double side_fx8) {
-  const double inside = std::clamp<double>(side_fx8, kLeastSide_fx8, kMostSide_fx8);
-  const auto whole = static_cast<int32_t>(inside);
-  return whole + (whole < inside ? 1 : 0);
 }
 
 struct SideBounds {
