@@ -66,8 +66,8 @@ selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygo
   // A triangle turns twice at most.
   if (vertices.size() > 3 && !is_monotone(vertices)) return SELVAGE_ERROR_NOT_MONOTONE;
 
-  // Field by field: a whole Polygon would be copied by sixteens of bytes from where it was just made
-  // by eights, and wait for it.
+  // Field by field: a whole Polygon would be copied by sixteens of bytes from where it was just
+  // made by eights, and wait for it.
   polygon->vertices = vertices;
   polygon->top = 0;
   polygon->affine = true;
