@@ -130,6 +130,7 @@ TEST(BoxPieces, FollowEachOtherAndAreNoLongerThanTheirRoom) {
     const Span span{5, -70, -70 + width_px};
     int32_t next_px = span.left_px;
     for_each_box_piece(span, [&](const Span& piece) {
+      EXPECT_FALSE(piece.empty());
       EXPECT_EQ(piece.row, span.row);
       EXPECT_EQ(piece.left_px, next_px);
       EXPECT_EQ(piece.width_px(), std::min(kBoxPiece_px, span.right_px - next_px));
