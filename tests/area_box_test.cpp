@@ -13,6 +13,7 @@
 #include "spec/picture.h"
 #include "spec/random.h"
 #include "tests/kernel_support.h"
+#include "tests/modelled.h"
 
 namespace selvage::mapper {
 namespace {
@@ -34,34 +35,6 @@ constexpr int32_t kTexel = SELVAGE_SUBTEXELS, kPixel = SELVAGE_SUBPIXELS;
 // of 253.5 in the channels between; any other takes more of what lies beyond 1.
 [[nodiscard]] uint32_t halves(bool beyond) { return beyond ? 0xFEFFFEFFU : 0xFFFEFFFEU; }
 
-[[nodiscard]] spec::Subject drawing_by(selvage_kernel kernel) {
-  spec::Subject subject = spec::built_in();
-  subject.draw = [kernel](const selvage_image* target, const selvage_rect* clip,
-                          const selvage_vertex* vertices, size_t count,
-                          const selvage_texture* texture, const selvage_options* options) {
-    selvage_options by_kernel = *options;
-    by_kernel.kernel = kernel;
-    return selvage_draw(target, clip, vertices, count, texture, &by_kernel);
-  };
-  return subject;
-}
-
-void expect_model(const Case& c, const spec::TexelAt& texel_at) {
-  const spec::Picture model = spec::expected(c, texel_at);
-  for (const selvage_kernel kernel : usable_kernels()) {
-    const spec::Picture drawn = spec::draw(drawing_by(kernel), c, texel_at);
-    ASSERT_EQ(drawn.status, SELVAGE_OK);
-    ASSERT_EQ(drawn.memory_fault, "");
-    for (int32_t y = 0; y < c.target_height_px; ++y) {
-      for (int32_t x = 0; x < c.target_width_px; ++x) {
-        ASSERT_EQ(drawn.at(x, y), model.at(x, y))
-            << "kernel " << kernel << ", pixel " << x << ", " << y << "\n"
-            << spec::print(c);
-      }
-    }
-  }
-}
-
 [[nodiscard]] Case area_case(int32_t width_px, int32_t height_px) {
   Case c;
   c.filter = SELVAGE_FILTER_AREA;
@@ -82,7 +55,7 @@ TEST(AreaBoxes, OfAffineMapsHaveTheirSides) {
       c.vertices = {{0, 0, 1234, 4321, 1},
                     {kEnd_px * kPixel, 0, 1234 + kEnd_px * u_side * 256, 4321, 1},
                     {0, kEnd_px * kPixel, 1234, 4321 + kEnd_px * v_side * 256, 1}};
-      expect_model(c, contrast);
+      expect_drawn_as_modelled(c, contrast);
       ASSERT_FALSE(HasFatalFailure());
     }
   }
@@ -98,7 +71,7 @@ TEST(AreaBoxes, OfAffineMapsBeginAtPointsOfTheGrid) {
     c.vertices = {{0, 0, shift, shift, 1},
                   {kEnd_px * kPixel, 0, kEnd_px / 3 * 4 * kTexel + shift, shift, 1},
                   {0, kEnd_px * kPixel, shift, kEnd_px / 3 * 5 * kTexel + shift, 1}};
-    expect_model(c, contrast);
+    expect_drawn_as_modelled(c, contrast);
     ASSERT_FALSE(HasFatalFailure());
   }
 }
@@ -121,7 +94,7 @@ TEST(AreaBoxes, OfSteepDepthsBeginAtTheirPoints) {
     if (std::max(sides.u_fx8, sides.v_fx8) > 1500) continue;
     if (std::max(sides.u_fx8, sides.v_fx8) == kLeastSide_fx8) continue;
     ++drawn;
-    expect_model(c, contrast);
+    expect_drawn_as_modelled(c, contrast);
     ASSERT_FALSE(HasFatalFailure()) << i;
   }
   EXPECT_EQ(drawn, 30);
@@ -139,7 +112,7 @@ TEST(AreaBoxes, OfProjectiveMapsHaveTheirSides) {
     c.vertices = {{-300, top, texel(), texel(), q()},
                   {kEnd, top, texel(), texel(), q()},
                   {kEnd / 2, bottom, texel(), texel(), q()}};
-    expect_model(c, contrast);
+    expect_drawn_as_modelled(c, contrast);
     ASSERT_FALSE(HasFatalFailure()) << i;
   }
 }
@@ -201,7 +174,8 @@ TEST(AreaBoxes, HaveSidesThatDoublesCannotTell) {
           const spec::BoxSides sides = spec::box_sides(*spec::gradient(c->vertices, 3, 0));
           ASSERT_EQ(along_u ? sides.u_fx8 : sides.v_fx8, side_fx8 + (beyond > 0 ? 1 : 0));
           ASSERT_EQ(along_u ? sides.v_fx8 : sides.u_fx8, kLeastSide_fx8);
-          expect_model(*c, [&](spec::Texel at) { return halves(along_u ? at.s > 0 : at.t > 0); });
+          expect_drawn_as_modelled(
+              *c, [&](spec::Texel at) { return halves(along_u ? at.s > 0 : at.t > 0); });
           ASSERT_FALSE(HasFatalFailure());
         }
       }
@@ -223,7 +197,8 @@ TEST(AreaBoxes, AreNoLargerThanTheGreatest) {
                   {0, 128 + 2 * kPixel, u, v, 1 << 10}};
     const spec::BoxSides sides = spec::box_sides(*spec::gradient(c.vertices, 3, 0));
     ASSERT_EQ(along_u ? sides.u_fx8 : sides.v_fx8, kMostSide_fx8);
-    expect_model(c, [&](spec::Texel at) { return halves(along_u ? at.s > 0 : at.t > 0); });
+    expect_drawn_as_modelled(c,
+                             [&](spec::Texel at) { return halves(along_u ? at.s > 0 : at.t > 0); });
     ASSERT_FALSE(HasFatalFailure());
   }
 }

@@ -11,7 +11,7 @@
 #include "mapper/projective_plane.h"
 #include "mapper/vector_kernel.h"
 #include "spec/picture.h"
-#include "tests/kernel_support.h"
+#include "tests/modelled.h"
 
 namespace selvage::mapper {
 namespace {
@@ -48,25 +48,7 @@ using spec::Case;
 
 void expect_model(const Case& c, const spec::TexelAt& texel_at) {
   ASSERT_TRUE(is_for_vectors(c));
-  const spec::Picture model = spec::expected(c, texel_at);
-  for (const selvage_kernel kernel : usable_kernels()) {
-    spec::Subject subject = spec::built_in();
-    subject.draw = [kernel](const selvage_image* target, const selvage_rect* clip,
-                            const selvage_vertex* vertices, size_t count,
-                            const selvage_texture* texture, const selvage_options* options) {
-      selvage_options by_kernel = *options;
-      by_kernel.kernel = kernel;
-      return selvage_draw(target, clip, vertices, count, texture, &by_kernel);
-    };
-    const spec::Picture drawn = spec::draw(subject, c, texel_at);
-    ASSERT_EQ(drawn.status, SELVAGE_OK);
-    for (int32_t y = 0; y < c.target_height_px; ++y) {
-      for (int32_t x = 0; x < c.target_width_px; ++x) {
-        ASSERT_EQ(drawn.at(x, y), model.at(x, y))
-            << "kernel " << kernel << ", pixel " << x << ", " << y;
-      }
-    }
-  }
+  expect_drawn_as_modelled(c, texel_at);
 }
 
 [[nodiscard]] Case turned(Case c) {
