@@ -59,7 +59,7 @@ class StepOffsets {
  private:
   using V = hn::Vec<D>;
   int32_t whole_, fraction_;
-  std::array<V, kVectors> offset_fx16_;
+  V offset_fx16_[kVectors];
 };
 
 // Groups of a segment by windows.
