@@ -8,10 +8,6 @@
 namespace selvage::spec {
 namespace {
 
-[[nodiscard]] selvage_vertex vertex_at(Point p, const selvage_vertex& like) {
-  return {static_cast<int32_t>(p.x), static_cast<int32_t>(p.y), like.u, like.v, like.q};
-}
-
 [[nodiscard]] bool is_counter_clockwise(const std::vector<selvage_vertex>& corners) {
   return doubled_area(position(corners[0]), position(corners[1]), position(corners[2])) < 0;
 }

@@ -43,6 +43,11 @@ struct Pixel {
 // The case as the laws that read texels back draw it: a mixed pixel tells no texel.
 [[nodiscard]] Case with_nearest(const Case& c);
 
+// A vertex at another place.
+[[nodiscard]] inline selvage_vertex vertex_at(Point p, const selvage_vertex& like) {
+  return {static_cast<int32_t>(p.x), static_cast<int32_t>(p.y), like.u, like.v, like.q};
+}
+
 // The case with another outline, made acceptable to the profile, and with a filter that profile and
 // format allow.
 [[nodiscard]] Case with_vertices(const Case& c, std::vector<selvage_vertex> vertices);

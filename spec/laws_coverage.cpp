@@ -13,10 +13,6 @@
 namespace selvage::spec {
 namespace {
 
-[[nodiscard]] selvage_vertex vertex_at(Point p, const selvage_vertex& like) {
-  return {static_cast<int32_t>(p.x), static_cast<int32_t>(p.y), like.u, like.v, like.q};
-}
-
 [[nodiscard]] Fan draw_fan(const Subject& subject, const Case& c, const selvage_vertex& centre) {
   return draw_fan(c, centre, subject.claims, [&](const Case& tile) { return draw(subject, tile); });
 }
