@@ -22,33 +22,40 @@ namespace {
   return {sum(lane.u_fx32, step.u_fx32), sum(lane.v_fx32, step.v_fx32)};
 }
 
+// The pixels of all rows from so many right of their first ones on, a vector a row: without a
+// branch, for rows end as good as at random. Returns what the lanes of pixels lack changes in them.
+template <class Pixel, class Address, class OneWindow>
+[[nodiscard]] HWY_INLINE V32 draw_columns(const OneWindow& window, const AffineBatch<Address>& batch,
+                                          const AffineSpans& spans, const Surface& surface,
+                                          int32_t right_by_px) {
+  const D32 d;
+  const Lane step_x = spans.field.step_x, step_y = spans.field.step_y;
+  // Where px is 0.
+  Lane at_row = batch.anchor(spans.field.at(right_by_px, spans.batch.first_row));
+  char* row = static_cast<char*>(surface.target.pixels) +
+              spans.batch.first_row * surface.target.pitch + right_by_px * ptrdiff_t{sizeof(Pixel)};
+  V32 changed = hn::Zero(d);
+  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+    const int32_t px = spans.batch.left_px[static_cast<size_t>(i)];
+    const int32_t count_px = spans.batch.right_px[static_cast<size_t>(i)] - px - right_by_px;
+    const LaneVectors lanes = batch.lanes_from(plus(at_row, px, step_x));
+    const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
+    changed = hn::IfThenElse(is_pixel, hn::Or(changed, batch.changes(lanes)), changed);
+    store_first(is_pixel, window.texels(lanes), count_px, reinterpret_cast<Pixel*>(row) + px);
+    at_row = plus(at_row, 1, step_y);
+    row += surface.target.pitch;
+  }
+  return changed;
+}
+
 // False where some pixel is a near-tie.
 template <class Pixel, class Address, class OneWindow>
 [[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const AffineSpans& spans,
                                         const Surface& surface) {
-  const D32 d;
   const AffineBatch<Address> batch(spans, surface);
-  const Lane step_x = spans.field.step_x, step_y = spans.field.step_y;
-  Lane at_row = batch.anchor(spans.field.at(0, spans.batch.first_row));  // where px is 0
-  ptrdiff_t row_bytes = spans.batch.first_row * surface.target.pitch;
-  char* const target = static_cast<char*>(surface.target.pixels);
-  V32 changed = hn::Zero(d);
-  for (int32_t i = 0; i < spans.batch.rows; ++i) {
-    const Span span = spans.batch.span(i);
-    auto* pixels = reinterpret_cast<Pixel*>(target + row_bytes) + span.left_px;
-    Lane anchor = plus(at_row, span.left_px, step_x);
-    int32_t count_px = span.width_px();
-    do {
-      const LaneVectors lanes = batch.lanes_from(anchor);
-      const auto is_pixel = hn::FirstN(d, static_cast<size_t>(count_px));
-      changed = hn::IfThenElse(is_pixel, hn::Or(changed, batch.changes(lanes)), changed);
-      store_first(window.texels(lanes), count_px, pixels);
-      pixels += kLanes;
-      count_px -= kLanes;
-      anchor = plus(anchor, kLanes, step_x);
-    } while (count_px > 0);
-    at_row = plus(at_row, 1, step_y);
-    row_bytes += surface.target.pitch;
+  V32 changed = hn::Zero(D32());
+  for (int32_t right_by_px = 0; right_by_px < spans.batch.widest_px; right_by_px += kLanes) {
+    changed = hn::Or(changed, draw_columns<Pixel>(window, batch, spans, surface, right_by_px));
   }
   return !any_bits(changed, ~0xFFFF);
 }

@@ -123,9 +123,9 @@ template <class Pixel, class Address, class OneWindow>
       Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.row[k] * pitch) + pieces.left_px[k];
       for (int32_t at = 0; at < kVectorsPerPiece && (at == 0 || count_px > 0); ++at) {
         const LaneVectors lanes = AnchoredVectors::lanes_from(anchors, k, at);
-        const auto is_pixel = hn::FirstN(d, static_cast<size_t>(count_px));
+        const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
         changed = hn::IfThenElse(is_pixel, hn::Or(changed, fixed.changes(lanes)), changed);
-        store_first(window.texels(lanes), count_px, to);
+        store_first(is_pixel, window.texels(lanes), count_px, to);
         count_px -= kLanes;
         to += kLanes;
       }

@@ -106,15 +106,15 @@ HWY_INLINE void store_pixels(V32 texels, int32_t count, Pixel* HWY_RESTRICT pixe
   }
 }
 
-// Stores the first pixels of a vector: where it is seldom whole, that a branch would seldom be
-// foreseen.
+// Stores the first pixels of a vector, which are given as a mask too, maybe none: where it is seldom
+// whole, that a branch would seldom be foreseen.
 template <class Pixel>
-HWY_INLINE void store_first(V32 texels, int32_t count, Pixel* HWY_RESTRICT pixels) {
+HWY_INLINE void store_first(hn::Mask<D32> is_pixel, V32 texels, int32_t count,
+                            Pixel* HWY_RESTRICT pixels) {
   if constexpr (sizeof(Pixel) == sizeof(int32_t)) {
-    hn::BlendedStore(texels, hn::FirstN(D32(), static_cast<size_t>(count)), D32(),
-                     reinterpret_cast<int32_t*>(pixels));
+    hn::BlendedStore(texels, is_pixel, D32(), reinterpret_cast<int32_t*>(pixels));
   } else {
-    store_pixels(texels, count, pixels);
+    if (count > 0) store_pixels(texels, count, pixels);
   }
 }
 
