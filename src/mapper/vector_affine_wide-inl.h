@@ -6,7 +6,7 @@
 #define SELVAGE_VECTOR_AFFINE_WIDE_INL_H
 #endif
 
-#include "mapper/vector_affine_window-inl.h"
+#include "mapper/vector_affine_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -115,10 +115,6 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
 // By windows of so many rows, or, where there are none, by loads.
 template <class Pixel, class Address>
 void draw_wide(const AffineSpans& spans, const Surface& surface, int32_t rows) {
-  if (rows != 0 && spans.batch.widest_px <= kNarrow_px &&
-      draw_one_window<Pixel, Address>(spans, surface)) {
-    return;
-  }
   Resume at;
   Left left;
   do {

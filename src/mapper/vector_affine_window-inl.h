@@ -1,4 +1,4 @@
-// Narrow affine spans from one window. Included once for each SIMD target.
+// Affine spans of a polygon whose texels lie in one window. Included once for each SIMD target.
 #if defined(SELVAGE_VECTOR_AFFINE_WINDOW_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_AFFINE_WINDOW_INL_H
 #undef SELVAGE_VECTOR_AFFINE_WINDOW_INL_H
@@ -23,19 +23,24 @@ namespace {
 }
 
 // The pixels of all rows from so many right of their first ones on, a vector a row: without a
-// branch, for rows end as good as at random. Returns what the lanes of pixels lack changes in them.
+// branch, for where rows end is seldom foreseen. Returns what the lanes of pixels lack changes in
+// them.
 template <class Pixel, class Address, class OneWindow>
-[[nodiscard]] HWY_INLINE V32 draw_columns(const OneWindow& window, const AffineBatch<Address>& batch,
+[[nodiscard]] HWY_INLINE V32 draw_columns(const OneWindow& window,
+                                          const AffineBatch<Address>& batch,
                                           const AffineSpans& spans, const Surface& surface,
                                           int32_t right_by_px) {
   const D32 d;
   const Lane step_x = spans.field.step_x, step_y = spans.field.step_y;
-  // Where px is 0.
-  Lane at_row = batch.anchor(spans.field.at(right_by_px, spans.batch.first_row));
-  char* row = static_cast<char*>(surface.target.pixels) +
-              spans.batch.first_row * surface.target.pitch + right_by_px * ptrdiff_t{sizeof(Pixel)};
+  int32_t first = 0, end = spans.batch.rows;
+  while (first < end && spans.batch.span(first).width_px() <= right_by_px) ++first;
+  while (first < end && spans.batch.span(end - 1).width_px() <= right_by_px) --end;
+  const int32_t first_row = spans.batch.first_row + first;
+  Lane at_row = batch.anchor(spans.field.at(right_by_px, first_row));  // where px is 0
+  char* row = static_cast<char*>(surface.target.pixels) + first_row * surface.target.pitch +
+              right_by_px * ptrdiff_t{sizeof(Pixel)};
   V32 changed = hn::Zero(d);
-  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+  for (int32_t i = first; i < end; ++i) {
     const int32_t px = spans.batch.left_px[static_cast<size_t>(i)];
     const int32_t count_px = spans.batch.right_px[static_cast<size_t>(i)] - px - right_by_px;
     const LaneVectors lanes = batch.lanes_from(plus(at_row, px, step_x));
@@ -60,9 +65,13 @@ template <class Pixel, class Address, class OneWindow>
   return !any_bits(changed, ~0xFFFF);
 }
 
+// Spans up to so wide. They have few vectors.
+inline constexpr int32_t kMostOneWindow_px = 64;
+
 // Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_one_window(const AffineSpans& spans, const Surface& surface) {
+  if (spans.batch.widest_px > kMostOneWindow_px) return false;
   return with_one_window<Pixel, Address>(spans.texels, surface.texture,
                                          [&](const auto& window) HWY_ATTR {
                                            return draw_from<Pixel, Address>(window, spans, surface);

@@ -38,6 +38,14 @@ struct Origins {
 
 // ---- Address modes: texel indices to indices into the texture ----------------------------------
 
+// Texels that are known to lie in the texture.
+struct InsideVector {
+  template <class V>
+  static HWY_INLINE V window_texel(V texel, int32_t /*size_texel*/) {
+    return texel;
+  }
+};
+
 struct ClampVector {
   using Scalar = Clamp;
   template <class V>
