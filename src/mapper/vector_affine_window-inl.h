@@ -32,23 +32,25 @@ template <class Pixel, class Address, class OneWindow>
                                           int32_t right_by_px) {
   const D32 d;
   const Lane step_x = spans.field.step_x, step_y = spans.field.step_y;
+  const int32_t* const left_px = spans.batch.left_px.data();
+  const int32_t* const right_px = spans.batch.right_px.data();
+  const ptrdiff_t pitch = surface.target.pitch;
   int32_t first = 0, end = spans.batch.rows;
-  while (first < end && spans.batch.span(first).width_px() <= right_by_px) ++first;
-  while (first < end && spans.batch.span(end - 1).width_px() <= right_by_px) --end;
+  while (first < end && right_px[first] - left_px[first] <= right_by_px) ++first;
+  while (first < end && right_px[end - 1] - left_px[end - 1] <= right_by_px) --end;
   const int32_t first_row = spans.batch.first_row + first;
   Lane at_row = batch.anchor(spans.field.at(right_by_px, first_row));  // where px is 0
-  char* row = static_cast<char*>(surface.target.pixels) + first_row * surface.target.pitch +
+  char* row = static_cast<char*>(surface.target.pixels) + first_row * pitch +
               right_by_px * ptrdiff_t{sizeof(Pixel)};
   V32 changed = hn::Zero(d);
   for (int32_t i = first; i < end; ++i) {
-    const int32_t px = spans.batch.left_px[static_cast<size_t>(i)];
-    const int32_t count_px = spans.batch.right_px[static_cast<size_t>(i)] - px - right_by_px;
+    const int32_t px = left_px[i], count_px = right_px[i] - px - right_by_px;
     const LaneVectors lanes = batch.lanes_from(plus(at_row, px, step_x));
     const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
     changed = hn::IfThenElse(is_pixel, hn::Or(changed, batch.changes(lanes)), changed);
     store_first(is_pixel, window.texels(lanes), count_px, reinterpret_cast<Pixel*>(row) + px);
     at_row = plus(at_row, 1, step_y);
-    row += surface.target.pitch;
+    row += pitch;
   }
   return changed;
 }

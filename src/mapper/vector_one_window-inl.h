@@ -44,7 +44,9 @@ struct WindowPlace {
   bool inside = false;  // the texture, so that no address mode changes a texel
 };
 
-template <class Address, int kColumnBits>
+// With kMostWindowVectors, or no more than it takes.
+enum class WindowSize { kMost, kLeast };
+template <class Address, int kColumnBits, WindowSize kSize>
 [[nodiscard]] HWY_INLINE WindowPlace place_of(const TexelBox& box, const selvage_texture& texture) {
   constexpr int32_t kRows = kRowsPerVector<kColumnBits>;
   const TexelRange s{box.least_u_fx16 >> kTexelFraction, box.most_u_fx16 >> kTexelFraction};
@@ -54,7 +56,8 @@ template <class Address, int kColumnBits>
       s.count() > kColumns<kColumnBits> || t.count() > kMostWindowVectors * kRows) {
     return {};
   }
-  const int32_t vectors = whole_rows((t.count() + kRows - 1) / kRows);
+  const int32_t vectors =
+      kSize == WindowSize::kMost ? kMostWindowVectors : whole_rows((t.count() + kRows - 1) / kRows);
   const int32_t last_row = texture.height - vectors * kRows;
   if (last_row < 0) return {};
   const WindowPlace place{Address::origin(s.first, last_column, texture.width),
@@ -132,21 +135,30 @@ template <class Pixel, class Address, int kColumnBits, int32_t kVectors = kMostW
   return draw(Window<Pixel, Address, kColumnBits, kVectors>(texture, place));
 }
 
-// What draw(window) returns, or false where there is no such window. The narrower one is for what
-// lies in the texture, as nearly all does.
+// What draw(window) returns, or false where there is no such window.
+template <class Pixel, class Address, int kColumnBits, class Draw>
+[[nodiscard]] HWY_INLINE bool with_columns(const TexelBox& box, const selvage_texture& texture,
+                                           const Draw& draw, bool* found) {
+  const auto place = place_of<Address, kColumnBits, WindowSize::kLeast>(box, texture);
+  *found = place.vectors != 0;
+  if (!*found) return false;
+  if (place.inside) {
+    return with_window<Pixel, Addressed<InsideVector>, kColumnBits>(texture, place, draw);
+  }
+  // Seldom: one size is enough.
+  const auto large = place_of<Address, kColumnBits, WindowSize::kMost>(box, texture);
+  *found = large.vectors != 0;
+  return *found && draw(Window<Pixel, Address, kColumnBits, kMostWindowVectors>(texture, large));
+}
+
 template <class Pixel, class Address, class Draw>
 [[nodiscard]] HWY_INLINE bool with_one_window(const TexelBox& box, const selvage_texture& texture,
                                               const Draw& draw) {
   if constexpr (!kHasWindows) return false;
-  using Inside = Addressed<InsideVector>;
-  const WindowPlace half = place_of<Address, kHalfColumnBits>(box, texture);
-  if (half.vectors != 0 && half.inside) {
-    return with_window<Pixel, Inside, kHalfColumnBits>(texture, half, draw);
-  }
-  const WindowPlace whole = place_of<Address, kWindowColumnBits>(box, texture);
-  if (whole.vectors == 0) return false;
-  return whole.inside ? with_window<Pixel, Inside, kWindowColumnBits>(texture, whole, draw)
-                      : with_window<Pixel, Address, kWindowColumnBits>(texture, whole, draw);
+  bool found = false;
+  const bool is_drawn = with_columns<Pixel, Address, kHalfColumnBits>(box, texture, draw, &found);
+  return found ? is_drawn
+               : with_columns<Pixel, Address, kWindowColumnBits>(box, texture, draw, &found);
 }
 
 }  // namespace
