@@ -35,15 +35,13 @@ template <class Pixel, class Address, class OneWindow>
   const int32_t* const left_px = spans.batch.left_px.data();
   const int32_t* const right_px = spans.batch.right_px.data();
   const ptrdiff_t pitch = surface.target.pitch;
-  int32_t first = 0, end = spans.batch.rows;
-  while (first < end && right_px[first] - left_px[first] <= right_by_px) ++first;
-  while (first < end && right_px[end - 1] - left_px[end - 1] <= right_by_px) --end;
-  const int32_t first_row = spans.batch.first_row + first;
+  const StripRows rows(spans.batch, right_by_px);
+  const int32_t first_row = spans.batch.first_row + rows.first;
   Lane at_row = batch.anchor(spans.field.at(right_by_px, first_row));  // where px is 0
   char* row = static_cast<char*>(surface.target.pixels) + first_row * pitch +
               right_by_px * ptrdiff_t{sizeof(Pixel)};
   V32 changed = hn::Zero(d);
-  for (int32_t i = first; i < end; ++i) {
+  for (int32_t i = rows.first; i < rows.end; ++i) {
     const int32_t px = left_px[i], count_px = right_px[i] - px - right_by_px;
     const LaneVectors lanes = batch.lanes_from(plus(at_row, px, step_x));
     const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
@@ -66,9 +64,6 @@ template <class Pixel, class Address, class OneWindow>
   }
   return !any_bits(changed, ~0xFFFF);
 }
-
-// Spans up to so wide. They have few vectors.
-inline constexpr int32_t kMostOneWindow_px = 64;
 
 // Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>

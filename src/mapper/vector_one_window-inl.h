@@ -15,6 +15,20 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
+// Spans up to so wide. They have few vectors: where they end is seldom foreseen, so that they are
+// drawn a strip at a time, a vector of every row.
+inline constexpr int32_t kMostOneWindow_px = 64;
+
+// Rows of a batch: all that are wider than so much lie among them, in nearly all polygons alone.
+struct StripRows {
+  int32_t first, end;
+
+  HWY_INLINE StripRows(const SpanBatch& batch, int32_t right_by_px) : first(0), end(batch.rows) {
+    while (first < end && batch.span(first).width_px() <= right_by_px) ++first;
+    while (first < end && batch.span(end - 1).width_px() <= right_by_px) --end;
+  }
+};
+
 // The texels of one coordinate, both of them included.
 struct TexelRange {
   int32_t first, last;

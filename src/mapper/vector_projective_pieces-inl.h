@@ -105,22 +105,25 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
   return more;
 }
 
-// False where some pixel is a near-tie.
-template <class Pixel, class Address, class OneWindow>
-[[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const Surface& surface,
-                                        const AnchoredVectors& vectors, PieceWalk walk) {
+// A strip of a batch: of its rows, a piece each, from so many pixels right of their first ones on.
+// Returns what the lanes of pixels lack changes in them.
+template <class Pixel, class Fixed, class OneWindow>
+[[nodiscard]] HWY_INLINE V32 draw_strip(const OneWindow& window, const Fixed& fixed,
+                                        const AnchoredVectors& vectors, const SpanBatch& batch,
+                                        const selvage_image& target, int32_t right_by_px) {
   const D32 d;
-  const FixedLanes<Address> fixed(surface.texture, vectors.lack_fx16());
-  char* const pixels = static_cast<char*>(surface.target.pixels);
-  const ptrdiff_t pitch = surface.target.pitch;
+  const StripRows rows(batch, right_by_px);
+  const ptrdiff_t pitch = target.pitch;
+  char* row = static_cast<char*>(target.pixels) + (batch.first_row + rows.first) * pitch;
   V32 changed = hn::Zero(d);
   Pieces pieces;
   Anchors anchors;
-  while (walk.next(&pieces)) {
+  for (int32_t first = rows.first; first < rows.end; first += kMostPieces) {
+    pieces.put_rows(batch, first, HWY_MIN(rows.end - first, kMostPieces), right_by_px);
     for (int32_t k = 0; k < pieces.count; k += kDoubles) vectors.find(pieces, k, &anchors);
     for (int32_t k = 0; k < pieces.count; ++k) {
       int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
-      Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.row[k] * pitch) + pieces.left_px[k];
+      Pixel* to = reinterpret_cast<Pixel*>(row) + pieces.left_px[k];
       for (int32_t at = 0; at < kVectorsPerPiece && (at == 0 || count_px > 0); ++at) {
         const LaneVectors lanes = AnchoredVectors::lanes_from(anchors, k, at);
         const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
@@ -129,30 +132,41 @@ template <class Pixel, class Address, class OneWindow>
         count_px -= kLanes;
         to += kLanes;
       }
+      row += pitch;
     }
+  }
+  return changed;
+}
+
+// False where some pixel is a near-tie.
+template <class Pixel, class Address, class OneWindow>
+[[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const ProjectiveSpans& spans,
+                                        const Surface& surface, const AnchoredVectors& vectors) {
+  const FixedLanes<Address> fixed(surface.texture, vectors.lack_fx16());
+  V32 changed = hn::Zero(D32());
+  for (int32_t right_by_px = 0; right_by_px < spans.batch.widest_px; right_by_px += kPiece_px) {
+    changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch, surface.target,
+                                                right_by_px));
   }
   return !any_bits(changed, ~0xFFFF);
 }
 
-// Draws a narrow batch, if one window holds its texels and no pixel is a near-tie.
+// Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_one_window(const ProjectiveSpans& spans,
                                                 const Surface& surface,
                                                 const AnchoredVectors& vectors) {
+  if (spans.batch.widest_px > kMostOneWindow_px) return false;
   return with_one_window<Pixel, Address>(
       spans.texels, surface.texture, [&](const auto& window) HWY_ATTR {
-        return draw_from<Pixel, Address>(window, surface, vectors,
-                                         PieceWalk(spans, surface.texture));
+        return draw_from<Pixel, Address>(window, spans, surface, vectors);
       });
 }
 
 template <class Pixel, class Address>
 void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
   const AnchoredVectors vectors(spans.field);
-  if (spans.batch.widest_px <= kPiece_px &&
-      draw_one_window<Pixel, Address>(spans, surface, vectors)) {
-    return;
-  }
+  if (draw_one_window<Pixel, Address>(spans, surface, vectors)) return;
   PieceWalk walk(spans, surface.texture);
   LeftOfPieces left;
   bool more = true;
