@@ -4,6 +4,25 @@
 
 namespace selvage::mapper {
 
+// u and v are monotone along a span: its ends have the least and the most.
+bool is_inside(const SpanBatch& batch, const AffineField& field, const selvage_texture& texture) {
+  // Unsigned, so that what is below 0 is too much as well.
+  const uint64_t end_u = (uint64_t{1} << kLaneFraction) * static_cast<uint32_t>(texture.width);
+  const uint64_t end_v = (uint64_t{1} << kLaneFraction) * static_cast<uint32_t>(texture.height);
+  const auto shows_inside = [&](const Lane& lane) {
+    return static_cast<uint64_t>(lane.u_fx32) < end_u - field.margin_fx32 &&
+           static_cast<uint64_t>(lane.v_fx32) < end_v - field.margin_fx32;
+  };
+  for (int32_t i = 0; i < batch.rows; ++i) {
+    const Span span = batch.span(i);
+    if (!span.empty() && !(shows_inside(field.at(span.left_px, span.row)) &&
+                           shows_inside(field.at(span.right_px - 1, span.row)))) {
+      return false;
+    }
+  }
+  return true;
+}
+
 InteriorOfLine::InteriorOfLine(int64_t step_fx32, int32_t size_texel, uint32_t margin_fx32)
     : end_fx32_((int64_t{size_texel - 1} << kLaneFraction) - margin_fx32),
       columns_per_fx32_(step_fx32 == 0 ? kSteep : 1.0 / static_cast<double>(step_fx32)) {}
