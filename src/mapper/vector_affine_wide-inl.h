@@ -143,7 +143,8 @@ HWY_INLINE void draw_some(const AffineSpans& spans, const Surface& surface, int3
 
 template <class Pixel, class Address>
 void draw_wide(const AffineSpans& spans, const Surface& surface, int32_t rows) {
-  const bool inside = is_inside(spans.batch, spans.field, surface.texture);
+  const bool inside =
+      pays_to_ask_inside(spans.batch) && is_inside(spans.batch, spans.field, surface.texture);
   Resume at;
   Left left;
   do {

@@ -6,6 +6,7 @@
 #define SELVAGE_VECTOR_PROJECTIVE_PIECES_INL_H
 #endif
 
+#include "mapper/interior.h"
 #include "mapper/vector_one_window-inl.h"
 #include "mapper/vector_projective_anchors-inl.h"
 
@@ -88,7 +89,7 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
           left->put(left_count++, pieces.rest(k, at), lanes, rows);
         } else if (rows != 0) {
           const V32 index = fixed.window_index(lanes, hn::Set(D32(), origins.index[at][k]));
-          store_pixels(pick(texels + origins.place[at][k], extent.pitch_texel, rows, index),
+          store_pixels(pick_few(texels + origins.place[at][k], extent.pitch_texel, rows, index),
                        count_px, to);
         } else {
           HWY_ALIGN int32_t place[kLanes];
@@ -169,9 +170,12 @@ void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
   if (draw_one_window<Pixel, Address>(spans, surface, vectors)) return;
   PieceWalk walk(spans, surface.texture);
   LeftOfPieces left;
+  const bool inside =
+      pays_to_ask_inside(spans.batch) && is_inside(spans.batch, spans.field, surface.texture);
   bool more = true;
   while (more) {
-    more = draw_pieces<Pixel, Address>(surface, vectors, &walk, &left);
+    more = inside ? draw_pieces<Pixel, Addressed<InsideVector>>(surface, vectors, &walk, &left)
+                  : draw_pieces<Pixel, Address>(surface, vectors, &walk, &left);
     if (left.count != 0) {
       draw_left<Pixel, Address>(left, spans, surface, vectors.lack_fx16());
     }

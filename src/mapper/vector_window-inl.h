@@ -89,6 +89,15 @@ HWY_INLINE V32 pick(const Pixel* HWY_RESTRICT window, ptrdiff_t pitch_texel, int
   return picked;
 }
 
+// The same. Most windows take one permute or two: loops that know it are faster.
+template <class Pixel>
+HWY_INLINE V32 pick_few(const Pixel* HWY_RESTRICT window, ptrdiff_t pitch_texel, int32_t rows,
+                        V32 index) {
+  if (rows == kRowsPerPermute) return pick(window, pitch_texel, kRowsPerPermute, index);
+  if (rows == 2 * kRowsPerPermute) return pick(window, pitch_texel, 2 * kRowsPerPermute, index);
+  return pick(window, pitch_texel, rows, index);
+}
+
 // Stores a vector of pixels, or the first ones.
 template <class Pixel>
 HWY_INLINE void store_pixels(V32 texels, int32_t count, Pixel* HWY_RESTRICT pixels) {
