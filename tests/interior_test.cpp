@@ -79,6 +79,81 @@ TEST(Interior, HoldsPixelsThatAreInsideAndMissesFew) {
   EXPECT_GT(inside_px, 200000);
 }
 
+// Of all rows of a batch: each pixel shows a texel of the texture, or the end of some row may not.
+template <class Field, class LaneAt>
+void expect_told(const SpanBatch& batch, const Field& field, const selvage_texture& texture,
+                 uint32_t margin_fx32, const LaneAt& lane_at, int* inside) {
+  const auto within = [&](int64_t lane_fx32, int32_t size_texel) {
+    return lane_fx32 >= 0 && lane_fx32 + margin_fx32 < int64_t{size_texel} << kLaneFraction;
+  };
+  bool all = true;
+  for (int32_t i = 0; i < batch.rows; ++i) {
+    const Span span = batch.span(i);
+    for (int32_t px = span.left_px; px < span.right_px; ++px) {
+      const Lane lane = lane_at(span, px);
+      all = all && within(lane.u_fx32, texture.width) && within(lane.v_fx32, texture.height);
+    }
+  }
+  ASSERT_EQ(is_inside(batch, field, texture), all);
+  *inside += all ? 1 : 0;
+}
+
+// Rows of one to 60 pixels, or none, from a row's first pixel on.
+[[nodiscard]] SpanBatch any_batch(const Row& row, spec::Random& random) {
+  SpanBatch batch;
+  batch.first_row = row.span.row;
+  batch.rows = random.in(1, 5);
+  batch.widest_px = 0;
+  for (size_t i = 0; i < static_cast<size_t>(batch.rows); ++i) {
+    batch.left_px[i] = row.span.left_px + random.in(0, 3);
+    batch.right_px[i] = batch.left_px[i] + (random.percent(20) ? 0 : random.in(1, 60));
+    batch.widest_px = std::max(batch.widest_px, batch.right_px[i] - batch.left_px[i]);
+  }
+  return batch;
+}
+
+TEST(Inside, IsToldOfAffineRowsAsTheirPixelsTellIt) {
+  spec::Random random(7);
+  int inside = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Row row = any_row(random, SELVAGE_LAYOUT_ROWS);
+    SCOPED_TRACE(i);
+    ASSERT_NO_FATAL_FAILURE(expect_told(
+        any_batch(row, random), row.field, row.texture, row.field.margin_fx32,
+        [&](const Span& span, int32_t px) { return row.field.at(px, span.row); }, &inside));
+  }
+  EXPECT_GT(inside, 2000);
+  EXPECT_LT(inside, 18000);
+}
+
+// The denominator is one and more, so that u and v rise or fall along rows.
+TEST(Inside, IsToldOfRowsInPerspectiveAsTheirPixelsTellIt) {
+  spec::Random random(8);
+  int inside = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Row row = any_row(random, SELVAGE_LAYOUT_ROWS);
+    const SpanBatch batch = any_batch(row, random);
+    const auto line = [&](int64_t start, int64_t step) {
+      const auto step_fx32 = static_cast<double>(step % (int64_t{1} << 31));
+      return ProjectiveField::Linear{static_cast<double>(start), step_fx32, 0};
+    };
+    ProjectiveField field{};
+    field.first_px = row.field.first_px;
+    field.first_row = row.field.first_row;
+    field.u_fx32 = line(row.field.start.u_fx32, row.field.step_x.u_fx32);
+    field.v_fx32 = line(row.field.start.v_fx32, row.field.step_x.v_fx32);
+    field.denominator = {1, random.percent(50) ? 0 : 0.001 * random.in(1, 20), 0};
+    field.error_fx32 = random.in(1, 40);
+    SCOPED_TRACE(i);
+    ASSERT_NO_FATAL_FAILURE(expect_told(
+        batch, field, row.texture, static_cast<uint32_t>(2 * field.error_fx32),
+        [&](const Span& span, int32_t px) { return field.of(span).at(px - span.left_px); },
+        &inside));
+  }
+  EXPECT_GT(inside, 2000);
+  EXPECT_LT(inside, 18000);
+}
+
 // A row that is inside from end to end loses nothing at its start.
 TEST(Interior, IsTheWholeRowWhereThatIsFarFromEachSide) {
   const selvage_texture texture{nullptr, 500, 500, 0, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS,

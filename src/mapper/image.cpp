@@ -97,14 +97,6 @@ Memory memory_of(const selvage_texture& texture) {
   return {texels.begin, memory_of_sums(texture).end};
 }
 
-RowsOfBytes rows_of_bytes(const selvage_image& image) {
-  return rows_of_bytes(SELVAGE_LAYOUT_ROWS, image.format, image.width, image.height);
-}
-
-RowsOfBytes rows_of_bytes(const selvage_texture& texture) {
-  return rows_of_bytes(texture.layout, texture.format, texture.width, texture.height);
-}
-
 bool layout_is_known(selvage_layout layout) {
   return layout == SELVAGE_LAYOUT_ROWS || layout == SELVAGE_LAYOUT_TILES;
 }

@@ -51,8 +51,12 @@ struct RowsOfBytes {
   if (layout == SELVAGE_LAYOUT_ROWS) return {width * texel, height};
   return {units(width, kTileSide_texel) * kTileTexels * texel, units(height, kTileSide_texel)};
 }
-[[nodiscard]] RowsOfBytes rows_of_bytes(const selvage_image& image);
-[[nodiscard]] RowsOfBytes rows_of_bytes(const selvage_texture& texture);
+[[nodiscard]] inline RowsOfBytes rows_of_bytes(const selvage_image& image) {
+  return rows_of_bytes(SELVAGE_LAYOUT_ROWS, image.format, image.width, image.height);
+}
+[[nodiscard]] inline RowsOfBytes rows_of_bytes(const selvage_texture& texture) {
+  return rows_of_bytes(texture.layout, texture.format, texture.width, texture.height);
+}
 [[nodiscard]] bool layout_is_known(selvage_layout layout);
 
 // Each returns SELVAGE_OK or the error of the first rule that is broken.

@@ -1,8 +1,5 @@
 #include "mapper/kernel_preference.h"
 
-#include <algorithm>
-
-#include "mapper/kernel.h"
 #include "mapper/vector_kernel.h"
 
 namespace selvage::mapper {
@@ -30,10 +27,6 @@ const KernelOrder& kernel_order(selvage_filter filter, selvage_work work) {
 selvage_work work_of(const Polygon& polygon, int32_t tolerance) {
   if (!polygon.affine && tolerance == 0) return SELVAGE_WORK_PERSPECTIVE;
   return polygon.right_px - polygon.left_px > kNarrow_px ? SELVAGE_WORK_LARGE : SELVAGE_WORK_MESH;
-}
-
-selvage_kernel preferred_kernel(selvage_filter filter, selvage_work work) {
-  return *std::ranges::find_if(kernel_order(filter, work), is_usable);
 }
 
 }  // namespace selvage::mapper

@@ -18,7 +18,4 @@ using KernelOrder = std::array<selvage_kernel, 5>;
 // What drawing a polygon is like: within a tolerance, perspective is as affine maps are.
 [[nodiscard]] selvage_work work_of(const Polygon& polygon, int32_t tolerance);
 
-// The first of the order that this machine can run.
-[[nodiscard]] selvage_kernel preferred_kernel(selvage_filter filter, selvage_work work);
-
 }  // namespace selvage::mapper
