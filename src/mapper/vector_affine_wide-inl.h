@@ -93,8 +93,8 @@ HWY_NOINLINE void draw_windows(const AffineSpans& spans, const Surface& surface,
                         floor_texel(anchor.u_fx32), last_column, extent.width_texel);
                     const Origin t = Address::template origin_of<decltype(whole)::value>(
                         floor_texel(anchor.v_fx32), last_row, extent.height_texel);
-                    if (batch.any_near(lanes) || s.index > last_column || t.index > last_row)
-                      return false;
+                    const bool is_outside = s.index > last_column || t.index > last_row;
+                    if (batch.any_near(lanes) || is_outside) return false;
                     const V32 index = batch.window_index(
                         lanes, hn::Set(D32(), (t.texel << kWindowColumnBits) + s.texel));
                     const Pixel* const window =
