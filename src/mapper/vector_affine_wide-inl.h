@@ -7,6 +7,7 @@
 #endif
 
 #include "mapper/vector_affine_window-inl.h"
+#include "mapper/vector_fetch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -93,23 +94,22 @@ HWY_NOINLINE void draw_windows(const AffineSpans& spans, const Surface& surface,
 }
 
 // A load for each pixel of a vector of them.
-template <class Pixel, class Address>
+template <class Pixel, class Address, class Fetch>
 HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, Resume* at,
                              Left* left) {
   const AffineBatch<Address> batch(spans, surface);
-  const void* const texels = surface.texture.texels;
+  Fetch fetch(surface.texture.texels);
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
   for_each_vector(spans, batch.to_anchor(), at, left,
                   [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR {
                     const LaneVectors lanes = batch.lanes_from(anchor);
                     if (batch.any_near(lanes)) return false;
-                    HWY_ALIGN int32_t place[kLanes];
-                    hn::Store(batch.places(lanes), D32(), place);
-                    fetch_vector<Pixel>(texels, place, count_px,
-                                        pixels + row * pitch + px * ptrdiff_t{sizeof(Pixel)});
+                    fetch.add(batch.places(lanes), count_px,
+                              pixels + row * pitch + px * ptrdiff_t{sizeof(Pixel)});
                     return true;
                   });
+  fetch.finish();
 }
 
 // By windows of so many rows, or, where there are none, by loads.
@@ -124,8 +124,10 @@ void draw_wide(const AffineSpans& spans, const Surface& surface, int32_t rows) {
   do {
     if (kHasWindows && rows != 0) {
       draw_windows<Pixel, Address>(spans, surface, rows, &at, &left);
+    } else if (is_cached(surface.texture)) {
+      draw_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, &at, &left);
     } else {
-      draw_loads<Pixel, Address>(spans, surface, &at, &left);
+      draw_loads<Pixel, Address, FetchAhead<Pixel>>(spans, surface, &at, &left);
     }
     if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface, rows);
   } while (left.count == Left::kMost);
