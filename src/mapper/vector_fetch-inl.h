@@ -17,13 +17,6 @@ namespace {
 // hundred ns, which memory takes to answer. In lines of their own they fill 16 KB, half of a small
 // first cache.
 inline constexpr int32_t kFetchAhead_px = 256;
-// Asking costs up to a third of the time where the texels are in a cache, and halves it or more
-// where they are not: of a larger texture so much of a shared cache is seldom left.
-inline constexpr int64_t kCached_bytes = 4 << 20;
-
-[[nodiscard]] HWY_INLINE bool is_cached(const selvage_texture& texture) {
-  return int64_t{texture.width} * texture.height * bytes_per_pixel(texture.format) <= kCached_bytes;
-}
 
 template <class Pixel>
 class FetchAtOnce {
