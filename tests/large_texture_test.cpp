@@ -24,13 +24,13 @@ struct TextureKind {
   selvage_layout layout;
 };
 
-// The least ones that are not cached, of either kind of width that address modes tell apart.
+// The least ones that are not cached, and one whose sides are powers of two.
 constexpr TextureKind kKinds[] = {
-    {SELVAGE_RGBA8888, 1025, 1024, SELVAGE_LAYOUT_ROWS},
-    {SELVAGE_RGBA8888, 2048, 1024, SELVAGE_LAYOUT_ROWS},
-    {SELVAGE_RGBA8888, 1025, 1024, SELVAGE_LAYOUT_TILES},
-    {SELVAGE_RGB565, 2049, 1024, SELVAGE_LAYOUT_ROWS},
-    {SELVAGE_INDEX8, 2049, 2048, SELVAGE_LAYOUT_ROWS},
+    {SELVAGE_RGBA8888, 2049, 1024, SELVAGE_LAYOUT_ROWS},
+    {SELVAGE_RGBA8888, 2048, 2048, SELVAGE_LAYOUT_ROWS},
+    {SELVAGE_RGBA8888, 2049, 1024, SELVAGE_LAYOUT_TILES},
+    {SELVAGE_RGB565, 2049, 2048, SELVAGE_LAYOUT_ROWS},
+    {SELVAGE_INDEX8, 4097, 2048, SELVAGE_LAYOUT_ROWS},
 };
 
 // Noise between pages that must not be touched.
@@ -131,18 +131,23 @@ TEST_P(LargeTextures, AreDrawnByEveryKernelAsByTheScalarOne) {
 
 INSTANTIATE_TEST_SUITE_P(Kind, LargeTextures, testing::Range(size_t{0}, std::size(kKinds)));
 
-TEST(LargeTextures, HaveMoreThanFourMegabytes) {
+TEST(LargeTextures, HaveMoreThanEightMegabytes) {
   selvage_texture texture{};
   for (const selvage_format format : {SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888}) {
     texture.format = format;
     texture.width = 1024;
-    texture.height = 4096 / static_cast<int32_t>(bytes_per_pixel(format));
+    texture.height = 8192 / static_cast<int32_t>(bytes_per_pixel(format));
     EXPECT_TRUE(is_cached(texture));
     ++texture.height;
     EXPECT_FALSE(is_cached(texture));
     texture.width = texture.height = 1 << 16;
     EXPECT_FALSE(is_cached(texture));
   }
+  texture.format = SELVAGE_INDEX8;
+  texture.width = 3;
+  texture.height = kCached_bytes / 3 + 1;
+  ASSERT_EQ(texture.width * texture.height, (8 << 20) + 1);
+  EXPECT_FALSE(is_cached(texture));
 }
 
 }  // namespace

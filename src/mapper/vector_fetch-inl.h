@@ -53,13 +53,13 @@ class FetchAhead {
     }
   }
   HWY_INLINE void finish() {
-    for (size_t i = 0; i < kSlots; ++i) count_px_[fetch_oldest()] = 0;
+    for (size_t i = 0; i < kSlots; ++i) fetch_oldest();
   }
 
  private:
   static constexpr size_t kSlots = kFetchAhead_px / kLanes;
 
-  // The slot, which is free then.
+  // Returns its slot, which is free then.
   HWY_INLINE size_t fetch_oldest() {
     const size_t slot = oldest_;
     oldest_ = (slot + 1) % kSlots;

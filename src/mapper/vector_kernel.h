@@ -61,10 +61,10 @@ inline constexpr int32_t kAnchoredTruncations_fx16 = 2;
   return stride_texel <= kMost && stride_texel * rows_of_bytes(surface.texture).rows <= kMost;
 }
 
-// Texels are asked for ahead of their fetch, but for those of textures that a cache may hold: there
-// asking costs up to a third of the time. It saves half of it or more where memory has to answer;
-// of a texture larger than this, seldom that much is left in a shared cache.
-inline constexpr int64_t kCached_bytes = 4 << 20;
+// Texels of larger textures are asked for ahead of their fetch. That costs up to half as much again
+// where a cache holds them, and saves half where memory has to answer, as it mostly has to: caches
+// of today hold little more, and others want their share.
+inline constexpr int64_t kCached_bytes = 8 << 20;
 
 [[nodiscard]] inline bool is_cached(const selvage_texture& texture) {
   return int64_t{texture.width} * texture.height * bytes_per_pixel(texture.format) <= kCached_bytes;
