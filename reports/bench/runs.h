@@ -27,10 +27,11 @@ inline void fill_run(const PixelRun& run, uint32_t colour) {
     to[0] = to[run.count_px / 2] = to[run.count_px - 1] = colour;
     return;
   }
-  const uint32_t four[kStore_px] = {colour, colour, colour, colour};
+  using Four [[gnu::vector_size(kStore_px * sizeof(uint32_t))]] = uint32_t;
+  const Four four = {colour, colour, colour, colour};
   uint32_t* const last = to + run.count_px - kStore_px;
-  for (; to < last; to += kStore_px) std::memcpy(to, four, sizeof four);
-  std::memcpy(last, four, sizeof four);
+  for (; to < last; to += kStore_px) std::memcpy(to, &four, sizeof four);
+  std::memcpy(last, &four, sizeof four);
 }
 
 // A way to fill, by a name for people.
