@@ -4,6 +4,58 @@
 
 namespace selvage::mapper {
 
+namespace {
+
+// Of lanes and what they may lack.
+class Inside {
+ public:
+  explicit Inside(const selvage_texture& texture)
+      : end_u_fx32_(end_fx32(texture.width)), end_v_fx32_(end_fx32(texture.height)) {}
+
+  [[nodiscard]] bool has(const Lane& lane, uint32_t margin_fx32) const {
+    return static_cast<uint64_t>(lane.u_fx32) < end_u_fx32_ - margin_fx32 &&
+           static_cast<uint64_t>(lane.v_fx32) < end_v_fx32_ - margin_fx32;
+  }
+
+ private:
+  // Unsigned, so that what is below 0 is too much as well.
+  [[nodiscard]] static uint64_t end_fx32(int32_t size_texel) {
+    return uint64_t{static_cast<uint32_t>(size_texel)} << kLaneFraction;
+  }
+
+  uint64_t end_u_fx32_, end_v_fx32_;
+};
+
+}  // namespace
+
+// u and v are monotone along a span: its ends have the least and the most.
+bool is_inside(const SpanBatch& batch, const AffineField& field, const selvage_texture& texture) {
+  const Inside inside(texture);
+  for (int32_t i = 0; i < batch.rows; ++i) {
+    const Span span = batch.span(i);
+    if (!span.empty() && !(inside.has(field.at(span.left_px, span.row), field.margin_fx32) &&
+                           inside.has(field.at(span.right_px - 1, span.row), field.margin_fx32))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool is_inside(const SpanBatch& batch, const ProjectiveField& field,
+               const selvage_texture& texture) {
+  const Inside inside(texture);
+  for (int32_t i = 0; i < batch.rows; ++i) {
+    const Span span = batch.span(i);
+    if (span.empty()) continue;
+    const DividedLanes lanes = field.of(span);
+    if (!(inside.has(lanes.at(0), lanes.margin_fx32()) &&
+          inside.has(lanes.at(span.width_px() - 1), lanes.margin_fx32()))) {
+      return false;
+    }
+  }
+  return true;
+}
+
 InteriorOfLine::InteriorOfLine(int64_t step_fx32, int32_t size_texel, uint32_t margin_fx32)
     : end_fx32_((int64_t{size_texel - 1} << kLaneFraction) - margin_fx32),
       columns_per_fx32_(step_fx32 == 0 ? kSteep : 1.0 / static_cast<double>(step_fx32)) {}

@@ -1,13 +1,26 @@
-// The interior: which pixels of a row surely have the four texels around them in a texture of rows.
+// The interior: which pixels surely show texels of the texture, whatever the address mode.
 #pragma once
 
 #include <cstdint>
 
 #include "mapper/lanes.h"
 #include "mapper/span.h"
+#include "mapper/span_batch.h"
 #include "selvage.h"
 
 namespace selvage::mapper {
+
+// Whether rows are wide enough for the answer to save more than it costs.
+[[nodiscard]] inline bool pays_to_ask_inside(const SpanBatch& batch) {
+  constexpr int32_t kLeast_px = 64;
+  return batch.widest_px >= kLeast_px;
+}
+
+// Whether the texels that all pixels of a batch show, near-ties among them, lie in the texture.
+[[nodiscard]] bool is_inside(const SpanBatch& batch, const AffineField& field,
+                             const selvage_texture& texture);
+[[nodiscard]] bool is_inside(const SpanBatch& batch, const ProjectiveField& field,
+                             const selvage_texture& texture);
 
 // Columns of a row, still in doubles.
 struct Columns {
@@ -29,6 +42,7 @@ class InteriorOfLine {
   double columns_per_fx32_;
 };
 
+// The pixels of a row that have the four texels around them in a texture of rows.
 class Interior {
  public:
   Interior(const AffineField& field, const selvage_texture& texture);

@@ -13,12 +13,13 @@ namespace selvage::mapper {
 
 inline constexpr int32_t kRowsPerBatch = 64;
 inline constexpr int32_t kMostDoubles = 8;  // in a vector
+inline constexpr int32_t kMostLanes = 16;   // of 32 bits
 
 struct SpanBatch {
   int32_t first_row, rows;
   int32_t widest_px;
   // Of an empty span, both the same. With room for a vector that begins in the last row.
-  std::array<int32_t, kRowsPerBatch + kMostDoubles> left_px, right_px;
+  std::array<int32_t, kRowsPerBatch + kMostLanes> left_px, right_px;
 
   [[nodiscard]] Span span(int32_t index) const {
     const auto i = static_cast<size_t>(index);

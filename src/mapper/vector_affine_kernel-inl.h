@@ -8,19 +8,24 @@
 
 #include "mapper/vector_affine_narrow-inl.h"
 #include "mapper/vector_affine_wide-inl.h"
+#include "mapper/vector_affine_window-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
 void draw_affine(const AffineSpans& spans, const Surface& surface) {
-  const int32_t rows = window_rows(spans.field.step_x, surface.texture);
-  const bool narrow = spans.batch.widest_px <= kNarrow_px;
   with_address(surface, [&](auto address) {
-    using Address = decltype(address);
-    if (rows == 0 && narrow) return draw_narrow<Address>(spans, surface);
-    with_pixel(surface.target.format,
-               [&](auto pixel) { draw_wide<decltype(pixel), Address>(spans, surface, rows); });
+    with_pixel(surface.target.format, [&](auto pixel) {
+      using Address = decltype(address);
+      using Pixel = decltype(pixel);
+      if (draw_one_window<Pixel, Address>(spans, surface)) return;
+      const int32_t rows = window_rows(spans.field.step_x, surface.texture);
+      if (rows == 0 && spans.batch.widest_px <= kNarrow_px) {
+        return draw_narrow<Address>(spans, surface);
+      }
+      draw_wide<Pixel, Address>(spans, surface, rows);
+    });
   });
 }
 

@@ -6,7 +6,10 @@
 #define SELVAGE_VECTOR_AFFINE_WIDE_INL_H
 #endif
 
-#include "mapper/vector_affine_window-inl.h"
+#include <type_traits>
+
+#include "mapper/interior.h"
+#include "mapper/vector_affine_lanes-inl.h"
 #include "mapper/vector_fetch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -18,8 +21,11 @@ struct Resume {
   int32_t row = 0, px = INT32_MIN;
 };
 
-// Calls draw(row, px, count_px, anchor) for each vector of pixels, from `at` on; false from it
-// leaves the vector to others. Returns at the end, or where no more can be left.
+using Whole = std::true_type;
+using Part = std::false_type;
+
+// Calls draw(row, px, count_px, anchor, Whole or Part) for each vector of pixels, from `at` on;
+// false from it leaves the vector to others. Returns at the end, or where no more can be left.
 template <class Draw>
 HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume* at, Left* left,
                                 const Draw& draw) {
@@ -34,7 +40,10 @@ HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume
     const Lane first = field.at(px, span.row);
     int64_t u = first.u_fx32 + to_anchor.u_fx32, v = first.v_fx32 + to_anchor.v_fx32;
     for (int32_t count_px = span.right_px - px; count_px > 0; count_px -= kLanes) {
-      if (HWY_UNLIKELY(!draw(span.row, px, count_px, Lane{u, v}))) {
+      const bool drawn = HWY_LIKELY(count_px >= kLanes)
+                             ? draw(span.row, px, kLanes, Lane{u, v}, Whole())
+                             : draw(span.row, px, count_px, Lane{u, v}, Part());
+      if (HWY_UNLIKELY(!drawn)) {
         left->rest[static_cast<size_t>(left_count++)] = {span.row, px, span.right_px};
         if (left_count == Left::kMost) {
           from_px = px + kLanes;
@@ -66,31 +75,35 @@ HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Su
   }
 }
 
-// Texels from windows of so many rows, but for what does not lie in one.
-template <class Pixel, class Address>
-HWY_NOINLINE void draw_windows(const AffineSpans& spans, const Surface& surface, int32_t rows,
+// Texels from windows of so many rows, but for what does not lie in one. kPermutes: as many as they
+// take, or 0 for any number.
+template <class Pixel, class Address, int32_t kPermutes>
+HWY_NOINLINE void draw_windows(const AffineSpans& spans, const Surface& surface, int32_t any_rows,
                                Resume* at, Left* left) {
+  const int32_t rows = kPermutes == 0 ? any_rows : kPermutes * kRowsPerPermute;
   const AffineBatch<Address> batch(spans, surface);
   const Extent extent = extent_of(surface.texture);
   const auto* const texels = static_cast<const Pixel*>(surface.texture.texels);
   const int32_t last_column = extent.width_texel - kLanes, last_row = extent.height_texel - rows;
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
-  for_each_vector(
-      spans, batch.to_anchor(), at, left,
-      [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR {
-        const LaneVectors lanes = batch.lanes_from(anchor);
-        const Origin s =
-            Address::origin(floor_texel(anchor.u_fx32), last_column, extent.width_texel);
-        const Origin t = Address::origin(floor_texel(anchor.v_fx32), last_row, extent.height_texel);
-        if (batch.any_near(lanes) || s.index > last_column || t.index > last_row) return false;
-        const V32 index =
-            batch.window_index(lanes, hn::Set(D32(), (t.texel << kWindowColumnBits) + s.texel));
-        const Pixel* const window = texels + t.index * ptrdiff_t{extent.pitch_texel} + s.index;
-        store_pixels(pick(window, extent.pitch_texel, rows, index), count_px,
-                     reinterpret_cast<Pixel*>(pixels + row * pitch) + px);
-        return true;
-      });
+  for_each_vector(spans, batch.to_anchor(), at, left,
+                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor, auto whole) HWY_ATTR {
+                    const LaneVectors lanes = batch.lanes_from(anchor);
+                    const Origin s = Address::template origin_of<decltype(whole)::value>(
+                        floor_texel(anchor.u_fx32), last_column, extent.width_texel);
+                    const Origin t = Address::template origin_of<decltype(whole)::value>(
+                        floor_texel(anchor.v_fx32), last_row, extent.height_texel);
+                    if (batch.any_near(lanes) || s.index > last_column || t.index > last_row)
+                      return false;
+                    const V32 index = batch.window_index(
+                        lanes, hn::Set(D32(), (t.texel << kWindowColumnBits) + s.texel));
+                    const Pixel* const window =
+                        texels + t.index * ptrdiff_t{extent.pitch_texel} + s.index;
+                    store_pixels(pick(window, extent.pitch_texel, rows, index), count_px,
+                                 reinterpret_cast<Pixel*>(pixels + row * pitch) + px);
+                    return true;
+                  });
 }
 
 // A load for each pixel of a vector of them.
@@ -102,7 +115,7 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
   for_each_vector(spans, batch.to_anchor(), at, left,
-                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR {
+                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor, auto) HWY_ATTR {
                     const LaneVectors lanes = batch.lanes_from(anchor);
                     if (batch.any_near(lanes)) return false;
                     fetch.add(batch.places(lanes), count_px,
@@ -114,20 +127,36 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
 
 // By windows of so many rows, or, where there are none, by loads.
 template <class Pixel, class Address>
-void draw_wide(const AffineSpans& spans, const Surface& surface, int32_t rows) {
-  if (rows != 0 && spans.batch.widest_px <= kNarrow_px &&
-      draw_one_window<Pixel, Address>(spans, surface)) {
-    return;
+HWY_INLINE void draw_some(const AffineSpans& spans, const Surface& surface, int32_t rows,
+                          Resume* at, Left* left) {
+  if (!kHasWindows || rows == 0) {
+    return draw_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, at, left);
   }
+  if constexpr (Address::kIsInside) {
+    if (rows == kRowsPerPermute) {
+      return draw_windows<Pixel, Address, 1>(spans, surface, rows, at, left);
+    }
+    if (rows == 2 * kRowsPerPermute) {
+      return draw_windows<Pixel, Address, 2>(spans, surface, rows, at, left);
+    }
+  }
+  draw_windows<Pixel, Address, 0>(spans, surface, rows, at, left);
+}
+
+template <class Pixel, class Address>
+void draw_wide(const AffineSpans& spans, const Surface& surface, int32_t rows) {
+  const bool inside =
+      pays_to_ask_inside(spans.batch) && is_inside(spans.batch, spans.field, surface.texture);
+  const bool ahead = rows == 0 && !is_cached(surface.texture);
   Resume at;
   Left left;
   do {
-    if (kHasWindows && rows != 0) {
-      draw_windows<Pixel, Address>(spans, surface, rows, &at, &left);
-    } else if (is_cached(surface.texture)) {
-      draw_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, &at, &left);
-    } else {
+    if (ahead) {
       draw_loads<Pixel, Address, FetchAhead<Pixel>>(spans, surface, &at, &left);
+    } else if (inside) {
+      draw_some<Pixel, Addressed<InsideVector>>(spans, surface, rows, &at, &left);
+    } else {
+      draw_some<Pixel, Address>(spans, surface, rows, &at, &left);
     }
     if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface, rows);
   } while (left.count == Left::kMost);

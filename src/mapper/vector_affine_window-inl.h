@@ -1,4 +1,4 @@
-// Narrow affine spans from one window. Included once for each SIMD target.
+// Affine spans of a polygon whose texels lie in one window. Included once for each SIMD target.
 #if defined(SELVAGE_VECTOR_AFFINE_WINDOW_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_AFFINE_WINDOW_INL_H
 #undef SELVAGE_VECTOR_AFFINE_WINDOW_INL_H
@@ -22,33 +22,45 @@ namespace {
   return {sum(lane.u_fx32, step.u_fx32), sum(lane.v_fx32, step.v_fx32)};
 }
 
+// The pixels of all rows from so many right of their first ones on, a vector a row: without a
+// branch, for where rows end is seldom foreseen. Returns what the lanes of pixels lack changes in
+// them.
+template <class Pixel, class Address, class OneWindow>
+[[nodiscard]] HWY_INLINE V32 draw_columns(const OneWindow& window,
+                                          const AffineBatch<Address>& batch,
+                                          const AffineSpans& spans, const Surface& surface,
+                                          int32_t right_by_px) {
+  const D32 d;
+  const Lane step_x = spans.field.step_x, step_y = spans.field.step_y;
+  const int32_t* const left_px = spans.batch.left_px.data();
+  const int32_t* const right_px = spans.batch.right_px.data();
+  const ptrdiff_t pitch = surface.target.pitch;
+  const StripRows rows(spans.batch, right_by_px);
+  const int32_t first_row = spans.batch.first_row + rows.first;
+  Lane at_row = batch.anchor(spans.field.at(right_by_px, first_row));  // where px is 0
+  char* row = static_cast<char*>(surface.target.pixels) + first_row * pitch +
+              right_by_px * ptrdiff_t{sizeof(Pixel)};
+  V32 changed = hn::Zero(d);
+  for (int32_t i = rows.first; i < rows.end; ++i) {
+    const int32_t px = left_px[i], count_px = right_px[i] - px - right_by_px;
+    const LaneVectors lanes = batch.lanes_from(plus(at_row, px, step_x));
+    const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
+    changed = hn::IfThenElse(is_pixel, hn::Or(changed, batch.changes(lanes)), changed);
+    store_first(is_pixel, window.texels(lanes), count_px, reinterpret_cast<Pixel*>(row) + px);
+    at_row = plus(at_row, 1, step_y);
+    row += pitch;
+  }
+  return changed;
+}
+
 // False where some pixel is a near-tie.
 template <class Pixel, class Address, class OneWindow>
 [[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const AffineSpans& spans,
                                         const Surface& surface) {
-  const D32 d;
   const AffineBatch<Address> batch(spans, surface);
-  const Lane step_x = spans.field.step_x, step_y = spans.field.step_y;
-  Lane at_row = batch.anchor(spans.field.at(0, spans.batch.first_row));  // where px is 0
-  ptrdiff_t row_bytes = spans.batch.first_row * surface.target.pitch;
-  char* const target = static_cast<char*>(surface.target.pixels);
-  V32 changed = hn::Zero(d);
-  for (int32_t i = 0; i < spans.batch.rows; ++i) {
-    const Span span = spans.batch.span(i);
-    auto* pixels = reinterpret_cast<Pixel*>(target + row_bytes) + span.left_px;
-    Lane anchor = plus(at_row, span.left_px, step_x);
-    int32_t count_px = span.width_px();
-    do {
-      const LaneVectors lanes = batch.lanes_from(anchor);
-      const auto is_pixel = hn::FirstN(d, static_cast<size_t>(count_px));
-      changed = hn::IfThenElse(is_pixel, hn::Or(changed, batch.changes(lanes)), changed);
-      store_first(window.texels(lanes), count_px, pixels);
-      pixels += kLanes;
-      count_px -= kLanes;
-      anchor = plus(anchor, kLanes, step_x);
-    } while (count_px > 0);
-    at_row = plus(at_row, 1, step_y);
-    row_bytes += surface.target.pitch;
+  V32 changed = hn::Zero(D32());
+  for (int32_t right_by_px = 0; right_by_px < spans.batch.widest_px; right_by_px += kLanes) {
+    changed = hn::Or(changed, draw_columns<Pixel>(window, batch, spans, surface, right_by_px));
   }
   return !any_bits(changed, ~0xFFFF);
 }
@@ -56,6 +68,7 @@ template <class Pixel, class Address, class OneWindow>
 // Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_one_window(const AffineSpans& spans, const Surface& surface) {
+  if (spans.batch.widest_px > kMostOneWindow_px) return false;
   return with_one_window<Pixel, Address>(spans.texels, surface.texture,
                                          [&](const auto& window) HWY_ATTR {
                                            return draw_from<Pixel, Address>(window, spans, surface);

@@ -23,7 +23,7 @@ class FetchAtOnce {
  public:
   explicit HWY_INLINE FetchAtOnce(const void* texels) : texels_(texels) {}
 
-  // Places are valid in all lanes, pixels the first ones.
+  // Pixels are the first ones.
   HWY_INLINE void add(V32 places, int32_t count_px, char* pixels) {
     HWY_ALIGN int32_t place[kLanes];
     hn::Store(places, D32(), place);
@@ -35,8 +35,9 @@ class FetchAtOnce {
   const void* texels_;
 };
 
-// A ring of vectors whose texels have been asked for. Pixels are written once it is full, the
-// oldest ones first, and all of them once it is finished.
+// A ring of vectors whose texels, those of all lanes, have been asked for: their places must be
+// valid. Pixels are written once it is full, the oldest ones first, and all of them once it is
+// finished.
 template <class Pixel>
 class FetchAhead {
  public:

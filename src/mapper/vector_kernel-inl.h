@@ -10,6 +10,7 @@
 #include <hwy/highway.h>
 
 #include <cstring>
+#include <type_traits>
 
 #include "mapper/address.h"
 #include "mapper/exact_row.h"
@@ -58,6 +59,19 @@ struct ClampVector {
   template <class V>
   static HWY_INLINE V window_texel(V texel, int32_t size_texel) {
     return index(texel, size_texel);
+  }
+};
+
+// Of texels that are known to lie in the texture. A run may begin outside all the same, where its
+// first ones are shown by no pixel.
+struct InsideVector : ClampVector {
+  template <class V>
+  static HWY_INLINE V index(V texel, int32_t /*size_texel*/) {
+    return texel;
+  }
+  template <class V>
+  static HWY_INLINE V window_texel(V texel, int32_t /*size_texel*/) {
+    return texel;
   }
 };
 
@@ -144,6 +158,16 @@ struct Extent {
 // again and again, which costs little, so that there is one kernel for both.
 template <class Mode>
 struct Addressed : Mode {
+  static constexpr bool kIsInside = std::is_same_v<Mode, InsideVector>;
+
+  // As of Mode::origin, where all texels of the run are shown by pixels, or not all.
+  template <bool kAllShown>
+  static HWY_INLINE Origin origin_of(int32_t texel, int32_t last, int32_t size_texel) {
+    if constexpr (!kIsInside || !kAllShown) return Mode::origin(texel, last, size_texel);
+    const int32_t inside = HWY_MIN(texel, last);
+    return {inside, inside};
+  }
+
   template <class V>
   static HWY_INLINE V row(V t, const Extent& extent) {
     const V inside = Mode::index(t, extent.height_texel);

@@ -12,7 +12,6 @@
 
 namespace selvage::mapper {
 
-inline constexpr int32_t kMostLanes = 16;  // of 32 bits
 // Spans up to so wide are drawn a batch at a time.
 inline constexpr int32_t kNarrow_px = 32;
 // What lanes of 16.16 lose beside the margin of 32.32 ones: less than a unit by the floor of the

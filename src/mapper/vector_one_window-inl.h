@@ -15,6 +15,20 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
+// Spans up to so wide. They have few vectors: where they end is seldom foreseen, so that they are
+// drawn a strip at a time, a vector of every row.
+inline constexpr int32_t kMostOneWindow_px = 64;
+
+// Rows of a batch: all that are wider than so much lie among them, in nearly all polygons alone.
+struct StripRows {
+  int32_t first, end;
+
+  HWY_INLINE StripRows(const SpanBatch& batch, int32_t right_by_px) : first(0), end(batch.rows) {
+    while (first < end && batch.span(first).width_px() <= right_by_px) ++first;
+    while (first < end && batch.span(end - 1).width_px() <= right_by_px) --end;
+  }
+};
+
 // The texels of one coordinate, both of them included.
 struct TexelRange {
   int32_t first, last;
@@ -25,96 +39,140 @@ struct TexelRange {
   }
 };
 
-// Where a window is; no rows where none holds all.
+// A window's columns, a power of two: as many as there are lanes, or half as many, two rows to the
+// vector.
+inline constexpr int kHalfColumnBits = kWindowColumnBits - 1;
+template <int kColumnBits>
+inline constexpr int32_t kColumns = 1 << kColumnBits;
+template <int kColumnBits>
+inline constexpr int32_t kRowsPerVector = kLanes >> kColumnBits;
+
+// Picked from by one permute, and the most that are kept.
+inline constexpr int32_t kVectorsPerPermute = kRowsPerPermute;
+inline constexpr int32_t kMostWindowVectors = kMostWindowRows;
+
+// Where a window is; no vectors where none holds all.
 struct WindowPlace {
   Origin s{}, t{};
-  int32_t rows = 0;
+  int32_t vectors = 0;
   bool inside = false;  // the texture, so that no address mode changes a texel
 };
 
-template <class Address>
+// With kMostWindowVectors, or no more than it takes.
+enum class WindowSize { kMost, kLeast };
+template <class Address, int kColumnBits, WindowSize kSize>
 [[nodiscard]] HWY_INLINE WindowPlace place_of(const TexelBox& box, const selvage_texture& texture) {
+  constexpr int32_t kRows = kRowsPerVector<kColumnBits>;
   const TexelRange s{box.least_u_fx16 >> kTexelFraction, box.most_u_fx16 >> kTexelFraction};
   const TexelRange t{box.least_v_fx16 >> kTexelFraction, box.most_v_fx16 >> kTexelFraction};
-  if (texture.layout != SELVAGE_LAYOUT_ROWS || texture.width < kLanes || s.count() > kLanes ||
-      t.count() > HWY_MIN(kMostWindowRows, texture.height)) {
+  const int32_t last_column = texture.width - kColumns<kColumnBits>;
+  if (texture.layout != SELVAGE_LAYOUT_ROWS || last_column < 0 ||
+      s.count() > kColumns<kColumnBits> || t.count() > kMostWindowVectors * kRows) {
     return {};
   }
-  const int32_t rows = whole_rows(t.count());
-  const int32_t last_column = texture.width - kLanes, last_row = texture.height - rows;
+  const int32_t vectors =
+      kSize == WindowSize::kMost ? kMostWindowVectors : whole_rows((t.count() + kRows - 1) / kRows);
+  const int32_t last_row = texture.height - vectors * kRows;
   if (last_row < 0) return {};
   const WindowPlace place{Address::origin(s.first, last_column, texture.width),
-                          Address::origin(t.first, last_row, texture.height), rows,
+                          Address::origin(t.first, last_row, texture.height), vectors,
                           s.within(texture.width) && t.within(texture.height)};
   return place.s.index <= last_column && place.t.index <= last_row ? place : WindowPlace{};
 }
 
-template <class Pixel, class Address, int32_t kRows>
+template <class Pixel, class Address, int kColumnBits, int32_t kVectors>
 class Window {
  public:
   HWY_INLINE Window(const selvage_texture& texture, const WindowPlace& place)
-      : origin_(hn::Set(D32(), (place.t.texel << kWindowColumnBits) + place.s.texel)),
+      : origin_(hn::Set(D32(), (place.t.texel << kColumnBits) + place.s.texel)),
         width_texel_(texture.width),
         height_texel_(texture.height) {
     const ptrdiff_t pitch_texel = pitch_texel_of(texture);
-    const Pixel* const texels =
+    const Pixel* texels =
         static_cast<const Pixel*>(texture.texels) + place.t.index * pitch_texel + place.s.index;
 #pragma GCC unroll 16
-    for (int32_t row = 0; row < kRows; ++row) rows_[row] = load_row(texels + row * pitch_texel);
+    for (int32_t i = 0; i < kVectors; ++i) {
+      vectors_[i] = load(texels, pitch_texel);
+      texels += kRowsPerVector<kColumnBits> * pitch_texel;
+    }
   }
 
   [[nodiscard]] HWY_INLINE V32 texels(const LaneVectors& lanes) const {
     const V32 s = Address::window_texel(hn::ShiftRight<kTexelFraction>(lanes.u), width_texel_);
     const V32 t = Address::window_texel(hn::ShiftRight<kTexelFraction>(lanes.v), height_texel_);
-    const V32 index = hn::Sub(hn::Add(hn::ShiftLeft<kWindowColumnBits>(t), s), origin_);
+    const V32 index = hn::Sub(hn::Add(hn::ShiftLeft<kColumnBits>(t), s), origin_);
     V32 picked = permute(0, index);
 #pragma GCC unroll 16
-    for (int32_t row = kRowsPerPermute; row < kRows; row += kRowsPerPermute) {
-      const V32 before = hn::Set(D32(), (row << kWindowColumnBits) - 1);
-      picked = hn::IfThenElse(hn::Gt(index, before), permute(row, index), picked);
+    for (int32_t i = kVectorsPerPermute; i < kVectors; i += kVectorsPerPermute) {
+      const V32 before = hn::Set(D32(), i * kLanes - 1);
+      picked = hn::IfThenElse(hn::Gt(index, before), permute(i, index), picked);
     }
     return picked;
   }
 
  private:
-  [[nodiscard]] HWY_INLINE V32 permute(int32_t row, V32 index) const {
+  static HWY_INLINE V32 load(const Pixel* texels, ptrdiff_t pitch_texel) {
+    if constexpr (kRowsPerVector<kColumnBits> == 1) {
+      return load_row<D32>(texels);
+    } else {
+      using Half = hn::Half<D32>;
+      return hn::Combine(D32(), load_row<Half>(texels + pitch_texel), load_row<Half>(texels));
+    }
+  }
+  [[nodiscard]] HWY_INLINE V32 permute(int32_t i, V32 index) const {
 #if HWY_TARGET == HWY_AVX3
-    return V32{_mm512_permutex2var_epi32(rows_[row].raw, index.raw, rows_[row + 1].raw)};
+    return V32{_mm512_permutex2var_epi32(vectors_[i].raw, index.raw, vectors_[i + 1].raw)};
 #elif HWY_TARGET == HWY_AVX2
-    return V32{_mm256_permutevar8x32_epi32(rows_[row].raw, index.raw)};
+    return V32{_mm256_permutevar8x32_epi32(vectors_[i].raw, index.raw)};
 #else
-    static_cast<void>(row);
+    static_cast<void>(i);
     return index;
 #endif
   }
 
-  V32 rows_[kRows];
+  V32 vectors_[kVectors];
   V32 origin_;
   int32_t width_texel_, height_texel_;
 };
 
-// Calls draw(window) with a window of so many rows, or of fewer.
-template <class Pixel, class Address, int32_t kRows = kMostWindowRows, class Draw>
+// Calls draw(window) with a window of so many vectors, or of fewer.
+template <class Pixel, class Address, int kColumnBits, int32_t kVectors = kMostWindowVectors,
+          class Draw>
 [[nodiscard]] HWY_INLINE bool with_window(const selvage_texture& texture, const WindowPlace& place,
                                           const Draw& draw) {
-  if constexpr (kRows > kRowsPerPermute) {
-    if (place.rows < kRows) {
-      return with_window<Pixel, Address, kRows - kRowsPerPermute>(texture, place, draw);
+  if constexpr (kVectors > kVectorsPerPermute) {
+    if (place.vectors < kVectors) {
+      return with_window<Pixel, Address, kColumnBits, kVectors - kVectorsPerPermute>(texture, place,
+                                                                                     draw);
     }
   }
-  return draw(Window<Pixel, Address, kRows>(texture, place));
+  return draw(Window<Pixel, Address, kColumnBits, kVectors>(texture, place));
 }
 
 // What draw(window) returns, or false where there is no such window.
+template <class Pixel, class Address, int kColumnBits, class Draw>
+[[nodiscard]] HWY_INLINE bool with_columns(const TexelBox& box, const selvage_texture& texture,
+                                           const Draw& draw, bool* found) {
+  const auto place = place_of<Address, kColumnBits, WindowSize::kLeast>(box, texture);
+  *found = place.vectors != 0;
+  if (!*found) return false;
+  if (place.inside) {
+    return with_window<Pixel, Addressed<InsideVector>, kColumnBits>(texture, place, draw);
+  }
+  // Seldom: one size is enough.
+  const auto large = place_of<Address, kColumnBits, WindowSize::kMost>(box, texture);
+  *found = large.vectors != 0;
+  return *found && draw(Window<Pixel, Address, kColumnBits, kMostWindowVectors>(texture, large));
+}
+
 template <class Pixel, class Address, class Draw>
 [[nodiscard]] HWY_INLINE bool with_one_window(const TexelBox& box, const selvage_texture& texture,
                                               const Draw& draw) {
   if constexpr (!kHasWindows) return false;
-  const WindowPlace place = place_of<Address>(box, texture);
-  if (place.rows == 0) return false;
-  using Inside = Addressed<WrapMaskedVector>;
-  return place.inside ? with_window<Pixel, Inside>(texture, place, draw)
-                      : with_window<Pixel, Address>(texture, place, draw);
+  bool found = false;
+  const bool is_drawn = with_columns<Pixel, Address, kHalfColumnBits>(box, texture, draw, &found);
+  return found ? is_drawn
+               : with_columns<Pixel, Address, kWindowColumnBits>(box, texture, draw, &found);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ using DHalfFloat = hn::RebindToFloat<DHalf>;
 
 // So many at once that finding their anchors, which takes long but not much, is done side by side.
 inline constexpr int32_t kMostPieces = 16;
-static_assert(kMostPieces % kDoubles == 0);
+static_assert(kMostPieces % kDoubles == 0 && kMostPieces <= kMostLanes);
 
 // Pixels of a row, kMostLanes of them, or the last ones of a span.
 inline constexpr int32_t kPiece_px = kMostLanes;
@@ -41,6 +41,22 @@ struct Pieces {
   int32_t row[kMostPieces], left_px[kMostPieces];
   int32_t right_px[kMostPieces];     // the end of the span
   int32_t window_rows[kMostPieces];  // 0: a load for each pixel
+
+  // Rows of a batch are pieces, from so many pixels right of their first ones on. Some may be
+  // empty.
+  HWY_INLINE void put_rows(const SpanBatch& batch, int32_t first, int32_t rows,
+                           int32_t right_by_px) {
+    count = rows;
+    has_windows = false;
+    const D32 d;
+    for (int32_t k = 0; k < kMostPieces; k += kLanes) {
+      const V32 left = hn::LoadU(d, batch.left_px.data() + first + k);
+      hn::StoreU(hn::Iota(d, batch.first_row + first + k), d, row + k);
+      hn::StoreU(hn::Add(left, hn::Set(d, right_by_px)), d, left_px + k);
+      hn::StoreU(hn::LoadU(d, batch.right_px.data() + first + k), d, right_px + k);
+      hn::StoreU(hn::Zero(d), d, window_rows + k);
+    }
+  }
 
   // From one of its vectors on.
   [[nodiscard]] HWY_INLINE Span rest(int32_t k, int32_t vector) const {
@@ -63,17 +79,8 @@ class PieceWalk {
   // Each row is a piece.
   HWY_INLINE bool next_rows(Pieces* pieces) {
     const SpanBatch& batch = spans_->batch;
-    static_assert(kRowsPerBatch % kMostPieces == 0);
     if (next_ >= batch.rows) return false;
-    pieces->count = HWY_MIN(batch.rows - next_, kMostPieces);
-    pieces->has_windows = false;
-    const D32 d;
-    for (int32_t k = 0; k < kMostPieces; k += kLanes) {
-      hn::StoreU(hn::Iota(d, batch.first_row + next_ + k), d, pieces->row + k);
-      hn::StoreU(hn::LoadU(d, batch.left_px.data() + next_ + k), d, pieces->left_px + k);
-      hn::StoreU(hn::LoadU(d, batch.right_px.data() + next_ + k), d, pieces->right_px + k);
-      hn::StoreU(hn::Zero(d), d, pieces->window_rows + k);
-    }
+    pieces->put_rows(batch, next_, HWY_MIN(batch.rows - next_, kMostPieces), 0);
     next_ += kMostPieces;
     return true;
   }

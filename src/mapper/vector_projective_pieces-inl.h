@@ -6,6 +6,7 @@
 #define SELVAGE_VECTOR_PROJECTIVE_PIECES_INL_H
 #endif
 
+#include "mapper/interior.h"
 #include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_one_window-inl.h"
 #include "mapper/vector_projective_anchors-inl.h"
@@ -90,7 +91,7 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
           left->put(left_count++, pieces.rest(k, at), lanes, rows);
         } else if (rows != 0) {
           const V32 index = fixed.window_index(lanes, hn::Set(D32(), origins.index[at][k]));
-          store_pixels(pick(texels + origins.place[at][k], extent.pitch_texel, rows, index),
+          store_pixels(pick_few(texels + origins.place[at][k], extent.pitch_texel, rows, index),
                        count_px, to);
         } else {
           fetch.add(fixed.places(lanes), count_px, reinterpret_cast<char*>(to));
@@ -106,61 +107,83 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
   return more;
 }
 
-// False where some pixel is a near-tie.
-template <class Pixel, class Address, class OneWindow>
-[[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const Surface& surface,
-                                        const AnchoredVectors& vectors, PieceWalk walk) {
+// A strip of a batch: of its rows, a piece each, from so many pixels right of their first ones on.
+// Returns what the lanes of pixels lack changes in them.
+template <class Pixel, class Fixed, class OneWindow>
+[[nodiscard]] HWY_INLINE V32 draw_strip(const OneWindow& window, const Fixed& fixed,
+                                        const AnchoredVectors& vectors, const SpanBatch& batch,
+                                        const selvage_image& target, int32_t right_by_px) {
   const D32 d;
-  const FixedLanes<Address> fixed(surface.texture, vectors.lack_fx16());
-  char* const pixels = static_cast<char*>(surface.target.pixels);
-  const ptrdiff_t pitch = surface.target.pitch;
+  const StripRows rows(batch, right_by_px);
+  const ptrdiff_t pitch = target.pitch;
+  char* row = static_cast<char*>(target.pixels) + (batch.first_row + rows.first) * pitch;
   V32 changed = hn::Zero(d);
   Pieces pieces;
   Anchors anchors;
-  while (walk.next(&pieces)) {
+  for (int32_t first = rows.first; first < rows.end; first += kMostPieces) {
+    pieces.put_rows(batch, first, HWY_MIN(rows.end - first, kMostPieces), right_by_px);
     for (int32_t k = 0; k < pieces.count; k += kDoubles) vectors.find(pieces, k, &anchors);
     for (int32_t k = 0; k < pieces.count; ++k) {
       int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
-      Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.row[k] * pitch) + pieces.left_px[k];
+      Pixel* to = reinterpret_cast<Pixel*>(row) + pieces.left_px[k];
       for (int32_t at = 0; at < kVectorsPerPiece && (at == 0 || count_px > 0); ++at) {
         const LaneVectors lanes = AnchoredVectors::lanes_from(anchors, k, at);
-        const auto is_pixel = hn::FirstN(d, static_cast<size_t>(count_px));
+        const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
         changed = hn::IfThenElse(is_pixel, hn::Or(changed, fixed.changes(lanes)), changed);
-        store_first(window.texels(lanes), count_px, to);
+        store_first(is_pixel, window.texels(lanes), count_px, to);
         count_px -= kLanes;
         to += kLanes;
       }
+      row += pitch;
     }
+  }
+  return changed;
+}
+
+// False where some pixel is a near-tie.
+template <class Pixel, class Address, class OneWindow>
+[[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const ProjectiveSpans& spans,
+                                        const Surface& surface, const AnchoredVectors& vectors) {
+  const FixedLanes<Address> fixed(surface.texture, vectors.lack_fx16());
+  V32 changed = hn::Zero(D32());
+  for (int32_t right_by_px = 0; right_by_px < spans.batch.widest_px; right_by_px += kPiece_px) {
+    changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch, surface.target,
+                                                right_by_px));
   }
   return !any_bits(changed, ~0xFFFF);
 }
 
-// Draws a narrow batch, if one window holds its texels and no pixel is a near-tie.
+// Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_one_window(const ProjectiveSpans& spans,
                                                 const Surface& surface,
                                                 const AnchoredVectors& vectors) {
+  if (spans.batch.widest_px > kMostOneWindow_px) return false;
   return with_one_window<Pixel, Address>(
       spans.texels, surface.texture, [&](const auto& window) HWY_ATTR {
-        return draw_from<Pixel, Address>(window, surface, vectors,
-                                         PieceWalk(spans, surface.texture));
+        return draw_from<Pixel, Address>(window, spans, surface, vectors);
       });
 }
 
 template <class Pixel, class Address>
 void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
   const AnchoredVectors vectors(spans.field);
-  if (spans.batch.widest_px <= kPiece_px &&
-      draw_one_window<Pixel, Address>(spans, surface, vectors)) {
-    return;
-  }
+  if (draw_one_window<Pixel, Address>(spans, surface, vectors)) return;
   PieceWalk walk(spans, surface.texture);
   LeftOfPieces left;
+  const bool cached = is_cached(surface.texture);
+  const bool inside = cached && pays_to_ask_inside(spans.batch) &&
+                      is_inside(spans.batch, spans.field, surface.texture);
   bool more = true;
   while (more) {
-    more = is_cached(surface.texture)
-               ? draw_pieces<Pixel, Address, FetchAtOnce<Pixel>>(surface, vectors, &walk, &left)
-               : draw_pieces<Pixel, Address, FetchAhead<Pixel>>(surface, vectors, &walk, &left);
+    if (!cached) {
+      more = draw_pieces<Pixel, Address, FetchAhead<Pixel>>(surface, vectors, &walk, &left);
+    } else if (inside) {
+      more = draw_pieces<Pixel, Addressed<InsideVector>, FetchAtOnce<Pixel>>(surface, vectors,
+                                                                             &walk, &left);
+    } else {
+      more = draw_pieces<Pixel, Address, FetchAtOnce<Pixel>>(surface, vectors, &walk, &left);
+    }
     if (left.count != 0) {
       draw_left<Pixel, Address>(left, spans, surface, vectors.lack_fx16());
     }

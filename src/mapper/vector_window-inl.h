@@ -47,12 +47,12 @@ static_assert(!kHasWindows || 1 << kWindowColumnBits == kLanes);
   return whole <= HWY_MIN(kMostWindowRows, texture.height) ? whole : 0;
 }
 
-template <class Pixel>
-HWY_INLINE V32 load_row(const Pixel* texels) {
+template <class D, class Pixel>
+HWY_INLINE hn::Vec<D> load_row(const Pixel* texels) {
   if constexpr (sizeof(Pixel) == sizeof(int32_t)) {
-    return hn::LoadU(D32(), reinterpret_cast<const int32_t*>(texels));
+    return hn::LoadU(D(), reinterpret_cast<const int32_t*>(texels));
   } else {
-    return hn::PromoteTo(D32(), hn::LoadU(hn::Rebind<Pixel, D32>(), texels));
+    return hn::PromoteTo(D(), hn::LoadU(hn::Rebind<Pixel, D>(), texels));
   }
 }
 
@@ -60,11 +60,11 @@ HWY_INLINE V32 load_row(const Pixel* texels) {
 template <class Pixel>
 HWY_INLINE V32 permute_rows(const Pixel* texels, ptrdiff_t pitch_texel, V32 index) {
 #if HWY_TARGET == HWY_AVX3
-  return V32{_mm512_permutex2var_epi32(load_row(texels).raw, index.raw,
-                                       load_row(texels + pitch_texel).raw)};
+  return V32{_mm512_permutex2var_epi32(load_row<D32>(texels).raw, index.raw,
+                                       load_row<D32>(texels + pitch_texel).raw)};
 #elif HWY_TARGET == HWY_AVX2
   static_cast<void>(pitch_texel);
-  return V32{_mm256_permutevar8x32_epi32(load_row(texels).raw, index.raw)};
+  return V32{_mm256_permutevar8x32_epi32(load_row<D32>(texels).raw, index.raw)};
 #else
   static_cast<void>(texels);
   static_cast<void>(pitch_texel);
@@ -89,6 +89,15 @@ HWY_INLINE V32 pick(const Pixel* HWY_RESTRICT window, ptrdiff_t pitch_texel, int
   return picked;
 }
 
+// The same. Most windows take one permute or two: loops that know it are faster.
+template <class Pixel>
+HWY_INLINE V32 pick_few(const Pixel* HWY_RESTRICT window, ptrdiff_t pitch_texel, int32_t rows,
+                        V32 index) {
+  if (rows == kRowsPerPermute) return pick(window, pitch_texel, kRowsPerPermute, index);
+  if (rows == 2 * kRowsPerPermute) return pick(window, pitch_texel, 2 * kRowsPerPermute, index);
+  return pick(window, pitch_texel, rows, index);
+}
+
 // Stores a vector of pixels, or the first ones.
 template <class Pixel>
 HWY_INLINE void store_pixels(V32 texels, int32_t count, Pixel* HWY_RESTRICT pixels) {
@@ -106,15 +115,15 @@ HWY_INLINE void store_pixels(V32 texels, int32_t count, Pixel* HWY_RESTRICT pixe
   }
 }
 
-// Stores the first pixels of a vector: where it is seldom whole, that a branch would seldom be
-// foreseen.
+// Stores the first pixels of a vector, which are given as a mask too, maybe none: where it is
+// seldom whole, that a branch would seldom be foreseen.
 template <class Pixel>
-HWY_INLINE void store_first(V32 texels, int32_t count, Pixel* HWY_RESTRICT pixels) {
+HWY_INLINE void store_first(hn::Mask<D32> is_pixel, V32 texels, int32_t count,
+                            Pixel* HWY_RESTRICT pixels) {
   if constexpr (sizeof(Pixel) == sizeof(int32_t)) {
-    hn::BlendedStore(texels, hn::FirstN(D32(), static_cast<size_t>(count)), D32(),
-                     reinterpret_cast<int32_t*>(pixels));
+    hn::BlendedStore(texels, is_pixel, D32(), reinterpret_cast<int32_t*>(pixels));
   } else {
-    store_pixels(texels, count, pixels);
+    if (count > 0) store_pixels(texels, count, pixels);
   }
 }
 
