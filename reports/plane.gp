@@ -40,12 +40,15 @@ set ytics (0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 set format y '%g'
 set pointintervalbox 0
 set key outside right top vertical Left reverse samplen 0.5 spacing 0.85 font ',11' maxcols 1
-# One at either end, the upper one above its line and the lower one below: the two may be close.
+# One at either end, the upper one above its line and the lower one below: the two may be close. The
+# third in the middle.
 off(i, other) = limits > 1 && limit[i] < limit[other] ? -0.6 : 0.5
 if (limits > 0) set label 1 sprintf('%s %.2f', limit_name[1], limit[1]) \
   at graph 0.99, first limit[1] right offset 0, off(1, 2)
 if (limits > 1) set label 2 sprintf('%s %.2f', limit_name[2], limit[2]) \
   at graph 0.01, first limit[2] left offset 0, off(2, 1)
+if (limits > 2) set label 3 sprintf('%s %.2f', limit_name[3], limit[3]) \
+  at graph 0.5, first limit[3] center offset 0, 0.5
 plot for [i = 1:limits] limit[i] with lines dashtype 2 linewidth 1 linecolor rgb '#7f7f7f' notitle, \
      data index 1 using 1:2 with steps linewidth 1.2 linecolor rgb '#d64550' \
        title 'Pareto front', \

@@ -19,6 +19,7 @@ std::vector<Subject> all_subjects(std::vector<Subject> peers, bool with_kernels)
   all.push_back(subject_subdivided());
   add(std::move(peers));
   all.push_back(subject_memcpy());
+  all.push_back(subject_touch());
   all.push_back(subject_fill());
   return all;
 }

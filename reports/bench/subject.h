@@ -46,6 +46,7 @@ struct Subject {
 [[nodiscard]] std::vector<Subject> subjects_arithmetic();
 [[nodiscard]] Subject subject_subdivided();
 [[nodiscard]] Subject subject_memcpy();
+[[nodiscard]] Subject subject_touch();
 [[nodiscard]] Subject subject_fill();
 
 // The library that this is linked with draws through the filter.

@@ -87,7 +87,8 @@ std::string introduction(const json& bench) {
           "one with a tolerance by more than that (of nearest: filtered, it is exact too), nothing "
           "would have been timed. All mappers read "
           "the same RGBA texture, its rows padded by 16 texels, and draw into the same memory. The "
-          "limits are a solid fill of the same pixels and a memcpy of as many "
+          "limits are a solid fill of the same pixels, alone or with one load from each cache line "
+          "of the texture that they need, and a memcpy of as many "
           "bytes. Where there is a dash, the item's table tells why.");
 }
 

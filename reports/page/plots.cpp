@@ -111,7 +111,8 @@ std::string plane(const json& work, const json& bench) {
   for (const Point& p : front) text += line({number(p.place), number(p.ns)});
   text += line({number(kRightEnd), number(front.back().ns)});
   text += "\n\n";
-  for (const auto& [id, name] : {std::pair("fill", "solid fill"), std::pair("memcpy", "memcpy")}) {
+  for (const auto& [id, name] : {std::pair("fill", "solid fill"), std::pair("memcpy", "memcpy"),
+                                 std::pair("touch", "needed lines and a fill")}) {
     const json* result = result_of(work, id);
     if (result != nullptr)
       text += line({name, number(result->at("ns_per_px").at("median").get<double>())});

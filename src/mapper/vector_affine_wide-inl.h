@@ -10,6 +10,7 @@
 
 #include "mapper/interior.h"
 #include "mapper/vector_affine_lanes-inl.h"
+#include "mapper/vector_fetch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -106,30 +107,31 @@ HWY_NOINLINE void draw_windows(const AffineSpans& spans, const Surface& surface,
 }
 
 // A load for each pixel of a vector of them.
-template <class Pixel, class Address>
+template <class Pixel, class Address, class Fetch>
 HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, Resume* at,
                              Left* left) {
   const AffineBatch<Address> batch(spans, surface);
-  const void* const texels = surface.texture.texels;
+  Fetch fetch(surface.texture.texels);
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
   for_each_vector(spans, batch.to_anchor(), at, left,
-                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor, auto whole) HWY_ATTR {
+                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor, auto) HWY_ATTR {
                     const LaneVectors lanes = batch.lanes_from(anchor);
                     if (batch.any_near(lanes)) return false;
-                    HWY_ALIGN int32_t place[kLanes];
-                    hn::Store(batch.places(lanes), D32(), place);
-                    fetch_vector<Pixel>(texels, place, count_px,
-                                        pixels + row * pitch + px * ptrdiff_t{sizeof(Pixel)});
+                    fetch.add(batch.places(lanes), count_px,
+                              pixels + row * pitch + px * ptrdiff_t{sizeof(Pixel)});
                     return true;
                   });
+  fetch.finish();
 }
 
 // By windows of so many rows, or, where there are none, by loads.
 template <class Pixel, class Address>
 HWY_INLINE void draw_some(const AffineSpans& spans, const Surface& surface, int32_t rows,
                           Resume* at, Left* left) {
-  if (!kHasWindows || rows == 0) return draw_loads<Pixel, Address>(spans, surface, at, left);
+  if (!kHasWindows || rows == 0) {
+    return draw_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, at, left);
+  }
   if constexpr (Address::kIsInside) {
     if (rows == kRowsPerPermute) {
       return draw_windows<Pixel, Address, 1>(spans, surface, rows, at, left);
@@ -145,10 +147,13 @@ template <class Pixel, class Address>
 void draw_wide(const AffineSpans& spans, const Surface& surface, int32_t rows) {
   const bool inside =
       pays_to_ask_inside(spans.batch) && is_inside(spans.batch, spans.field, surface.texture);
+  const bool ahead = rows == 0 && !is_cached(surface.texture);
   Resume at;
   Left left;
   do {
-    if (inside) {
+    if (ahead) {
+      draw_loads<Pixel, Address, FetchAhead<Pixel>>(spans, surface, &at, &left);
+    } else if (inside) {
       draw_some<Pixel, Addressed<InsideVector>>(spans, surface, rows, &at, &left);
     } else {
       draw_some<Pixel, Address>(spans, surface, rows, &at, &left);

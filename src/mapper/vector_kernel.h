@@ -60,6 +60,15 @@ inline constexpr int32_t kAnchoredTruncations_fx16 = 2;
   return stride_texel <= kMost && stride_texel * rows_of_bytes(surface.texture).rows <= kMost;
 }
 
+// Texels of larger textures are asked for ahead of their fetch. That costs up to half as much again
+// where a cache holds them, and saves half where memory has to answer, as it mostly has to: caches
+// of today hold little more, and others want their share.
+inline constexpr int64_t kCached_bytes = 8 << 20;
+
+[[nodiscard]] inline bool is_cached(const selvage_texture& texture) {
+  return int64_t{texture.width} * texture.height * bytes_per_pixel(texture.format) <= kCached_bytes;
+}
+
 // NULL where the build or the machine has no such kernel.
 [[nodiscard]] const Kernels* vector_kernels(selvage_kernel kernel, selvage_filter filter);
 

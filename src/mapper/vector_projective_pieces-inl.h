@@ -7,6 +7,7 @@
 #endif
 
 #include "mapper/interior.h"
+#include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_one_window-inl.h"
 #include "mapper/vector_projective_anchors-inl.h"
 
@@ -61,12 +62,13 @@ HWY_INLINE void find(const Pieces& pieces, const AnchoredVectors& vectors, const
 }
 
 // Until `left` may not hold the next ones; false where no piece is left.
-template <class Pixel, class Address>
+template <class Pixel, class Address, class Fetch>
 HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vectors,
                               PieceWalk* from, LeftOfPieces* left) {
   const FixedLanes<Address> fixed(surface.texture, vectors.lack_fx16());
   const Extent extent = extent_of(surface.texture);
   const auto* const texels = static_cast<const Pixel*>(surface.texture.texels);
+  Fetch fetch(texels);
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
   PieceWalk walk = *from;
@@ -92,15 +94,14 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
           store_pixels(pick_few(texels + origins.place[at][k], extent.pitch_texel, rows, index),
                        count_px, to);
         } else {
-          HWY_ALIGN int32_t place[kLanes];
-          hn::Store(fixed.places(lanes), D32(), place);
-          fetch_vector<Pixel>(texels, place, count_px, reinterpret_cast<char*>(to));
+          fetch.add(fixed.places(lanes), count_px, reinterpret_cast<char*>(to));
         }
         count_px -= kLanes;
         to += kLanes;
       }
     }
   }
+  fetch.finish();
   left->count = left_count;
   *from = walk;
   return more;
@@ -170,12 +171,19 @@ void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
   if (draw_one_window<Pixel, Address>(spans, surface, vectors)) return;
   PieceWalk walk(spans, surface.texture);
   LeftOfPieces left;
-  const bool inside =
-      pays_to_ask_inside(spans.batch) && is_inside(spans.batch, spans.field, surface.texture);
+  const bool cached = is_cached(surface.texture);
+  const bool inside = cached && pays_to_ask_inside(spans.batch) &&
+                      is_inside(spans.batch, spans.field, surface.texture);
   bool more = true;
   while (more) {
-    more = inside ? draw_pieces<Pixel, Addressed<InsideVector>>(surface, vectors, &walk, &left)
-                  : draw_pieces<Pixel, Address>(surface, vectors, &walk, &left);
+    if (!cached) {
+      more = draw_pieces<Pixel, Address, FetchAhead<Pixel>>(surface, vectors, &walk, &left);
+    } else if (inside) {
+      more = draw_pieces<Pixel, Addressed<InsideVector>, FetchAtOnce<Pixel>>(surface, vectors,
+                                                                             &walk, &left);
+    } else {
+      more = draw_pieces<Pixel, Address, FetchAtOnce<Pixel>>(surface, vectors, &walk, &left);
+    }
     if (left.count != 0) {
       draw_left<Pixel, Address>(left, spans, surface, vectors.lack_fx16());
     }
@@ -186,10 +194,14 @@ void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
   const bool by_pieces = are_anchored(spans.field);
   with_address(surface, [&](auto address) {
     with_pixel(surface.target.format, [&](auto pixel) {
+      using Pixel = decltype(pixel);
+      using Address = decltype(address);
       if (by_pieces) {
-        draw_by_pieces<decltype(pixel), decltype(address)>(spans, surface);
+        draw_by_pieces<Pixel, Address>(spans, surface);
+      } else if (is_cached(surface.texture)) {
+        draw_wide_projective<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface);
       } else {
-        draw_wide_projective<decltype(pixel), decltype(address)>(spans, surface);
+        draw_wide_projective<Pixel, Address, FetchAhead<Pixel>>(spans, surface);
       }
     });
   });

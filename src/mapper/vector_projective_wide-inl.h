@@ -7,6 +7,7 @@
 #endif
 
 #include "mapper/steepness.h"
+#include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_lanes-inl.h"
 #include "mapper/vector_projective_kernel-inl.h"
 
@@ -127,20 +128,17 @@ HWY_NOINLINE void draw_windows(const DividedSpan& of, const Surface& surface, in
 }
 
 // A load for each pixel of a vector of them.
-template <class Pixel, class Address>
-HWY_NOINLINE void draw_loads(const DividedSpan& of, const Surface& surface, int32_t* px,
-                             Left* left) {
+template <class Pixel, class Address, class Fetch>
+HWY_NOINLINE void draw_loads(const DividedSpan& of, const Surface& surface, Fetch* fetch,
+                             int32_t* px, Left* left) {
   const FixedLanes<Address> fixed(surface.texture, DividedVectors::lack_fx16(of.lanes));
   Pixel* const pixels = reinterpret_cast<Pixel*>(first_pixel(surface, {of.span.row, 0, 0}));
-  for_each_vector(of, px, left,
-                  [&](int32_t at_px, int32_t count_px, const LaneVectors& lanes) HWY_ATTR {
-                    if (fixed.any_near(lanes)) return false;
-                    HWY_ALIGN int32_t place[kLanes];
-                    hn::Store(fixed.places(lanes), D32(), place);
-                    fetch_vector<Pixel>(surface.texture.texels, place, count_px,
-                                        reinterpret_cast<char*>(pixels + at_px));
-                    return true;
-                  });
+  for_each_vector(
+      of, px, left, [&](int32_t at_px, int32_t count_px, const LaneVectors& lanes) HWY_ATTR {
+        if (fixed.any_near(lanes)) return false;
+        fetch->add(fixed.places(lanes), count_px, reinterpret_cast<char*>(pixels + at_px));
+        return true;
+      });
 }
 
 template <class Pixel, class Address>
@@ -155,8 +153,9 @@ HWY_NOINLINE void draw_left(const Left& left, const DividedSpan& of, const Surfa
   }
 }
 
-template <class Pixel, class Address>
+template <class Pixel, class Address, class Fetch>
 void draw_wide_projective(const ProjectiveSpans& spans, const Surface& surface) {
+  Fetch fetch(surface.texture.texels);
   Left left;
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
@@ -167,11 +166,12 @@ void draw_wide_projective(const ProjectiveSpans& spans, const Surface& surface) 
       if (kHasWindows && rows != 0) {
         draw_windows<Pixel, Address>(of, surface, rows, &px, &left);
       } else {
-        draw_loads<Pixel, Address>(of, surface, &px, &left);
+        draw_loads<Pixel, Address>(of, surface, &fetch, &px, &left);
       }
       if (left.count != 0) draw_left<Pixel, Address>(left, of, surface);
     }
   }
+  fetch.finish();
 }
 
 }  // namespace
