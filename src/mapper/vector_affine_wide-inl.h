@@ -115,13 +115,14 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
   for_each_vector(spans, batch.to_anchor(), at, left,
-                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor, auto) HWY_ATTR {
-                    const LaneVectors lanes = batch.lanes_from(anchor);
-                    if (batch.any_near(lanes)) return false;
-                    fetch.add(batch.places(lanes), count_px,
-                              pixels + row * pitch + px * ptrdiff_t{sizeof(Pixel)});
-                    return true;
-                  });
+                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor, auto /*whole*/)
+                      HWY_ATTR {
+                        const LaneVectors lanes = batch.lanes_from(anchor);
+                        if (batch.any_near(lanes)) return false;
+                        fetch.add(batch.places(lanes), count_px,
+                                  pixels + row * pitch + px * ptrdiff_t{sizeof(Pixel)});
+                        return true;
+                      });
   fetch.finish();
 }
 
