@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "reports/bench/curves.h"
+#include "reports/bench/inexact_loops.h"
 #include "reports/bench/kernels.h"
 #include "reports/bench/plan.h"
 #include "reports/bench/spans.h"
@@ -255,6 +256,15 @@ TEST(Plan, HasKernelsWhereAskedFor) {
   std::vector<std::string> here;
   for (const selvage_kernel kernel : kernels_here()) here.push_back(kernel_name(kernel));
   EXPECT_EQ(kernels_of({.kernels = true}), here);
+  const auto loops_of = [](const Extras& extras) {
+    const Plan plan = make_plan(1, extras, everything);
+    return std::ranges::count_if(plan.subjects, [](const Subject& subject) {
+      return std::ranges::any_of(inexact_loops(),
+                                 [&](const InexactLoop& loop) { return loop.name == subject.id; });
+    });
+  };
+  EXPECT_EQ(loops_of({}), 0);
+  EXPECT_EQ(loops_of({.kernels = true}), static_cast<ptrdiff_t>(inexact_loops().size()));
   EXPECT_EQ(here.front(), "scalar");
   EXPECT_EQ(kernels_here().size() + kernels_elsewhere().size(), 5U);
 }
