@@ -40,7 +40,8 @@ TEST_F(Bench, ReportsInJson) {
   options_.json = true;
   EXPECT_EQ(run(), kExitFine);
   const nlohmann::json values = json();
-  for (const char* key : {"cpu", "cpu_simd", "compiler", "flags_mapper", "date", "selvage"})
+  for (const char* key : {"cpu", "cpu_simd", "compiler", "flags_mapper", "date", "selvage",
+                          "highway", "threads", "benchmark"})
     EXPECT_TRUE(values["machine"][key].is_string()) << key;
   EXPECT_EQ(values["seed"], 1);
   EXPECT_EQ(values["rows"], 2);
