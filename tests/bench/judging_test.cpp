@@ -87,6 +87,23 @@ TEST(Judging, DrawsPolygonsApartThatAreNear) {
   EXPECT_LT(classes.size(), 20u);
 }
 
+// Near-ties are where kernels part: measure() throws where one of them is not exact.
+TEST(Judging, FindsEachKernelExactOnNearTies) {
+  Plan plan;
+  for (Workload& load : adversarial_workloads()) {
+    if (!load.ordinary_id.empty()) plan.items.push_back({std::move(load), subjects_by_kernel()});
+  }
+  plan.work_items = plan.items.size();
+  BenchSettings settings = quick_settings();
+  settings.timing.repetitions = 1;
+  for (const ItemResult& item : measure(plan, settings, ignore_progress)) {
+    for (const Cell& cell : item.cells) {
+      EXPECT_GT(cell.errors->covered_px, 0u);
+      EXPECT_EQ(cell.errors->total(), 0u) << item.load->id << ' ' << cell.subject->id;
+    }
+  }
+}
+
 TEST(Judging, StopsAtAReferenceThatErrs) {
   Subject wrong = box_subject("mine", 0, 1);
   wrong.reference = true;
