@@ -9,6 +9,7 @@ std::vector<Series> usual_series() {
       subjects.push_back(std::move(subject));
   }
   subjects.push_back(subject_fill());
+  subjects.push_back(subject_inexact());
   std::vector<Series> series;
   for (const Subject& subject : subjects)
     series.push_back({subject.id, [subject](double) { return subject; }});

@@ -25,7 +25,8 @@ struct Curve {
   std::vector<Series> series;
 };
 
-// The series that most curves have: exact, the loosest tolerance, 16.16, float, solid fill.
+// The series that most curves have: exact, the loosest tolerance, 16.16, float, solid fill, inexact
+// vector lanes.
 [[nodiscard]] std::vector<Series> usual_series();
 
 // One file each. To add one: a file with a function, and its call in curves().

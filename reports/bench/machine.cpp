@@ -82,6 +82,8 @@ std::vector<std::pair<std::string, std::string>> describe_machine(const SystemTe
           {"selvage", selvage_version()},
           {"selvage_kernels", names_of(kernels_here())},
           {"selvage_kernels_untested", names_of(kernels_elsewhere())},
+          {"highway", SELVAGE_REPORTS_HIGHWAY_VERSION},
+          {"threads", SELVAGE_REPORTS_THREADS},
           {"benchmark", "Google Benchmark " SELVAGE_REPORTS_BENCHMARK_VERSION}};
 }
 

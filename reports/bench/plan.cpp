@@ -17,6 +17,8 @@ std::vector<Subject> all_subjects(std::vector<Subject> peers, bool with_kernels)
   add(subjects_historic());
   add(subjects_arithmetic());
   all.push_back(subject_subdivided());
+  all.push_back(subject_inexact());
+  if (with_kernels) add(subjects_inexact_by_loop());
   add(std::move(peers));
   all.push_back(subject_memcpy());
   all.push_back(subject_touch());

@@ -41,7 +41,7 @@ using Wanted = std::function<bool(std::string_view item, std::string_view subjec
 // What takes time of its own and is measured where it is asked for.
 struct Extras {
   bool curves = false;
-  bool kernels = false;  // a subject for each kernel that this machine can run
+  bool kernels = false;  // a subject for each kernel and inexact loop that this machine can run
 };
 
 // All subjects, in the order of the tables: exact first, the solid fill last.

@@ -45,6 +45,8 @@ struct Subject {
 [[nodiscard]] std::vector<Subject> subjects_historic();
 [[nodiscard]] std::vector<Subject> subjects_arithmetic();
 [[nodiscard]] Subject subject_subdivided();
+[[nodiscard]] Subject subject_inexact();
+[[nodiscard]] std::vector<Subject> subjects_inexact_by_loop();  // those of this machine
 [[nodiscard]] Subject subject_memcpy();
 [[nodiscard]] Subject subject_touch();
 [[nodiscard]] Subject subject_fill();

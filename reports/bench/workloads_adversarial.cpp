@@ -66,6 +66,26 @@ std::vector<Polygon> upright_strips(int32_t off_fx16, int32_t lowered) {
   return strips;
 }
 
+// Two triangles in each cell, all on the point (1024, 1024) but for off, with u lowered by
+// 1/65536 texel at the corners to the right and v at the lower ones.
+std::vector<Polygon> points_in_cells(int32_t cell_px, int32_t off_fx16) {
+  constexpr int32_t kTarget_px = 1024;
+  const int32_t point_fx16 = 1024 * kTexel_fx16 + off_fx16;
+  std::vector<Polygon> triangles;
+  for (int32_t y_px = 0; y_px < kTarget_px; y_px += cell_px) {
+    for (int32_t x_px = 0; x_px < kTarget_px; x_px += cell_px) {
+      const auto corner = [&](int32_t right, int32_t below) {
+        return selvage_vertex{(x_px + right * cell_px) * SELVAGE_SUBPIXELS,
+                              (y_px + below * cell_px) * SELVAGE_SUBPIXELS, point_fx16 - right,
+                              point_fx16 - below, 1};
+      };
+      triangles.push_back({corner(0, 0), corner(1, 0), corner(0, 1)});
+      triangles.push_back({corner(1, 0), corner(1, 1), corner(0, 1)});
+    }
+  }
+  return triangles;
+}
+
 Workload item(const std::string& id, const std::string& title, const std::string& description,
               std::vector<Polygon> polygons) {
   Workload load;
@@ -114,6 +134,13 @@ std::vector<Workload> adversarial_workloads() {
            {constant_point_in_depth(0)}, {constant_point_in_depth(half_fx16)});
   add_pair(loads, "A6", "near-ties in short rows", "the map of A1 in strips 16 pixels wide",
            upright_strips(half_fx16, 1), upright_strips(0, 1));
+  add_pair(loads, "A7", "near-ties in small triangles",
+           "triangles of half a cell of 32 px, of one texel each, u and v of every sample 2^-22 to "
+           "2^-16 texel below a boundary",
+           points_in_cells(32, 0), points_in_cells(32, half_fx16));
+  add_pair(loads, "A8", "near-ties in large triangles of a texel",
+           "the same with one cell of 1024 px: 2^-27 to 2^-16 texel below a boundary",
+           points_in_cells(1024, 0), points_in_cells(1024, half_fx16));
   return loads;
 }
 

@@ -106,8 +106,9 @@ std::string measurement_section(const Results& results) {
   if (results.bench.is_null())
     return html + element("p", "Not measured: " + escaped(results.unmeasured), "class=bad");
   const json& bench = results.bench;
-  return html + introduction(bench) + overview(bench) + subjects(bench) + comparison_part(bench) +
-         work_items_part(bench) + curves_part(bench) + adversarial_part(bench);
+  return html + introduction(bench) + overview(bench) + standing_part(bench) + subjects(bench) +
+         comparison_part(bench) + work_items_part(bench) + curves_part(bench) +
+         adversarial_part(bench);
 }
 
 }  // namespace selvage::reports

@@ -10,6 +10,9 @@ namespace selvage::reports {
 [[nodiscard]] std::string plot_figure(const std::string& svg, const std::string& alt, int height_px,
                                       const std::string& caption);
 
+// The exact mapper by fill, by inexact and by the fastest peer; empty where it was not measured.
+[[nodiscard]] std::string standing_part(const nlohmann::ordered_json& bench);
+
 // A plot and a table for each work item that is no adversarial one.
 [[nodiscard]] std::string work_items_part(const nlohmann::ordered_json& bench);
 

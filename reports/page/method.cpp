@@ -104,11 +104,10 @@ std::string limits() {
           element(
               "li",
               "Everything runs on one core, but for the curves against threads. The mapper and the "
-              "arithmetics beside it are compiled "
-              "for the baseline of the architecture, and so is AGG, which is all headers; the "
-              "other "
-              "peers are the distribution's libraries, most of which choose their SIMD code at run "
-              "time.") +
+              "inexact vector loops choose their SIMD code at run time, and so do most of the "
+              "peers that are the distribution's libraries. The arithmetics beside them are "
+              "compiled for the baseline of the architecture, and so is AGG, which is all "
+              "headers.") +
           element(
               "li",
               "pixman and AGG are asked for pixels of 24 bits in 32, the only ones that they copy "

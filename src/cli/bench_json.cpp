@@ -1,3 +1,4 @@
+#include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -71,6 +72,11 @@ void add_errors(ordered_json& values, const std::optional<ErrorCount>& judged, b
   return cells;
 }
 
+[[nodiscard]] const char* filter_name(selvage_filter filter) {
+  constexpr std::array kNames{"nearest", "four", "bilinear", "area"};
+  return kNames.at(static_cast<size_t>(filter));
+}
+
 [[nodiscard]] ordered_json workload_json(const BenchReport& report, const ItemResult& item) {
   const reports::Workload& load = *item.load;
   const std::string side = std::to_string(load.target_side_px);
@@ -78,7 +84,7 @@ void add_errors(ordered_json& values, const std::optional<ErrorCount>& judged, b
           {"title", load.title},
           {"description", load.description},
           {"ordinary", load.ordinary_id.empty() ? ordered_json() : ordered_json(load.ordinary_id)},
-          {"filter", load.filter == SELVAGE_FILTER_NEAREST ? "nearest" : "bilinear"},
+          {"filter", filter_name(load.filter)},
           {"polygons", load.polygons.size()},
           {"target_px", side + " x " + side},
           {"covered_px", item.covered_px},

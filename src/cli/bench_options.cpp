@@ -54,7 +54,8 @@ CLI::App* add_bench(CLI::App& program, BenchOptions& options) {
       "--curves", options.curves,
       "Measure cost against polygon size, texture size, scale, off-screen share and threads too");
   bench->add_flag("--kernels", options.kernels,
-                  "Measure each of the mapper's kernels that this machine can run too");
+                  "Measure each of the mapper's kernels, and each of the loops that 'inexact' is "
+                  "the fastest of, that this machine can run too");
   bench->add_option("-o,--output", options.output, "Write the JSON to a file")->type_name("FILE");
   bench->add_flag("--json", options.json, "Print the JSON instead of the tables");
   bench->add_flag("--brief", options.brief, "As JSON, the machine and the medians only");

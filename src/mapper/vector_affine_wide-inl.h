@@ -126,6 +126,15 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
   fetch.finish();
 }
 
+// Whether so many vectors of a small polygon are left that a pixel at a time costs less: its lanes
+// are finer, and, as near as they are, leave few pixels in doubt.
+[[nodiscard]] HWY_INLINE bool are_many(const Left& left, const AffineSpans& spans) {
+  constexpr uint32_t kSmall_fx32 = 128;
+  constexpr int32_t kManyOf = 4;
+  return spans.field.margin_fx32 <= kSmall_fx32 &&
+         left.count * kManyOf > spans.batch.rows * (spans.batch.widest_px / kLanes + 1);
+}
+
 // By windows of so many rows, or, where there are none, by loads.
 template <class Pixel, class Address>
 HWY_INLINE void draw_some(const AffineSpans& spans, const Surface& surface, int32_t rows,
@@ -158,6 +167,9 @@ void draw_wide(const AffineSpans& spans, const Surface& surface, int32_t rows) {
       draw_some<Pixel, Addressed<InsideVector>>(spans, surface, rows, &at, &left);
     } else {
       draw_some<Pixel, Address>(spans, surface, rows, &at, &left);
+    }
+    if (are_many(left, spans)) {
+      return scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(spans, surface);
     }
     if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface, rows);
   } while (left.count == Left::kMost);

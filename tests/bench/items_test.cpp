@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "reports/bench/curves.h"
+#include "reports/bench/inexact_loops.h"
 #include "reports/bench/kernels.h"
 #include "reports/bench/plan.h"
 #include "reports/bench/spans.h"
@@ -85,6 +86,15 @@ TEST(Items, AreNearTiesWhereTheySaySo) {
       }
     }
   }
+  for (const auto& [id, least_log2] : {std::pair("A7", -22), std::pair("A8", -27)}) {
+    for (const auto& row : some_rows(find(loads, id), 8).pixels) {
+      for (const ModelPixel& pixel : row) {
+        for (const double x : {pixel.u, pixel.v})
+          ASSERT_TRUE(below(x) < std::ldexp(1, -16) && below(x) >= std::ldexp(1, least_log2))
+              << id << ' ' << below(x);
+      }
+    }
+  }
   for (const auto& row : some_rows(find(loads, "A2"), 8).pixels) {
     for (const ModelPixel& pixel : row) {
       for (const double x : {pixel.u, pixel.v})
@@ -125,7 +135,7 @@ TEST(Items, HaveTwinsWithoutNearTies) {
         ASSERT_TRUE(above(pixel.u) > 0.1 && below(pixel.u) > 0.1) << twin.id << ' ' << pixel.u;
     }
   }
-  EXPECT_EQ(twins, 6u);
+  EXPECT_EQ(twins, 8u);
 }
 
 // The formula of spec/README.md, written out: weights of 1/256, halves rounded up.
@@ -224,7 +234,7 @@ TEST(Plan, HasEachItemOnceAndSaysWhatThereIsNot) {
       std::any_of(plan.unavailable.begin(), plan.unavailable.end(),
                   [](const std::string& sentence) { return sentence.rfind("W5 ", 0) == 0; });
   EXPECT_NE(said, bilinear);
-  EXPECT_EQ(plan.work_items, 11u + (bilinear ? 1 : 0) + 12);
+  EXPECT_EQ(plan.work_items, 11u + (bilinear ? 1 : 0) + 16);
   EXPECT_EQ(plan.curves.size(), curves().size());
   EXPECT_EQ(plan.subjects.front().id, "exact");
   EXPECT_EQ(plan.subjects.back().id, "fill");
@@ -255,6 +265,15 @@ TEST(Plan, HasKernelsWhereAskedFor) {
   std::vector<std::string> here;
   for (const selvage_kernel kernel : kernels_here()) here.push_back(kernel_name(kernel));
   EXPECT_EQ(kernels_of({.kernels = true}), here);
+  const auto loops_of = [](const Extras& extras) {
+    const Plan plan = make_plan(1, extras, everything);
+    return std::ranges::count_if(plan.subjects, [](const Subject& subject) {
+      return std::ranges::any_of(inexact_loops(),
+                                 [&](const InexactLoop& loop) { return loop.name == subject.id; });
+    });
+  };
+  EXPECT_EQ(loops_of({}), 0);
+  EXPECT_EQ(loops_of({.kernels = true}), static_cast<ptrdiff_t>(inexact_loops().size()));
   EXPECT_EQ(here.front(), "scalar");
   EXPECT_EQ(kernels_here().size() + kernels_elsewhere().size(), 5U);
 }

@@ -1,4 +1,6 @@
 // `selvage bench`: what it takes, what it prints. Nothing here depends on how long anything took.
+#include <map>
+
 #include "../bench/support.h"
 #include "bench_run.h"
 #include "cli/command_line.h"
@@ -38,7 +40,8 @@ TEST_F(Bench, ReportsInJson) {
   options_.json = true;
   EXPECT_EQ(run(), kExitFine);
   const nlohmann::json values = json();
-  for (const char* key : {"cpu", "cpu_simd", "compiler", "flags_mapper", "date", "selvage"})
+  for (const char* key : {"cpu", "cpu_simd", "compiler", "flags_mapper", "date", "selvage",
+                          "highway", "threads", "benchmark"})
     EXPECT_TRUE(values["machine"][key].is_string()) << key;
   EXPECT_EQ(values["seed"], 1);
   EXPECT_EQ(values["rows"], 2);
@@ -74,16 +77,18 @@ TEST_F(Bench, ReportsInJson) {
 }
 
 TEST_F(Bench, ReportsFilteredColoursInLevels) {
-  options_.filter = "^W[15]/exact$";
+  options_.filter = "^W[157]/exact$";
   EXPECT_EQ(run(), kExitFine) << err();
   expect_contains(out(), "Filtered: wrong is a colour whose worst channel is off by more than 1");
   options_.json = true;
   EXPECT_EQ(run(), kExitFine) << err();
   const nlohmann::json values = json();
-  ASSERT_EQ(values["workloads"].size(), 2u);
+  ASSERT_EQ(values["workloads"].size(), 3u);
+  const std::map<std::string, std::string> filters{
+      {"W1", "nearest"}, {"W5", "bilinear"}, {"W7", "area"}};
   for (const nlohmann::json& work : values["workloads"]) {
-    const bool filtered = work["filter"] == "bilinear";
-    EXPECT_EQ(filtered, work["id"] == "W5");
+    EXPECT_EQ(work["filter"], filters.at(work["id"]));
+    const bool filtered = work["filter"] != "nearest";
     const nlohmann::json& exact = work["results"][0];
     const nlohmann::json none, zero = 0;
     for (const char* key : {"wrong_colours", "unequal_colours", "largest_level", "mean_level"})

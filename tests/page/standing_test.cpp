@@ -1,0 +1,54 @@
+// What the page says of where the exact mapper stands, from numbers that are written down here.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "reports/page/measurements.h"
+
+namespace selvage::reports {
+namespace {
+
+using json = nlohmann::ordered_json;
+
+[[nodiscard]] json result(const std::string& id, double ns) {
+  return {{"id", id}, {"ns_per_px", {{"median", ns}}}};
+}
+
+[[nodiscard]] json bench_of(json results) {
+  const auto subject = [](const std::string& id, const std::string& group) {
+    return json{{"id", id}, {"group", group}};
+  };
+  return {{"subjects",
+           {subject("exact", "ours"), subject("inexact", "usual"), subject("Slow", "peers"),
+            subject("Quick", "peers"), subject("Absent", "peers"), subject("fill", "limits")}},
+          {"workloads", {{{"id", "W1"}, {"ordinary", nullptr}, {"results", std::move(results)}}}}};
+}
+
+[[nodiscard]] bool has(const std::string& html, const std::string& part) {
+  return html.find(part) != std::string::npos;
+}
+
+TEST(Standing, IsByFillByInexactAndByTheFastestPeer) {
+  const json refused{{"id", "Absent"}, {"refusal", "it knows no perspective"}};
+  const std::string html =
+      standing_part(bench_of({result("exact", 0.5), result("inexact", 0.4), result("Slow", 9),
+                              result("Quick", 1.5), refused, result("fill", 0.25)}));
+  EXPECT_TRUE(has(html, ">0.500 ns<")) << html;
+  EXPECT_TRUE(has(html, ">2.00<")) << "by fill: " << html;
+  EXPECT_TRUE(has(html, ">1.25<")) << "by inexact: " << html;
+  EXPECT_TRUE(has(html, ">Quick, 1.50 ns<")) << html;
+  EXPECT_TRUE(has(html, ">3.00<")) << "the peer by exact: " << html;
+  EXPECT_FALSE(has(html, "Slow")) << html;
+}
+
+TEST(Standing, LeavesOutWhatWasNotMeasured) {
+  EXPECT_EQ(standing_part(bench_of({result("fill", 1), result("Quick", 1)})), "");
+  const std::string alone = standing_part(bench_of({result("exact", 0.5)}));
+  EXPECT_TRUE(has(alone, ">0.500 ns<"));
+  EXPECT_TRUE(has(alone, "&ndash;"));
+  EXPECT_FALSE(has(alone, ">1.00<"));
+}
+
+}  // namespace
+}  // namespace selvage::reports
