@@ -22,31 +22,34 @@ namespace {
   return {sum(lane.u_fx32, step.u_fx32), sum(lane.v_fx32, step.v_fx32)};
 }
 
-// The pixels of all rows from so many right of their first ones on, a vector a row: without a
-// branch, for where rows end is seldom foreseen. Returns what the lanes of pixels lack changes in
-// them.
-template <class Pixel, class Address, class OneWindow>
-[[nodiscard]] HWY_INLINE V32 draw_columns(const OneWindow& window,
-                                          const AffineBatch<Address>& batch,
-                                          const AffineSpans& spans, const Surface& surface,
-                                          int32_t right_by_px) {
+// A strip of a block: of its rows, a vector each, from so many pixels right of their first ones on;
+// whole ones, or parts, maybe of no pixels. Returns what the lanes of pixels lack changes in them.
+template <class Pixel, bool kWhole, class Batch, class OneWindow>
+[[nodiscard]] HWY_INLINE V32 draw_strip(const OneWindow& window, const Batch& batch,
+                                        const AffineSpans& spans, const selvage_image& target,
+                                        const RowBlock& block, int32_t right_by_px) {
   const D32 d;
   const Lane step_x = spans.field.step_x, step_y = spans.field.step_y;
   const int32_t* const left_px = spans.batch.left_px.data();
   const int32_t* const right_px = spans.batch.right_px.data();
-  const ptrdiff_t pitch = surface.target.pitch;
-  const StripRows rows(spans.batch, right_by_px);
-  const int32_t first_row = spans.batch.first_row + rows.first;
+  const ptrdiff_t pitch = target.pitch;
+  const int32_t first_row = spans.batch.first_row + block.first;
   Lane at_row = batch.anchor(spans.field.at(right_by_px, first_row));  // where px is 0
-  char* row = static_cast<char*>(surface.target.pixels) + first_row * pitch +
+  char* row = static_cast<char*>(target.pixels) + first_row * pitch +
               right_by_px * ptrdiff_t{sizeof(Pixel)};
   V32 changed = hn::Zero(d);
-  for (int32_t i = rows.first; i < rows.end; ++i) {
+  for (int32_t i = block.first; i < block.end; ++i) {
     const int32_t px = left_px[i], count_px = right_px[i] - px - right_by_px;
     const LaneVectors lanes = batch.lanes_from(plus(at_row, px, step_x));
-    const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
-    changed = hn::IfThenElse(is_pixel, hn::Or(changed, batch.changes(lanes)), changed);
-    store_first(is_pixel, window.texels(lanes), count_px, reinterpret_cast<Pixel*>(row) + px);
+    Pixel* const to = reinterpret_cast<Pixel*>(row) + px;
+    if constexpr (kWhole) {
+      changed = hn::Or(changed, batch.changes(lanes));
+      store_pixels(window.texels(lanes), kLanes, to);
+    } else {
+      const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
+      changed = hn::IfThenElse(is_pixel, hn::Or(changed, batch.changes(lanes)), changed);
+      store_first(is_pixel, window.texels(lanes), count_px, to);
+    }
     at_row = plus(at_row, 1, step_y);
     row += pitch;
   }
@@ -59,16 +62,24 @@ template <class Pixel, class Address, class OneWindow>
                                         const Surface& surface) {
   const AffineBatch<Address> batch(spans, surface);
   V32 changed = hn::Zero(D32());
-  for (int32_t right_by_px = 0; right_by_px < spans.batch.widest_px; right_by_px += kLanes) {
-    changed = hn::Or(changed, draw_columns<Pixel>(window, batch, spans, surface, right_by_px));
-  }
+  for_each_block(spans.batch, kLanes, [&](const RowBlock& block) HWY_ATTR {
+    int32_t px = 0;
+    for (; px + kLanes <= block.least_px; px += kLanes) {
+      changed =
+          hn::Or(changed, draw_strip<Pixel, true>(window, batch, spans, surface.target, block, px));
+    }
+    for (; px < block.widest_px; px += kLanes) {
+      changed = hn::Or(changed, draw_strip<Pixel, false>(window, batch, spans, surface.target,
+                                                         block.wider_than(spans.batch, px), px));
+    }
+  });
   return !any_bits(changed, ~0xFFFF);
 }
 
 // Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_one_window(const AffineSpans& spans, const Surface& surface) {
-  if (spans.batch.widest_px > kMostOneWindow_px) return false;
+  if (!pays_one_window(spans.batch)) return false;
   return with_one_window<Pixel, Address>(spans.texels, surface.texture,
                                          [&](const auto& window) HWY_ATTR {
                                            return draw_from<Pixel, Address>(window, spans, surface);

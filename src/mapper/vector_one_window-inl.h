@@ -15,19 +15,55 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// Spans up to so wide. They have few vectors: where they end is seldom foreseen, so that they are
-// drawn a strip at a time, a vector of every row.
-inline constexpr int32_t kMostOneWindow_px = 64;
+// Whether spans are narrow enough, and rows share the window.
+[[nodiscard]] HWY_INLINE bool pays_one_window(const SpanBatch& batch) {
+  constexpr int32_t kMost_px = 64;
+  return batch.widest_px <= kMost_px && batch.rows > 1;
+}
 
-// Rows of a batch: all that are wider than so much lie among them, in nearly all polygons alone.
-struct StripRows {
+// Some rows of a batch. They have few vectors, and where they end is seldom foreseen: they are
+// drawn a strip at a time, a vector or two of every row, and few rows at once, lest their lines, a
+// pitch apart, throw each other out of the cache before the next strip.
+struct RowBlock {
   int32_t first, end;
+  int32_t least_px, widest_px;
 
-  HWY_INLINE StripRows(const SpanBatch& batch, int32_t right_by_px) : first(0), end(batch.rows) {
-    while (first < end && batch.span(first).width_px() <= right_by_px) ++first;
-    while (first < end && batch.span(end - 1).width_px() <= right_by_px) --end;
+  // Without the first rows and the last that are no wider than so much.
+  [[nodiscard]] HWY_INLINE RowBlock wider_than(const SpanBatch& batch, int32_t px) const {
+    RowBlock block = *this;
+    while (block.first < block.end && batch.span(block.first).width_px() <= px) ++block.first;
+    while (block.first < block.end && batch.span(block.end - 1).width_px() <= px) --block.end;
+    return block;
   }
 };
+
+// The widths of some rows of a batch.
+[[nodiscard]] HWY_INLINE RowBlock block_of(const SpanBatch& batch, int32_t first, int32_t end) {
+  const hn::CappedTag<int32_t, 8> d;
+  constexpr int32_t kPart = static_cast<int32_t>(hn::MaxLanes(hn::CappedTag<int32_t, 8>()));
+  auto least = hn::Set(d, batch.widest_px), widest = hn::Zero(d);
+  for (int32_t i = first; i < end; i += kPart) {
+    const auto width =
+        hn::Sub(hn::LoadU(d, batch.right_px.data() + i), hn::LoadU(d, batch.left_px.data() + i));
+    const auto is_row = hn::Lt(hn::Iota(d, i), hn::Set(d, end));
+    least = hn::IfThenElse(is_row, hn::Min(least, width), least);
+    widest = hn::Max(widest, hn::IfThenElseZero(is_row, width));
+  }
+  return {first, end, hn::GetLane(hn::MinOfLanes(d, least)),
+          hn::GetLane(hn::MaxOfLanes(d, widest))};
+}
+
+// All rows are one block where they are one strip.
+template <class Draw>
+HWY_INLINE void for_each_block(const SpanBatch& batch, int32_t strip_px, const Draw& draw) {
+  constexpr int32_t kRows = 16;
+  const bool is_one = batch.widest_px <= strip_px;
+  const int32_t rows = is_one ? batch.rows : kRows;
+  for (int32_t first = 0; first < batch.rows; first += rows) {
+    draw(is_one ? RowBlock{0, batch.rows, 0, batch.widest_px}
+                : block_of(batch, first, HWY_MIN(first + rows, batch.rows)));
+  }
+}
 
 // The texels of one coordinate, both of them included.
 struct TexelRange {

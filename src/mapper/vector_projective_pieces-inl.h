@@ -107,21 +107,21 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
   return more;
 }
 
-// A strip of a batch: of its rows, a piece each, from so many pixels right of their first ones on.
-// Returns what the lanes of pixels lack changes in them.
+// A strip of a block: of its rows, a piece each, from so many pixels right of their first ones on,
+// maybe of no pixels. Returns what the lanes of pixels lack changes in them.
 template <class Pixel, class Fixed, class OneWindow>
 [[nodiscard]] HWY_INLINE V32 draw_strip(const OneWindow& window, const Fixed& fixed,
                                         const AnchoredVectors& vectors, const SpanBatch& batch,
-                                        const selvage_image& target, int32_t right_by_px) {
+                                        const selvage_image& target, const RowBlock& block,
+                                        int32_t right_by_px) {
   const D32 d;
-  const StripRows rows(batch, right_by_px);
   const ptrdiff_t pitch = target.pitch;
-  char* row = static_cast<char*>(target.pixels) + (batch.first_row + rows.first) * pitch;
+  char* row = static_cast<char*>(target.pixels) + (batch.first_row + block.first) * pitch;
   V32 changed = hn::Zero(d);
   Pieces pieces;
   Anchors anchors;
-  for (int32_t first = rows.first; first < rows.end; first += kMostPieces) {
-    pieces.put_rows(batch, first, HWY_MIN(rows.end - first, kMostPieces), right_by_px);
+  for (int32_t first = block.first; first < block.end; first += kMostPieces) {
+    pieces.put_rows(batch, first, HWY_MIN(block.end - first, kMostPieces), right_by_px);
     for (int32_t k = 0; k < pieces.count; k += kDoubles) vectors.find(pieces, k, &anchors);
     for (int32_t k = 0; k < pieces.count; ++k) {
       int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
@@ -146,10 +146,12 @@ template <class Pixel, class Address, class OneWindow>
                                         const Surface& surface, const AnchoredVectors& vectors) {
   const FixedLanes<Address> fixed(surface.texture, vectors.lack_fx16());
   V32 changed = hn::Zero(D32());
-  for (int32_t right_by_px = 0; right_by_px < spans.batch.widest_px; right_by_px += kPiece_px) {
-    changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch, surface.target,
-                                                right_by_px));
-  }
+  for_each_block(spans.batch, kPiece_px, [&](const RowBlock& block) HWY_ATTR {
+    for (int32_t px = 0; px < block.widest_px; px += kPiece_px) {
+      changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
+                                                  surface.target, block, px));
+    }
+  });
   return !any_bits(changed, ~0xFFFF);
 }
 
@@ -158,7 +160,7 @@ template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_one_window(const ProjectiveSpans& spans,
                                                 const Surface& surface,
                                                 const AnchoredVectors& vectors) {
-  if (spans.batch.widest_px > kMostOneWindow_px) return false;
+  if (!pays_one_window(spans.batch)) return false;
   return with_one_window<Pixel, Address>(
       spans.texels, surface.texture, [&](const auto& window) HWY_ATTR {
         return draw_from<Pixel, Address>(window, spans, surface, vectors);
