@@ -12,12 +12,9 @@
 namespace selvage::mapper {
 namespace {
 
-// A row that is not exact.
-[[nodiscard]] SteppedRow stepped_row(const Span& span, const Span& whole, const DividedLanes& lanes,
-                                     const RowChoice& choice) {
-  const int32_t segment_px =
-      choice.method == SELVAGE_METHOD_SUBDIVIDED ? choice.segment_px : whole.width_px();
-  return {span, whole, lanes, segment_px};
+// Of a row that is not exact.
+[[nodiscard]] int32_t segment_of(const RowChoice& choice, const Span& whole) {
+  return choice.method == SELVAGE_METHOD_SUBDIVIDED ? choice.segment_px : whole.width_px();
 }
 
 [[nodiscard]] bool is_exact(const RowChoice& choice) {
@@ -48,18 +45,21 @@ class PlaneRows {
   }
 
   void draw(const Surface& surface, const Kernels& kernels) const {
-    SpanBatch exact = whole_;
-    exact.widest_px = 0;
+    SpanBatch exact = whole_, stepped = whole_;
+    exact.widest_px = stepped.widest_px = 0;
+    std::array<int32_t, kRowsPerBatch> segment_px;
     for (int32_t i = 0; i < whole_.rows; ++i) {
-      Span span = visible_part(i);
-      if (!span.empty() && !is_exact(choice(i))) {
-        const DividedLanes lanes = plane_.lanes().of(whole_.span(i));
-        kernels.draw_stepped(stepped_row(span, whole_.span(i), lanes, choice(i)), surface);
-        span.right_px = span.left_px;
-      }
-      exact.left_px[static_cast<size_t>(i)] = span.left_px;
-      exact.right_px[static_cast<size_t>(i)] = span.right_px;
-      exact.widest_px = std::max(exact.widest_px, span.width_px());
+      const auto row = static_cast<size_t>(i);
+      const Span span = visible_part(i);
+      SpanBatch &part = is_exact(choice(i)) ? exact : stepped,
+                &other = is_exact(choice(i)) ? stepped : exact;
+      part.left_px[row] = other.left_px[row] = other.right_px[row] = span.left_px;
+      part.right_px[row] = span.right_px;
+      part.widest_px = std::max(part.widest_px, span.width_px());
+      segment_px[row] = segment_of(choice(i), whole_.span(i));
+    }
+    if (stepped.widest_px != 0) {
+      kernels.draw_stepped({stepped, whole_, plane_.lanes(), segment_px.data()}, surface);
     }
     if (exact.widest_px == 0) return;
     kernels.draw_projective({exact, plane_.lanes(), texels_, ExactMap(plane_)}, surface);
@@ -109,7 +109,9 @@ struct RuledRow {
 void draw_row(const RuledRow& row, const Span& span, const TexelBox& texels, const Surface& surface,
               const Kernels& kernels) {
   if (!is_exact(row.choice)) {
-    return kernels.draw_stepped(stepped_row(span, row.whole, row.lanes, row.choice), surface);
+    const int32_t segment_px = segment_of(row.choice, row.whole);
+    return kernels.draw_stepped(
+        {one_span(span), one_span(row.whole), row.lanes.field(row.whole), &segment_px}, surface);
   }
   const bool clipped = span.width_px() != row.whole.width_px();
   const ProjectiveLanes lanes = clipped ? ProjectiveLanes(row.map, span) : row.lanes;
