@@ -5,9 +5,9 @@
 
 #include "mapper/area_draw.h"
 #include "mapper/copy_row.h"
-#include "mapper/gentle_pieces.h"
 #include "mapper/image.h"
 #include "mapper/kernel.h"
+#include "mapper/perspective_draw.h"
 #include "mapper/plane.h"
 #include "mapper/projective_plane.h"
 #include "mapper/span_walk.h"
@@ -43,19 +43,6 @@ void draw_plane(const Map& plane, const Polygon& polygon, const selvage_rect& vi
   while (walk.next(&batch)) draw({batch, plane.lanes(), polygon.texels, ExactMap(plane)}, surface);
 }
 
-static_assert(kGentleRatio <= kMostReach, "kernels count on lanes that lack no more");
-
-void draw_in_perspective(const SpanMap& map, const Span& span, const TexelBox& texels,
-                         const Surface& surface, const Kernels& kernels) {
-  const auto draw = [&](const Span& part, const ProjectiveLanes& lanes) {
-    kernels.draw_projective({one_span(part), lanes.field(part), texels, ExactMap(map)}, surface);
-  };
-  const ProjectiveLanes whole(map, span);
-  if (whole.ratio() <= kGentleRatio) return draw(span, whole);
-  for_each_gentle_piece(span, whole.denominator().step > 0,
-                        [&](const Span& piece) { draw(piece, ProjectiveLanes(map, piece)); });
-}
-
 // Each span by the map between its own two edges.
 void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surface& surface,
                 const Kernels& kernels) {
@@ -68,7 +55,7 @@ void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surfa
           {one_span(span), AffineLanes(map, span).field(span), polygon.texels, ExactMap(map)},
           surface);
     } else {
-      draw_in_perspective(map, span, polygon.texels, surface, kernels);
+      draw_in_perspective(map, span, ProjectiveLanes(map, span), polygon.texels, surface, kernels);
     }
   }
 }
