@@ -290,5 +290,20 @@ TEST(SteppedTriangles, AreDrawnTheSameByAllKernels) {
   }
 }
 
+// Far below its top, which is not seen: the rows that bend least are those at the bottom.
+TEST(SteppedTriangles, AreSteppedFarBelowTheirTop) {
+  spec::Case c;
+  c.target_width_px = 800;
+  c.target_height_px = 20;
+  c.texture_width_texel = c.texture_height_texel = 64;
+  const int32_t top_fx8 = -300 * 256, bottom_fx8 = 200 * 256;
+  c.vertices = {{-400 * 256, top_fx8, 0, 0, 1 << 20},
+                {1200 * 256, top_fx8, 300 * kTexel_fx16, 0, 3 << 19},
+                {400 * 256, bottom_fx8, 30 * kTexel_fx16, 0, 3 << 20}};
+  for (const selvage_kernel kernel : usable_kernels()) {
+    EXPECT_FALSE(drawing_of(c, kernel, kTexel_fx16) == drawing_of(c, kernel)) << kernel;
+  }
+}
+
 }  // namespace
 }  // namespace selvage::mapper
