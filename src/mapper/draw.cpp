@@ -33,14 +33,14 @@ void draw_copies(const Polygon& polygon, const selvage_rect& visible, const Surf
   }
 }
 
-// One map for all spans.
-template <class Map, class Spans>
-void draw_plane(const Map& plane, const Polygon& polygon, const selvage_rect& visible,
-                const Surface& surface, FindSpans find_spans,
-                void (*draw)(const Spans& spans, const Surface& surface)) {
-  BatchWalk walk(polygon, visible, find_spans);
+// All visible rows by one map.
+void draw_affine(const Plane& plane, const Polygon& polygon, const selvage_rect& visible,
+                 const Surface& surface, const Kernels& kernels) {
+  BatchWalk walk(polygon, visible, kernels.find_spans);
   SpanBatch batch;
-  while (walk.next(&batch)) draw({batch, plane.lanes(), polygon.texels, ExactMap(plane)}, surface);
+  while (walk.next(&batch)) {
+    kernels.draw_affine({batch, plane.lanes(), polygon.texels, ExactMap(plane)}, surface);
+  }
 }
 
 // Each span by the map between its own two edges.
@@ -84,11 +84,10 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
   }
   if (polygon.affine) {
     if (const std::optional<Plane> plane = Plane::of(polygon, visible)) {
-      return draw_plane(*plane, polygon, visible, surface, kernels.find_spans, kernels.draw_affine);
+      return draw_affine(*plane, polygon, visible, surface, kernels);
     }
   } else if (const auto plane = ProjectivePlane::of(polygon, visible)) {
-    return draw_plane(*plane, polygon, visible, surface, kernels.find_spans,
-                      kernels.draw_projective);
+    return draw_in_perspective(*plane, polygon, visible, surface, kernels);
   }
   draw_ruled(polygon, visible, surface, kernels);
 }

@@ -7,11 +7,23 @@
 #include "mapper/polygon.h"
 #include "mapper/projective_plane.h"
 #include "mapper/span.h"
+#include "mapper/span_batch.h"
 #include "selvage.h"
 
 namespace selvage::mapper {
 
 static_assert(kGentleRatio <= kMostReach, "kernels count on lanes that lack no more");
+
+// All visible rows by one map.
+inline void draw_in_perspective(const ProjectivePlane& plane, const Polygon& polygon,
+                                const selvage_rect& visible, const Surface& surface,
+                                const Kernels& kernels) {
+  BatchWalk walk(polygon, visible, kernels.find_spans);
+  SpanBatch batch;
+  while (walk.next(&batch)) {
+    kernels.draw_projective({batch, plane.lanes(), polygon.texels, ExactMap(plane)}, surface);
+  }
+}
 
 // A span by the map between its two edges; `lanes` are its own.
 inline void draw_in_perspective(const SpanMap& map, const Span& span, const ProjectiveLanes& lanes,

@@ -128,15 +128,6 @@ void draw_row(const RuledRow& row, const Span& span, const TexelBox& texels, con
   return !bends_too_much(bend.least(most_denominator), tolerance_fx16);
 }
 
-void draw_exactly(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
-                  const Kernels& kernels, const ProjectivePlane& plane) {
-  BatchWalk walk(polygon, visible, kernels.find_spans);
-  SpanBatch batch;
-  while (walk.next(&batch)) {
-    kernels.draw_projective({batch, plane.lanes(), polygon.texels, ExactMap(plane)}, surface);
-  }
-}
-
 }  // namespace
 
 void draw_tolerantly(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
@@ -144,7 +135,7 @@ void draw_tolerantly(const Surface& surface, const selvage_rect& visible, const 
   if (const auto plane = plane_of(polygon)) {
     const PlaneBend bend(plane->lanes(), polygon.bottom_row - polygon.top_row);
     if (!may_step(bend, polygon, tolerance_fx16)) {
-      return draw_exactly(surface, visible, polygon, kernels, *plane);
+      return draw_in_perspective(*plane, polygon, visible, surface, kernels);
     }
     PlaneRows rows(*plane, bend, polygon, visible, kernels.find_spans, tolerance_fx16);
     while (rows.next()) rows.draw(surface, kernels);
