@@ -119,6 +119,10 @@ void draw_row(const RuledRow& row, const Span& span, const TexelBox& texels, con
   return plane;
 }
 
+[[nodiscard]] PlaneBend bend_of(const ProjectivePlane& plane, const Polygon& polygon) {
+  return {plane.lanes(), polygon.bottom_row - polygon.top_row};
+}
+
 // Whether some row may be stepped.
 [[nodiscard]] bool may_step(const PlaneBend& bend, const Polygon& polygon, int32_t tolerance_fx16) {
   const auto [near, far] = std::ranges::minmax(polygon.vertices, {}, &selvage_vertex::q);
@@ -133,7 +137,7 @@ void draw_row(const RuledRow& row, const Span& span, const TexelBox& texels, con
 void draw_tolerantly(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
                      const Kernels& kernels, int32_t tolerance_fx16) {
   if (const auto plane = plane_of(polygon)) {
-    const PlaneBend bend(plane->lanes(), polygon.bottom_row - polygon.top_row);
+    const PlaneBend bend = bend_of(*plane, polygon);
     if (!may_step(bend, polygon, tolerance_fx16)) {
       return draw_in_perspective(*plane, polygon, visible, surface, kernels);
     }
@@ -157,7 +161,7 @@ RowChoice choose_tolerantly(const selvage_rect& visible, const Polygon& polygon,
     all.bound_fx16 = std::max(all.bound_fx16, row.bound_fx16);
   };
   if (const auto plane = plane_of(polygon)) {
-    const PlaneBend bend(plane->lanes(), polygon.bottom_row - polygon.top_row);
+    const PlaneBend bend = bend_of(*plane, polygon);
     if (!may_step(bend, polygon, tolerance_fx16)) return {SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0};
     PlaneRows rows(*plane, bend, polygon, visible, find_spans_scalar, tolerance_fx16);
     while (rows.next()) rows.for_each_choice(add);
