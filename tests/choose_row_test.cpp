@@ -131,7 +131,7 @@ TEST(ChooseRow, KeepsToTheToleranceWhereSegmentsAreAboutToBeShorter) {
   for (const int32_t tolerance_fx16 : {1 << 16, 1 << 20, 77777777, kAnyTolerance_fx16}) {
     for (const double ratio : {1.25, 1.7, 3.0, 10.0}) {
       constexpr int32_t kWidth_px = 1000;
-      for (const int32_t segment_px : {48, 64, 160, 480, kWidth_px}) {
+      for (const int32_t segment_px : {64, 80, 160, 480, kWidth_px}) {
         const auto chosen = [&](double u_fx16) {
           const Ends ends{{0, u_fx16}, {0, 0}, {1, ratio}};
           return choose(lanes_of(ends, kWidth_px, 3), kWidth_px, tolerance_fx16);
@@ -154,9 +154,9 @@ TEST(ChooseRow, KeepsToTheToleranceWhereSegmentsAreAboutToBeShorter) {
   }
 }
 
-// The last row of which segments of 48 px are within a tolerance, unit by unit of double: whatever
+// The last row of which segments of 64 px are within a tolerance, unit by unit of double: whatever
 // way a quotient and its root are rounded, they are not shorter.
-TEST(ChooseRow, SegmentsAreNotShorterThan48Pixels) {
+TEST(ChooseRow, SegmentsAreNotShorterThan64Pixels) {
   int below = 0;
   for (uint64_t seed = 1; seed <= 1000; ++seed) {
     spec::Random random(seed);
@@ -165,14 +165,14 @@ TEST(ChooseRow, SegmentsAreNotShorterThan48Pixels) {
     RowBend row{0, share(), share()};
     const double room = Chords(row).room_fx16(tolerance_fx16 - roundings_fx16(0, 999));
     const auto is_within = [&](double slope_fx32) {
-      return Chords({slope_fx32, row.turn, row.least_denominator}).off_fx16(48) <= room;
+      return Chords({slope_fx32, row.turn, row.least_denominator}).off_fx16(64) <= room;
     };
-    row.slope_fx32 = room / Chords({1, row.turn, row.least_denominator}).off_fx16(48);
+    row.slope_fx32 = room / Chords({1, row.turn, row.least_denominator}).off_fx16(64);
     while (!is_within(row.slope_fx32)) row.slope_fx32 = std::nextafter(row.slope_fx32, 0);
     const double steeper = std::nextafter(row.slope_fx32, HUGE_VAL);
     if (is_within(steeper)) row.slope_fx32 = steeper;
-    below += std::sqrt(room / Chords(row).one_px_fx16) < 48 ? 1 : 0;
-    EXPECT_EQ(choose_segment_px(row, 0, 1000, tolerance_fx16), 48) << "seed " << seed;
+    below += std::sqrt(room / Chords(row).one_px_fx16) < 64 ? 1 : 0;
+    EXPECT_EQ(choose_segment_px(row, 0, 1000, tolerance_fx16), 64) << "seed " << seed;
     EXPECT_LE(choose_row(row, 0, 1000, tolerance_fx16).bound_fx16, tolerance_fx16);
   }
   EXPECT_GT(below, 0);
@@ -194,7 +194,7 @@ TEST(ChooseRow, StepsAreSmallWhereverARowIsStepped) {
   EXPECT_GT(steepest, 0x1p25);
 }
 
-// As section 8.9 says; segments of 48 px are in the test of those about to be shorter.
+// As section 8.9 says; segments of 64 px are in the test of those about to be shorter.
 TEST(ChooseRow, RowsBelow160PixelsAreExact) {
   const Ends still{{7, 7}, {9, 9}, {1, 1}};
   for (const int32_t width_px : {2, 50, 159}) {

@@ -110,7 +110,7 @@ TEST(ChooseRows, PlanesLeaveOutNoRowThatIsStepped) {
 }
 
 // Where all rows bend alike and q hardly changes, a plane leaves out all that is not stepped, but
-// none that is: with segments of 48 px.
+// none that is: with segments of 64 px.
 TEST(ChooseRows, PlanesLeaveOutNoRowThatIsJustStepped) {
   constexpr int32_t kQ = 1 << 20, kRight_fx8 = 700 * 256, kBottom_fx8 = 300 * 256;
   for (const int32_t texels : {500, 4000, 30000}) {
@@ -129,7 +129,7 @@ TEST(ChooseRows, PlanesLeaveOutNoRowThatIsJustStepped) {
       (stepped ? stepped_fx16 : exact_fx16) = middle;
     }
     const RowChoice choice = choose_tolerantly(first_row, polygon, stepped_fx16);
-    EXPECT_EQ(choice.segment_px, 48);
+    EXPECT_EQ(choice.segment_px, 64);
     EXPECT_EQ(choice.bound_fx16, stepped_fx16);
   }
 }

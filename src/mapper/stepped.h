@@ -26,7 +26,7 @@ inline constexpr int64_t kStepError_fx32 = 2;
 // A step fits 32 bits wherever a chord is within a tolerance: it is below 2^28 units of 2^-16
 // texel. With the names of spec/README.md, 8.9, it is at most s = |du| r / n. As |du| <= 2^32 and n
 // >= 159, it is below 2^28 where r <= 2. Elsewhere s <= 2^32 r / n, and s (r - 1) N^2 / (4 n) <
-// 2^31: their product is s^2 < 2^65 r / (r - 1) / N^2 <= 2^66 / 48^2.
+// 2^31: their product is s^2 < 2^65 r / (r - 1) / N^2 <= 2^66 / 64^2.
 
 // Rows under one map, some of them stepped. Segments reach from pixel to pixel, the last one of a
 // row to its last pixel.

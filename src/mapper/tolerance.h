@@ -22,7 +22,7 @@ inline constexpr double kBudgetSlack = 1 - 0x1p-30;
 // Narrower rows and shorter segments were measured to cost more than a division a pixel, by some
 // kernel at least.
 inline constexpr int32_t kLeastStepped_px = 160;
-inline constexpr int32_t kLeastSegment_px = 3 * kStepGroup_px;
+inline constexpr int32_t kLeastSegment_px = 4 * kStepGroup_px;
 
 // Lanes of a plane that are further off cost too much of a tolerance: 1/8 unit at their two ends.
 inline constexpr int64_t kMostSteppedError_fx32 = 1 << 12;

@@ -143,7 +143,7 @@ class StepWindows {
       if (HWY_UNLIKELY(place < 0)) return false;
       const LaneVectors lanes{u_.pixels(groups.u_fx16[i], k), v_.pixels(groups.v_fx16[i], k)};
       const V32 index = source_.fixed.window_index(lanes, hn::Set(D32(), groups.index[k][i]));
-      store_pixels(pick(source_.texels + place, source_.extent.pitch_texel, rows_, index),
+      store_pixels(pick_few(source_.texels + place, source_.extent.pitch_texel, rows_, index),
                    count - k * kLanes, to + k * kLanes);
     }
     return true;
