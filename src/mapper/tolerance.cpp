@@ -1,6 +1,7 @@
 #include "mapper/tolerance.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace selvage::mapper {
@@ -12,8 +13,10 @@ int32_t choose_segment_px(const RowBend& row, int64_t margin_fx32, int32_t width
   const double room = chords.room_fx16(tolerance_fx16 - roundings_fx16(margin_fx32, width_px));
   if (chords.off_fx16(kLeastSegment_px) > room) return 0;
   if (chords.off_fx16(width_px - 1) <= room) return width_px;
+  // Times a power of two is exact: the root is not below it.
+  static_assert(std::has_single_bit(static_cast<uint32_t>(kLeastSegment_px)));
   const auto longest_px = static_cast<int32_t>(std::sqrt(room / chords.one_px_fx16));
-  return std::max(longest_px - longest_px % kStepGroup_px, kLeastSegment_px);
+  return longest_px - longest_px % kStepGroup_px;
 }
 
 RowChoice choose_row(const RowBend& row, int64_t margin_fx32, int32_t width_px,
