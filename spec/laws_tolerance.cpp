@@ -245,7 +245,7 @@ void fit(std::vector<selvage_vertex>* vertices, int32_t selvage_vertex::*axis, i
   Case wide = c;
   wide.has_clip = choices.pick(0, 4) == 0;
   wide.clip = {choices.pick(0, 60), 0, choices.pick(60, 400), 100};
-  wide.target_width_px = choices.pick(96, 320);
+  wide.target_width_px = choices.pick(160, 400);
   wide.target_height_px = choices.pick(1, 6);
   const int32_t beyond = choices.pick(0, 2) * choices.pick(0, 1 << 16);
   fit(&wide.vertices, &selvage_vertex::x, -beyond,

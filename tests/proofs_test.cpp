@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "mapper/bend.h"
 #include "mapper/edge.h"
 #include "mapper/filter_point.h"
 #include "mapper/footprint.h"
@@ -138,7 +139,11 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
        {{"SHIFT", number(kStepShift)},
         {"TRUNCATIONS", number(kStepTruncations_fx16), barely_less(kStepTruncations_fx16)},
         {"STEP_ERROR", number(kStepError_fx32), "0.99"}}},
-      {"chord_bound", {{"RATIO_SLACK", number(kRatioSlack), "0x1p0"}}},
+      {"chord_bound",
+       {{"CONVERSION", number(kPlaneConversionRoundings * 0x1p-53), "0x4p-53"},
+        {"SLOPE_ERROR", number(kSlopeError), "0x1p-50"},
+        {"BEND_SLACK", number(kBendSlack), "0x1.0000004p0"},
+        {"BUDGET_SLACK", number(kBudgetSlack), "0x1p0"}}},
       {"plane_estimate",
        {{"FRACTION", number(kTexelFraction)},
         {"SUBPIXEL_BITS", number(kSubpixelBits)},

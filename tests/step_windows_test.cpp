@@ -32,17 +32,18 @@ template <class Pixel>
   static const std::vector<Pixel> from = texels<Pixel>();
   std::vector<Pixel> row(kWidth_px);
   const auto line = [](int64_t start_fx32, int64_t step_fx32) {
-    return DividedLanes::Linear{static_cast<double>(start_fx32), static_cast<double>(step_fx32)};
+    return ProjectiveField::Linear{static_cast<double>(start_fx32), static_cast<double>(step_fx32),
+                                   0};
   };
-  const DividedLanes lanes(line(start.u_fx32, step.u_fx32), line(start.v_fx32, step.v_fx32), {1, 0},
-                           0);
+  const ProjectiveField field{
+      0, 0, line(start.u_fx32, step.u_fx32), line(start.v_fx32, step.v_fx32), {1, 0, 0}, 0};
   constexpr ptrdiff_t kBytes = sizeof(Pixel);
   const Surface surface{{row.data(), kWidth_px, 1, kWidth_px * kBytes, format},
                         {from.data(), kTexture_texel, kTexture_texel, kTexture_texel * kBytes,
                          format, SELVAGE_LAYOUT_ROWS, nullptr},
                         address};
-  const Span span{0, 0, kWidth_px};
-  kernels.draw_stepped({span, span, lanes, kWidth_px}, surface);
+  const SpanBatch span = one_span({0, 0, kWidth_px});
+  kernels.draw_stepped({span, span, field, &kWidth_px}, surface);
   return row;
 }
 

@@ -82,8 +82,13 @@ class SteppedRows : public testing::Test {
     for (int32_t px = left_px; px < right_px; ++px) {
       wanted[static_cast<size_t>(px)] = wrapped(u.at(px) >> 16) | wrapped(v.at(px) >> 16) << 16;
     }
-    const DividedLanes lanes(row.u_fx32, row.v_fx32, row.denominator, row.error_fx32);
-    const SteppedRow stepped{{0, left_px, right_px}, {0, 0, row.width_px}, lanes, row.segment_px};
+    const auto line = [](const DividedLanes::Linear& of) {
+      return ProjectiveField::Linear{of.start, of.step, 0};
+    };
+    const ProjectiveField field{
+        0, 0, line(row.u_fx32), line(row.v_fx32), line(row.denominator), row.error_fx32};
+    const SpanBatch part = one_span({0, left_px, right_px}), whole = one_span({0, 0, row.width_px});
+    const SteppedSpans stepped{part, whole, field, &row.segment_px};
     std::vector<uint32_t> drawn(wanted.size());
     const Surface surface{
         {drawn.data(), row.width_px, 1, ptrdiff_t{4} * row.width_px, SELVAGE_RGBA8888},
@@ -100,7 +105,7 @@ class SteppedRows : public testing::Test {
  private:
   static constexpr uint32_t kUntouched = 0xABABABAB;
   std::vector<uint32_t> texels_;
-  std::vector<void (*)(const SteppedRow&, const Surface&)> draws_;
+  std::vector<void (*)(const SteppedSpans&, const Surface&)> draws_;
 };
 
 void shift(DividedLanes::Linear* numerator_fx32, const Row& row, int64_t by_fx16) {
@@ -240,21 +245,63 @@ TEST(SteppedQuads, AreDrawnTheSameNextToABorder) {
 // Rows too narrow for segments, seen through a pixel.
 TEST(SteppedTriangles, AreDrawnByTheirTipToo) {
   spec::Case c;
-  c.target_width_px = c.target_height_px = 200;
+  c.target_width_px = c.target_height_px = 300;
   c.texture_width_texel = c.texture_height_texel = 64;
-  const int32_t end_fx8 = 200 * 256, end_fx16 = 60 * kTexel_fx16;
+  const int32_t end_fx8 = 300 * 256, end_fx16 = 60 * kTexel_fx16;
   c.vertices = {{0, 0, 0, 0, 1 << 20},
                 {end_fx8, end_fx8, end_fx16, end_fx16, 3 << 19},
                 {0, end_fx8, 0, end_fx16, 1 << 20}};
   const spec::Canvas whole = drawing_of(c, SELVAGE_KERNEL_FASTEST, kTexel_fx16);
   EXPECT_FALSE(whole == drawing_of(c, SELVAGE_KERNEL_FASTEST)) << "all rows are exact";
   c.has_clip = true;
-  for (const int32_t row : {0, 1, 2, 40, 90, 150}) {
+  for (const int32_t row : {0, 1, 2, 40, 90, 150, 220, 299}) {
     for (int32_t px = 0; px <= row; px += 1 + row / 8) {
       c.clip = {px, row, px + 1, row + 1};
       const spec::Canvas pixel = drawing_of(c, SELVAGE_KERNEL_FASTEST, kTexel_fx16);
       EXPECT_EQ(pixel.pixel(px, row), whole.pixel(px, row)) << px << ", " << row;
     }
+  }
+}
+
+// Batches of rows, each of as many segments as it needs, the longest ones of many groups.
+TEST(SteppedTriangles, AreDrawnTheSameByAllKernels) {
+  spec::Case c;
+  c.target_width_px = 800;
+  c.target_height_px = 150;
+  c.texture_width_texel = c.texture_height_texel = 64;
+  const int32_t end_fx16 = 90 * kTexel_fx16;
+  c.vertices = {{-9000, -700, 0, 0, 1 << 20},
+                {820 * 256, 30 * 256, end_fx16, end_fx16 / 2, 5 << 18},
+                {77 * 256, 170 * 256, -end_fx16, end_fx16, 1 << 20}};
+  for (const int32_t tolerance_fx16 : {5000, 8000, 20000, 100000, 1 << 20}) {
+    for (const selvage_address address : {SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP}) {
+      for (const int32_t clipped_px : {0, 1, 16, 100, 311}) {
+        c.address = address;
+        c.has_clip = clipped_px != 0;
+        c.clip = {clipped_px, clipped_px % 7, 800 - clipped_px, 150};
+        const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR, tolerance_fx16);
+        EXPECT_FALSE(scalar == drawing_of(c, SELVAGE_KERNEL_SCALAR)) << "all rows are exact";
+        for (const selvage_kernel kernel : usable_kernels()) {
+          EXPECT_TRUE(drawing_of(c, kernel, tolerance_fx16) == scalar)
+              << "kernel " << kernel << ", tolerance " << tolerance_fx16 << ", clip " << clipped_px;
+        }
+      }
+    }
+  }
+}
+
+// Far below its top, which is not seen: the rows that bend least are those at the bottom.
+TEST(SteppedTriangles, AreSteppedFarBelowTheirTop) {
+  spec::Case c;
+  c.target_width_px = 800;
+  c.target_height_px = 20;
+  c.texture_width_texel = c.texture_height_texel = 64;
+  const int32_t top_fx8 = -300 * 256, bottom_fx8 = 200 * 256;
+  c.vertices = {{-400 * 256, top_fx8, 0, 0, 1 << 20},
+                {1200 * 256, top_fx8, 300 * kTexel_fx16, 0, 3 << 19},
+                {400 * 256, bottom_fx8, 30 * kTexel_fx16, 0, 3 << 20}};
+  for (const selvage_kernel kernel : usable_kernels()) {
+    EXPECT_FALSE(drawing_of(c, kernel, kTexel_fx16) == drawing_of(c, kernel)) << kernel;
   }
 }
 

@@ -116,8 +116,9 @@ void expect_exact(const selvage_choice& choice, selvage_method method) {
 TEST(Choice, NamesWhatIsExactWhateverTheTolerance) {
   Case c = quad(640, 7, 7);
   expect_exact(chosen(c, 65536), SELVAGE_METHOD_EXACT_AFFINE);
-  c = quad(64, 100, 101);  // narrow rows
+  c = quad(159, 100, 101);  // narrow rows
   expect_exact(chosen(c, 65536), SELVAGE_METHOD_EXACT_PERSPECTIVE);
+  EXPECT_NE(chosen(quad(160, 100, 101), 65536).method, SELVAGE_METHOD_EXACT_PERSPECTIVE);
   c = quad(640, 100, 101);
   c.filter = SELVAGE_FILTER_BILINEAR;
   expect_exact(chosen(c, 65536), SELVAGE_METHOD_FILTER);

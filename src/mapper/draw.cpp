@@ -5,9 +5,9 @@
 
 #include "mapper/area_draw.h"
 #include "mapper/copy_row.h"
-#include "mapper/gentle_pieces.h"
 #include "mapper/image.h"
 #include "mapper/kernel.h"
+#include "mapper/perspective_draw.h"
 #include "mapper/plane.h"
 #include "mapper/projective_plane.h"
 #include "mapper/span_walk.h"
@@ -33,27 +33,14 @@ void draw_copies(const Polygon& polygon, const selvage_rect& visible, const Surf
   }
 }
 
-// One map for all spans.
-template <class Map, class Spans>
-void draw_plane(const Map& plane, const Polygon& polygon, const selvage_rect& visible,
-                const Surface& surface, FindSpans find_spans,
-                void (*draw)(const Spans& spans, const Surface& surface)) {
-  BatchWalk walk(polygon, visible, find_spans);
+// All visible rows by one map.
+void draw_affine(const Plane& plane, const Polygon& polygon, const selvage_rect& visible,
+                 const Surface& surface, const Kernels& kernels) {
+  BatchWalk walk(polygon, visible, kernels.find_spans);
   SpanBatch batch;
-  while (walk.next(&batch)) draw({batch, plane.lanes(), polygon.texels, ExactMap(plane)}, surface);
-}
-
-static_assert(kGentleRatio <= kMostReach, "kernels count on lanes that lack no more");
-
-void draw_in_perspective(const SpanMap& map, const Span& span, const TexelBox& texels,
-                         const Surface& surface, const Kernels& kernels) {
-  const auto draw = [&](const Span& part, const ProjectiveLanes& lanes) {
-    kernels.draw_projective({one_span(part), lanes.field(part), texels, ExactMap(map)}, surface);
-  };
-  const ProjectiveLanes whole(map, span);
-  if (whole.ratio() <= kGentleRatio) return draw(span, whole);
-  for_each_gentle_piece(span, whole.denominator().step > 0,
-                        [&](const Span& piece) { draw(piece, ProjectiveLanes(map, piece)); });
+  while (walk.next(&batch)) {
+    kernels.draw_affine({batch, plane.lanes(), polygon.texels, ExactMap(plane)}, surface);
+  }
 }
 
 // Each span by the map between its own two edges.
@@ -68,7 +55,7 @@ void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surfa
           {one_span(span), AffineLanes(map, span).field(span), polygon.texels, ExactMap(map)},
           surface);
     } else {
-      draw_in_perspective(map, span, polygon.texels, surface, kernels);
+      draw_in_perspective(map, span, ProjectiveLanes(map, span), polygon.texels, surface, kernels);
     }
   }
 }
@@ -97,11 +84,10 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
   }
   if (polygon.affine) {
     if (const std::optional<Plane> plane = Plane::of(polygon, visible)) {
-      return draw_plane(*plane, polygon, visible, surface, kernels.find_spans, kernels.draw_affine);
+      return draw_affine(*plane, polygon, visible, surface, kernels);
     }
   } else if (const auto plane = ProjectivePlane::of(polygon, visible)) {
-    return draw_plane(*plane, polygon, visible, surface, kernels.find_spans,
-                      kernels.draw_projective);
+    return draw_in_perspective(*plane, polygon, visible, surface, kernels);
   }
   draw_ruled(polygon, visible, surface, kernels);
 }

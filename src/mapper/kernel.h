@@ -49,7 +49,7 @@ struct Kernels {
   FindSpans find_spans;
   void (*draw_affine)(const AffineSpans& spans, const Surface& surface);
   void (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
-  void (*draw_stepped)(const SteppedRow& row, const Surface& surface) = nullptr;
+  void (*draw_stepped)(const SteppedSpans& spans, const Surface& surface) = nullptr;
   void (*draw_boxes_affine)(const AffineSpans& spans, BoxSides sides,
                             const Surface& surface) = nullptr;
   void (*draw_boxes_projective)(const ProjectiveSpans& spans, const PlaneFootprint& footprint,
@@ -57,7 +57,7 @@ struct Kernels {
   void (*draw_boxes)(const BoxRow& boxes, const Span& piece, const Surface& surface) = nullptr;
 };
 
-void draw_stepped_scalar(const SteppedRow& row, const Surface& surface);
+void draw_stepped_scalar(const SteppedSpans& spans, const Surface& surface);
 
 [[nodiscard]] const Kernels& scalar_kernels(selvage_filter filter);
 

@@ -14,25 +14,31 @@
 namespace selvage::mapper {
 namespace {
 
+struct SteppedRow {
+  Span span;   // the pixels to be drawn
+  Span whole;  // the row that the lanes are of: holds the span
+  DividedLanes lanes;
+  int32_t segment_px;
+};
+
 struct Point {
   double u_fx16, v_fx16;
 };
 
+// The segments of a row, from that of the span's first pixel on.
 class SegmentWalk {
  public:
   explicit SegmentWalk(const SteppedRow& row)
       : row_(row),
-        u_(row.lanes.u_numerator_fx32(), row.lanes),
-        v_(row.lanes.v_numerator_fx32(), row.lanes),
-        px_(row.first_segment() * row.segment_px),
+        px_((row.span.left_px - row.whole.left_px) / row.segment_px * row.segment_px),
         from_(at(px_)) {}
 
   [[nodiscard]] int32_t first_px() const { return row_.whole.left_px + px_; }
   // The segment that starts at first_px(); then goes to the next one.
   [[nodiscard]] Segment next() {
-    const int32_t end_px = std::min(px_ + row_.segment_px, row_.last_px());
+    const int32_t end_px = std::min(px_ + row_.segment_px, row_.whole.width_px() - 1);
     const Point to = at(end_px);
-    const double per_px = end_px > px_ ? 1.0 / (end_px - px_) : 0;
+    const double per_px = 1.0 / std::max(end_px - px_, 1);  // a single pixel is a segment too
     const Segment segment{
         {whole(from_.u_fx16) << kStepShift, whole(from_.v_fx16) << kStepShift},
         {step((to.u_fx16 - from_.u_fx16) * per_px), step((to.v_fx16 - from_.v_fx16) * per_px)}};
@@ -43,17 +49,21 @@ class SegmentWalk {
 
  private:
   [[nodiscard]] Point at(int32_t px) const {
-    const double i = px;
-    const ProjectiveLanes::Linear& denominator = row_.lanes.denominator();
-    const double w = 1.0 / (denominator.start + i * denominator.step);
-    return {(u_.start_fx16 + i * u_.step_fx16) * w - u_.error_fx16,
-            (v_.start_fx16 + i * v_.step_fx16) * w - v_.error_fx16};
+    const double w = 1.0 / value(row_.lanes.denominator(), px);
+    const auto quotient_fx16 = [&](const DividedLanes::Linear& numerator_fx32) {
+      return (value(numerator_fx32, px) * w - static_cast<double>(row_.lanes.error_fx32())) *
+             kStepUnit_fx16;
+    };
+    return {quotient_fx16(row_.lanes.u_numerator_fx32()),
+            quotient_fx16(row_.lanes.v_numerator_fx32())};
+  }
+  [[nodiscard]] static double value(const DividedLanes::Linear& line, double px) {
+    return line.start + px * line.step;
   }
   [[nodiscard]] static int64_t whole(double fx16) { return static_cast<int64_t>(std::floor(fx16)); }
   [[nodiscard]] static int64_t step(double fx16) { return static_cast<int64_t>(step_fx32(fx16)); }
 
   const SteppedRow& row_;
-  SteppedLine u_, v_;
   int32_t px_;  // of the segment, counted from the row's first pixel
   Point from_;
 };
@@ -129,9 +139,7 @@ void draw_pixels(const SteppedRow& of, const Surface& surface) {
   draw_laid_out<Pixel, Wrap>(of, surface);
 }
 
-}  // namespace
-
-void draw_stepped_scalar(const SteppedRow& row, const Surface& surface) {
+void draw_row(const SteppedRow& row, const Surface& surface) {
   switch (surface.target.format) {
     case SELVAGE_INDEX8:
       return draw_pixels<uint8_t>(row, surface);
@@ -139,6 +147,15 @@ void draw_stepped_scalar(const SteppedRow& row, const Surface& surface) {
       return draw_pixels<uint16_t>(row, surface);
     default:
       return draw_pixels<uint32_t>(row, surface);
+  }
+}
+
+}  // namespace
+
+void draw_stepped_scalar(const SteppedSpans& spans, const Surface& surface) {
+  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+    const Span span = spans.batch.span(i), whole = spans.whole.span(i);
+    if (!span.empty()) draw_row({span, whole, spans.field.of(whole), spans.segment_px[i]}, surface);
   }
 }
 

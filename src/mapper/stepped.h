@@ -12,6 +12,7 @@
 
 #include "mapper/lanes.h"
 #include "mapper/span.h"
+#include "mapper/span_batch.h"
 
 namespace selvage::mapper {
 
@@ -24,21 +25,17 @@ inline constexpr int32_t kStepTruncations_fx16 = 3;
 inline constexpr int64_t kStepError_fx32 = 2;
 // A step fits 32 bits wherever a chord is within a tolerance: it is below 2^28 units of 2^-16
 // texel. With the names of spec/README.md, 8.9, it is at most s = |du| r / n. As |du| <= 2^32 and n
-// >= 95, it is below 2^28 where r <= 2. Elsewhere s <= 2^32 r / n, and s (r - 1) N^2 / (4 n) <
-// 2^31: their product is s^2 < 2^65 r / (r - 1) / N^2 <= 2^66 / 48^2.
+// >= 159, it is below 2^28 where r <= 2. Elsewhere s <= 2^32 r / n, and s (r - 1) N^2 / (4 n) <
+// 2^31: their product is s^2 < 2^65 r / (r - 1) / N^2 <= 2^66 / 64^2.
 
-struct SteppedRow {
-  Span span;   // the pixels to be drawn
-  Span whole;  // the row that the lanes are of: holds the span
-  const DividedLanes& lanes;
-  int32_t segment_px;  // a multiple of kStepGroup_px, the last one shorter, or all of the row
-
-  // Counted from the row's first pixel. Segments reach from pixel to pixel: the last one to the
-  // last pixel.
-  [[nodiscard]] int32_t last_px() const { return whole.width_px() - 1; }
-  [[nodiscard]] int32_t first_segment() const {
-    return (span.left_px - whole.left_px) / segment_px;
-  }
+// Rows under one map, some of them stepped. Segments reach from pixel to pixel, the last one of a
+// row to its last pixel.
+struct SteppedSpans {
+  const SpanBatch& batch;  // the pixels to be drawn: none of a row that is not stepped
+  const SpanBatch& whole;  // the same rows, clipped by nothing
+  const ProjectiveField& field;
+  // Of each row: a multiple of kStepGroup_px, the last segment shorter, or all of the row.
+  const int32_t* segment_px;
 };
 
 // Floored to 2^-32 texel; the product is by a power of two and exact.
@@ -46,20 +43,7 @@ struct SteppedRow {
   return std::floor(step_fx16 * (1 << kStepShift));
 }
 
-// A coordinate's numerator and the denominator along a row, and what its quotients are lowered by,
-// so that they are not above the true ones.
-struct SteppedLine {
-  double start_fx16, step_fx16;
-  double error_fx16;
-
-  SteppedLine(const DividedLanes::Linear& numerator_fx32, const DividedLanes& lanes)
-      : start_fx16(numerator_fx32.start * kTexelUnit),
-        step_fx16(numerator_fx32.step * kTexelUnit),
-        error_fx16(static_cast<double>(lanes.error_fx32()) * kTexelUnit) {}
-
- private:
-  static constexpr double kTexelUnit = 1.0 / (1 << kStepShift);  // exact
-};
+inline constexpr double kStepUnit_fx16 = 1.0 / (1 << kStepShift);  // exact
 
 // The lane of a segment's first pixel, and the step from each pixel to the next.
 struct Segment {

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "mapper/lanes.h"
+#include "mapper/bend.h"
 #include "mapper/stepped.h"
 #include "selvage.h"
 
@@ -14,18 +14,54 @@ namespace selvage::mapper {
 
 // What is below a unit of the errors in 32.32 takes one unit more.
 inline constexpr int32_t kStepRounding_fx16 = kStepTruncations_fx16 + 1;
-// Factors that hold all roundings in double: of the ratio of two denominators, each off by less
-// than 2^-26 of itself, and of a chord's bound that is computed from it; of the length that is
-// chosen by that bound.
-inline constexpr double kRatioSlack = 1 + 0x1p-24;
+// Factors that hold all roundings in double, of denominators, each off by less than 2^-26 of
+// itself, and of what is computed from them (spec/proofs/chord_bound.g): of how much a row bends;
+// of what the tolerance leaves to that.
+inline constexpr double kBendSlack = 1 + 0x1p-23;
 inline constexpr double kBudgetSlack = 1 - 0x1p-30;
-// Narrower rows and shorter segments were measured to cost as much as a division a pixel, by some
+// Narrower rows and shorter segments were measured to cost more than a division a pixel, by some
 // kernel at least.
-inline constexpr int32_t kLeastStepped_px = 96;
-inline constexpr int32_t kLeastSegment_px = 3 * kStepGroup_px;
+inline constexpr int32_t kLeastStepped_px = 160;
+inline constexpr int32_t kLeastSegment_px = 4 * kStepGroup_px;
 
 // Lanes of a plane that are further off cost too much of a tolerance: 1/8 unit at their two ends.
 inline constexpr int64_t kMostSteppedError_fx32 = 1 << 12;
+
+// What lanes along a row may lose, its curve apart.
+[[nodiscard]] inline int32_t roundings_fx16(int64_t margin_fx32, int32_t width_px) {
+  return static_cast<int32_t>((margin_fx32 + kStepError_fx32 * (width_px - 1)) >> kStepShift) +
+         kStepRounding_fx16;
+}
+
+// A row's chords. How far one is off, times the cube of the row's least denominator, so that no
+// division is needed to tell whether that is within a tolerance.
+struct Chords {
+  double one_px_fx16;  // of chords a pixel long; longer ones by the square of that
+  double cube;
+
+  explicit Chords(const RowBend& row)
+      : one_px_fx16(row.slope_fx32 * row.turn * (kBendSlack / (4 << kStepShift))),
+        cube(row.least_denominator * row.least_denominator * row.least_denominator) {}
+
+  [[nodiscard]] double off_fx16(double length_px) const {
+    return one_px_fx16 * length_px * length_px;
+  }
+  [[nodiscard]] double room_fx16(int32_t budget_fx16) const {
+    return budget_fx16 * cube * kBudgetSlack;
+  }
+};
+
+// Whether a row that bends so much at least, however wide it is, is exact.
+[[nodiscard]] inline bool bends_too_much(const RowBend& row, int32_t tolerance_fx16) {
+  const Chords chords(row);
+  return chords.off_fx16(kLeastSegment_px) > chords.room_fx16(tolerance_fx16);
+}
+
+// How far the segments of a stepped row reach: a multiple of kStepGroup_px, or, where one does for
+// all of the row, its width. 0: the row is exact. Width and margin are those of the row's lanes,
+// clipped or not.
+[[nodiscard]] int32_t choose_segment_px(const RowBend& row, int64_t margin_fx32, int32_t width_px,
+                                        int32_t tolerance_fx16);
 
 struct RowChoice {
   selvage_method method;
@@ -33,8 +69,8 @@ struct RowChoice {
   int32_t bound_fx16;  // of the distance to the exact u and to the exact v
 };
 
-// The lanes are of a whole row of width_px pixels, clipped or not.
-[[nodiscard]] RowChoice choose_row(const DividedLanes& lanes, int32_t width_px,
+// The same choice, as it is told.
+[[nodiscard]] RowChoice choose_row(const RowBend& row, int64_t margin_fx32, int32_t width_px,
                                    int32_t tolerance_fx16);
 
 }  // namespace selvage::mapper

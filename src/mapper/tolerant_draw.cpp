@@ -6,90 +6,84 @@
 #include <cstdint>
 #include <optional>
 
+#include "mapper/perspective_draw.h"
 #include "mapper/projective_plane.h"
 #include "mapper/span_walk.h"
 
 namespace selvage::mapper {
 namespace {
 
-// A row that is not exact.
-[[nodiscard]] SteppedRow stepped_row(const Span& span, const Span& whole, const DividedLanes& lanes,
-                                     const RowChoice& choice) {
-  const int32_t segment_px =
-      choice.method == SELVAGE_METHOD_SUBDIVIDED ? choice.segment_px : whole.width_px();
-  return {span, whole, lanes, segment_px};
-}
-
-[[nodiscard]] bool is_exact(const RowChoice& choice) {
-  return choice.method == SELVAGE_METHOD_EXACT_PERSPECTIVE;
-}
-
 // Rows by one map for all: its lanes, and its exact rows together.
 class PlaneRows {
  public:
-  PlaneRows(const ProjectivePlane& plane, const Polygon& polygon, const selvage_rect& visible,
-            FindSpans find_spans, int32_t tolerance_fx16)
+  PlaneRows(const ProjectivePlane& plane, const PlaneBend& bend, const Polygon& polygon,
+            const selvage_rect& visible, FindSpans find_spans, int32_t tolerance_fx16)
       : plane_(plane),
+        bend_(bend),
         texels_(polygon.texels),
         visible_(visible),
         walk_(polygon, {polygon.left_px, visible.top, polygon.right_px, visible.bottom},
               find_spans),
+        margin_fx32_(2 * plane.lanes().error_fx32),
         tolerance_fx16_(tolerance_fx16) {}
 
-  // The next rows, clipped by nothing, and their choices; false where none is left.
-  [[nodiscard]] bool next() {
-    if (!walk_.next(&whole_)) return false;
-    for (int32_t i = 0; i < whole_.rows; ++i) {
-      const Span span = whole_.span(i);
-      choices_[static_cast<size_t>(i)] =
-          choose_row(plane_.lanes().of(span), span.width_px(), tolerance_fx16_);
-    }
-    return true;
-  }
+  // The next rows, clipped by nothing; false where none is left.
+  [[nodiscard]] bool next() { return walk_.next(&whole_); }
 
   void draw(const Surface& surface, const Kernels& kernels) const {
-    SpanBatch exact = whole_;
-    exact.widest_px = 0;
+    SpanBatch exact, stepped;
+    exact.first_row = stepped.first_row = whole_.first_row;
+    exact.rows = stepped.rows = whole_.rows;
+    exact.widest_px = stepped.widest_px = 0;
+    std::array<int32_t, kRowsPerBatch> segment_px;
     for (int32_t i = 0; i < whole_.rows; ++i) {
-      Span span = visible_part(i);
-      if (!span.empty() && !is_exact(choice(i))) {
-        const DividedLanes lanes = plane_.lanes().of(whole_.span(i));
-        kernels.draw_stepped(stepped_row(span, whole_.span(i), lanes, choice(i)), surface);
-        span.right_px = span.left_px;
-      }
-      exact.left_px[static_cast<size_t>(i)] = span.left_px;
-      exact.right_px[static_cast<size_t>(i)] = span.right_px;
-      exact.widest_px = std::max(exact.widest_px, span.width_px());
+      const auto row = static_cast<size_t>(i);
+      const Span span = visible_part(i);
+      segment_px[row] = choose(i);
+      const bool is_exact = segment_px[row] == 0;
+      exact.left_px[row] = stepped.left_px[row] = span.left_px;
+      exact.right_px[row] = is_exact ? span.right_px : span.left_px;
+      stepped.right_px[row] = is_exact ? span.left_px : span.right_px;
+      exact.widest_px = std::max(exact.widest_px, is_exact ? span.width_px() : 0);
+      stepped.widest_px = std::max(stepped.widest_px, is_exact ? 0 : span.width_px());
     }
-    if (exact.widest_px == 0) return;
-    kernels.draw_projective({exact, plane_.lanes(), texels_, ExactMap(plane_)}, surface);
+    if (stepped.widest_px != 0) {
+      kernels.draw_stepped({stepped, whole_, plane_.lanes(), segment_px.data()}, surface);
+    }
+    if (exact.widest_px != 0) {
+      kernels.draw_projective({exact, plane_.lanes(), texels_, ExactMap(plane_)}, surface);
+    }
   }
 
   // Calls visit(choice) for each visible row.
   template <class Visit>
   void for_each_choice(const Visit& visit) const {
     for (int32_t i = 0; i < whole_.rows; ++i) {
-      if (!visible_part(i).empty()) visit(choice(i));
+      if (visible_part(i).empty()) continue;
+      const Span row = whole_.span(i);
+      visit(choose_row(bend_.of(row), margin_fx32_, row.width_px(), tolerance_fx16_));
     }
   }
 
  private:
-  [[nodiscard]] const RowChoice& choice(int32_t i) const {
-    return choices_[static_cast<size_t>(i)];
-  }
   [[nodiscard]] Span visible_part(int32_t i) const {
     const Span whole = whole_.span(i);
     const int32_t left_px = std::clamp(whole.left_px, visible_.left, visible_.right);
     return {whole.row, left_px, std::max(left_px, std::min(whole.right_px, visible_.right))};
   }
+  [[nodiscard]] int32_t choose(int32_t i) const {
+    const Span row = whole_.span(i);
+    return choose_segment_px(bend_.of(row), margin_fx32_, row.width_px(), tolerance_fx16_);
+  }
 
   const ProjectivePlane& plane_;
+  const PlaneBend& bend_;
   const TexelBox& texels_;
   selvage_rect visible_;
   BatchWalk walk_;
+  int64_t margin_fx32_;
   int32_t tolerance_fx16_;
   SpanBatch whole_;
-  std::array<RowChoice, kRowsPerBatch> choices_;
 };
 
 // A row by the map between its own two edges.
@@ -97,24 +91,26 @@ struct RuledRow {
   SpanMap map;
   Span whole;
   ProjectiveLanes lanes;
-  RowChoice choice;
 
-  RuledRow(const SpanWalk& walk, int32_t tolerance_fx16)
-      : map(walk.map()),
-        whole(walk.whole_span()),
-        lanes(map, whole),
-        choice(choose_row(lanes, whole.width_px(), tolerance_fx16)) {}
+  explicit RuledRow(const SpanWalk& walk)
+      : map(walk.map()), whole(walk.whole_span()), lanes(map, whole) {}
+
+  [[nodiscard]] RowBend bend() const { return bend_of(lanes, whole.width_px()); }
 };
 
 void draw_row(const RuledRow& row, const Span& span, const TexelBox& texels, const Surface& surface,
-              const Kernels& kernels) {
-  if (!is_exact(row.choice)) {
-    return kernels.draw_stepped(stepped_row(span, row.whole, row.lanes, row.choice), surface);
+              const Kernels& kernels, int32_t tolerance_fx16) {
+  const int32_t width_px = row.whole.width_px();
+  const int32_t segment_px =
+      choose_segment_px(row.bend(), row.lanes.margin_fx32(), width_px, tolerance_fx16);
+  if (segment_px != 0) {
+    return kernels.draw_stepped(
+        {one_span(span), one_span(row.whole), row.lanes.field(row.whole), &segment_px}, surface);
   }
-  const bool clipped = span.width_px() != row.whole.width_px();
-  const ProjectiveLanes lanes = clipped ? ProjectiveLanes(row.map, span) : row.lanes;
-  const SpanBatch batch = one_span(span);
-  kernels.draw_projective({batch, lanes.field(span), texels, ExactMap(row.map)}, surface);
+  if (span.width_px() == width_px) {
+    return draw_in_perspective(row.map, span, row.lanes, texels, surface, kernels);
+  }
+  draw_in_perspective(row.map, span, ProjectiveLanes(row.map, span), texels, surface, kernels);
 }
 
 [[nodiscard]] std::optional<ProjectivePlane> plane_of(const Polygon& polygon) {
@@ -123,18 +119,36 @@ void draw_row(const RuledRow& row, const Span& span, const TexelBox& texels, con
   return plane;
 }
 
+[[nodiscard]] PlaneBend bend_of(const ProjectivePlane& plane, const Polygon& polygon) {
+  return {plane.lanes(), polygon.bottom_row - polygon.top_row};
+}
+
+// Whether some row may be stepped.
+[[nodiscard]] bool may_step(const PlaneBend& bend, const Polygon& polygon, int32_t tolerance_fx16) {
+  const auto [near, far] = std::ranges::minmax(polygon.vertices, {}, &selvage_vertex::q);
+  // In units of the least one, as the plane's are. Roundings are far below the units of a tolerance
+  // that are kept for those of lanes.
+  const double most_denominator = static_cast<double>(far.q) / near.q;
+  return !bends_too_much(bend.least(most_denominator), tolerance_fx16);
+}
+
 }  // namespace
 
 void draw_tolerantly(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
                      const Kernels& kernels, int32_t tolerance_fx16) {
   if (const auto plane = plane_of(polygon)) {
-    PlaneRows rows(*plane, polygon, visible, kernels.find_spans, tolerance_fx16);
+    const PlaneBend bend = bend_of(*plane, polygon);
+    if (!may_step(bend, polygon, tolerance_fx16)) {
+      return draw_in_perspective(*plane, polygon, visible, surface, kernels);
+    }
+    PlaneRows rows(*plane, bend, polygon, visible, kernels.find_spans, tolerance_fx16);
     while (rows.next()) rows.draw(surface, kernels);
     return;
   }
   SpanWalk walk(polygon, visible);
-  while (walk.next())
-    draw_row({walk, tolerance_fx16}, walk.span(), polygon.texels, surface, kernels);
+  while (walk.next()) {
+    draw_row(RuledRow(walk), walk.span(), polygon.texels, surface, kernels, tolerance_fx16);
+  }
 }
 
 RowChoice choose_tolerantly(const selvage_rect& visible, const Polygon& polygon,
@@ -147,12 +161,17 @@ RowChoice choose_tolerantly(const selvage_rect& visible, const Polygon& polygon,
     all.bound_fx16 = std::max(all.bound_fx16, row.bound_fx16);
   };
   if (const auto plane = plane_of(polygon)) {
-    PlaneRows rows(*plane, polygon, visible, find_spans_scalar, tolerance_fx16);
+    const PlaneBend bend = bend_of(*plane, polygon);
+    if (!may_step(bend, polygon, tolerance_fx16)) return {SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0};
+    PlaneRows rows(*plane, bend, polygon, visible, find_spans_scalar, tolerance_fx16);
     while (rows.next()) rows.for_each_choice(add);
     return all;
   }
   SpanWalk walk(polygon, visible);
-  while (walk.next()) add(RuledRow(walk, tolerance_fx16).choice);
+  while (walk.next()) {
+    const RuledRow row(walk);
+    add(choose_row(row.bend(), row.lanes.margin_fx32(), row.whole.width_px(), tolerance_fx16));
+  }
   return all;
 }
 

@@ -125,9 +125,8 @@ struct Anchors {
   float turn[kMostPieces], u_rise[kMostPieces], v_rise[kMostPieces];
 };
 
-// Where windows begin: the texel as an index into a window, and its place in the texture, negative
-// where the window does not lie in it.
-struct WindowOrigins {
+// Of the windows of pieces.
+struct PieceOrigins {
   int32_t index[kVectorsPerPiece][kMostPieces], place[kVectorsPerPiece][kMostPieces];
 };
 
@@ -193,7 +192,7 @@ class AnchoredVectors {
   template <class Address>
   static HWY_INLINE void find_origins(const Pieces& pieces, int32_t k, int32_t vector,
                                       const Anchors& anchors, const Extent& extent,
-                                      WindowOrigins* origins) {
+                                      PieceOrigins* origins) {
     const DHalf d;
     const DHalfFloat df;
     const VHalf width_px =
@@ -204,16 +203,10 @@ class AnchoredVectors {
     const auto last = share_of(df, hn::ConvertTo(df, hn::Sub(end, hn::Set(d, 1))), turn);
     const VHalf s = least_texel(anchors.u_fx16 + k, anchors.u_rise + k, first, last);
     const VHalf t = least_texel(anchors.v_fx16 + k, anchors.v_rise + k, first, last);
-    const VHalf last_s = hn::Set(d, extent.width_texel - kLanes);
-    const VHalf last_t =
-        hn::Sub(hn::Set(d, extent.height_texel), hn::LoadU(d, pieces.window_rows + k));
-    const auto column = Address::origins(s, last_s, extent.width_texel);
-    const auto row = Address::origins(t, last_t, extent.height_texel);
-    const auto outside = hn::Or(hn::Gt(column.index, last_s), hn::Gt(row.index, last_t));
-    const VHalf place = hn::Add(hn::Mul(row.index, hn::Set(d, extent.pitch_texel)), column.index);
-    hn::StoreU(hn::Add(hn::ShiftLeft<kWindowColumnBits>(row.texel), column.texel), d,
-               origins->index[vector] + k);
-    hn::StoreU(hn::IfThenElse(outside, hn::Set(d, -1), place), d, origins->place[vector] + k);
+    const auto windows =
+        window_origins<Address>(s, t, hn::LoadU(d, pieces.window_rows + k), extent);
+    hn::StoreU(windows.index, d, origins->index[vector] + k);
+    hn::StoreU(windows.place, d, origins->place[vector] + k);
   }
 
  private:

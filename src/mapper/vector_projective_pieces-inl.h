@@ -52,7 +52,7 @@ HWY_NOINLINE void draw_left(const LeftOfPieces& left, const ProjectiveSpans& spa
 
 template <class Address>
 HWY_INLINE void find(const Pieces& pieces, const AnchoredVectors& vectors, const Extent& extent,
-                     Anchors* anchors, WindowOrigins* origins) {
+                     Anchors* anchors, PieceOrigins* origins) {
   for (int32_t k = 0; k < pieces.count; k += kDoubles) {
     vectors.find(pieces, k, anchors);
     for (int32_t at = 0; kHasWindows && pieces.has_windows && at < kVectorsPerPiece; ++at) {
@@ -76,7 +76,7 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
   bool more = true;
   Pieces pieces;
   Anchors anchors;
-  WindowOrigins origins;
+  PieceOrigins origins;
   static_assert(Left::kMost >= kMostPieces * kVectorsPerPiece);
   while (left_count <= Left::kMost - kMostPieces * kVectorsPerPiece &&
          (more = walk.next(&pieces))) {

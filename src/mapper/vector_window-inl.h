@@ -47,6 +47,27 @@ static_assert(!kHasWindows || 1 << kWindowColumnBits == kLanes);
   return whole <= HWY_MIN(kMostWindowRows, texture.height) ? whole : 0;
 }
 
+// Where windows begin: their texels as indices into a window, and their places in the texture,
+// negative where a window does not lie in it.
+template <class V>
+struct WindowOrigins {
+  V index, place;
+};
+
+// Of some windows, by their least texels and their rows.
+template <class Address, class V>
+[[nodiscard]] HWY_INLINE WindowOrigins<V> window_origins(V s, V t, V rows, const Extent& extent) {
+  const hn::DFromV<V> d;
+  const V last_s = hn::Set(d, extent.width_texel - kLanes);
+  const V last_t = hn::Sub(hn::Set(d, extent.height_texel), rows);
+  const auto column = Address::origins(s, last_s, extent.width_texel);
+  const auto row = Address::origins(t, last_t, extent.height_texel);
+  const auto outside = hn::Or(hn::Gt(column.index, last_s), hn::Gt(row.index, last_t));
+  const V place = hn::Add(hn::Mul(row.index, hn::Set(d, extent.pitch_texel)), column.index);
+  return {hn::Add(hn::ShiftLeft<kWindowColumnBits>(row.texel), column.texel),
+          hn::IfThenElse(outside, hn::Set(d, -1), place)};
+}
+
 template <class D, class Pixel>
 HWY_INLINE hn::Vec<D> load_row(const Pixel* texels) {
   if constexpr (sizeof(Pixel) == sizeof(int32_t)) {

@@ -200,7 +200,7 @@ TEST_F(Draw, ReportsInJson) {
 }
 
 TEST_F(Draw, TellsWhatIsDrawnByWithinATolerance) {
-  options_.polygons = {"0,0,0,0,1 120,0,16,0,1.02 120,5,16,16,1.02 0,5,0,16,1",
+  options_.polygons = {"0,0,0,0,1 200,0,16,0,1.02 200,5,16,16,1.02 0,5,0,16,1",
                        "0,0,0,0 9,0,3,0 0,9,0,3"};
   options_.json = true;
   options_.tolerance = "0.5";

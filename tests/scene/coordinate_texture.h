@@ -11,7 +11,7 @@
 
 namespace selvage::scene {
 
-inline constexpr Size kSize{400, 300};
+inline constexpr Size kSize{720, 540};  // rows wide enough to be stepped
 inline constexpr int kTexture = 512;
 inline constexpr std::array<uint8_t, 4> kNothing{255, 255, 255, 255};  // where nothing is drawn
 

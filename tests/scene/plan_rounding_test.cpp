@@ -21,7 +21,7 @@ inline constexpr double kTolerances[] = {0, 1.0 / 16, 0.25, 1, 4};
 
 [[nodiscard]] double measured(const PlaneFace& face, const Drawn& drawn, int64_t& pixels) {
   double greatest = 0;
-  for (int y = 0; y < kSize.height_px; y += 3) {
+  for (int y = 0; y < kSize.height_px; y += 5) {
     for (int x = 0; x < kSize.width_px; ++x) {
       const auto& pixel = drawn.pixels[static_cast<size_t>(y * kSize.width_px + x)];
       if (pixel == kNothing || !is_before_horizon(face, x, y)) continue;

@@ -26,7 +26,7 @@ inline constexpr double kTolerances[] = {0, 1.0 / 16, 0.25, 1, 4, 64};
 // The greatest distance of a drawn texel from the exact u and v.
 [[nodiscard]] double measured(const ScreenFace& face, const Drawn& drawn, int64_t& pixels) {
   double greatest = 0;
-  for (int y = 0; y < kSize.height_px; y += 5) {
+  for (int y = 0; y < kSize.height_px; y += 9) {
     const auto line = spec::scan_line(face.vertices, y);
     if (!line) continue;
     for (int x = 0; x < kSize.width_px; ++x) {
