@@ -154,6 +154,33 @@ TEST(Inside, IsToldOfRowsInPerspectiveAsTheirPixelsTellIt) {
   EXPECT_LT(inside, 18000);
 }
 
+// A lane and all that it may lack reach the texture's end, in u or in v, or a unit less.
+TEST(Inside, EndsBeforeTheTextureDoes) {
+  constexpr uint32_t kMargin_fx32 = 40;
+  const selvage_texture texture{nullptr, 5, 9, 0, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr};
+  const Lane ends{int64_t{5} << kLaneFraction, int64_t{9} << kLaneFraction};
+  const SpanBatch pixel = one_span({0, 0, 1});
+  const auto is_told = [&](int64_t before_u_fx32, int64_t before_v_fx32) {
+    const Lane lane{ends.u_fx32 - kMargin_fx32 - before_u_fx32,
+                    ends.v_fx32 - kMargin_fx32 - before_v_fx32};
+    ProjectiveField projective{};
+    projective.error_fx32 = kMargin_fx32 / 2;
+    projective.u_fx32.start = static_cast<double>(lane.u_fx32 + projective.error_fx32);
+    projective.v_fx32.start = static_cast<double>(lane.v_fx32 + projective.error_fx32);
+    projective.denominator.start = 1;
+    const DividedLanes lanes = projective.of({0, 0, 1});
+    EXPECT_EQ(lanes.margin_fx32(), kMargin_fx32);
+    EXPECT_EQ(lanes.at(0).u_fx32, lane.u_fx32);
+    EXPECT_EQ(lanes.at(0).v_fx32, lane.v_fx32);
+    const bool told = is_inside(pixel, AffineField{0, 0, lane, {}, {}, kMargin_fx32}, texture);
+    EXPECT_EQ(is_inside(pixel, projective, texture), told);
+    return told;
+  };
+  EXPECT_TRUE(is_told(1, 1));
+  EXPECT_FALSE(is_told(0, 1));
+  EXPECT_FALSE(is_told(1, 0));
+}
+
 // A row that is inside from end to end loses nothing at its start.
 TEST(Interior, IsTheWholeRowWhereThatIsFarFromEachSide) {
   const selvage_texture texture{nullptr, 500, 500, 0, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS,

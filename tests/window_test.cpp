@@ -3,6 +3,7 @@
 // of vectors.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -84,7 +85,6 @@ struct Slope {
   return c;
 }
 
-// Every kernel draws what the scalar one draws.
 // A small upright rectangle whose first pixel's centre shows the very corner of a texel, from where
 // u and v rise or fall by less than a texel a pixel: a window that is too small by a texel on the
 // side that they leave lacks it.
@@ -112,6 +112,39 @@ struct Slope {
   return c;
 }
 
+// An upright rectangle along whose sides lie as many texels as some window has columns and rows,
+// one more or fewer, with nothing between them and the rectangle's ends: near an end of the texture
+// a window that is thought to have more rows than it has begins too early for the last of them.
+[[nodiscard]] spec::Case that_fills_a_window(uint64_t seed) {
+  static constexpr int32_t kColumns[] = {4, 8, 16}, kRows[] = {4, 8, 10, 20};
+  constexpr int32_t kTexel = SELVAGE_SUBTEXELS, kPixel = SELVAGE_SUBPIXELS;
+  spec::Case c = any_case(seed);
+  spec::Random random(seed);
+  const int32_t columns = random.pick(kColumns) + random.in(-1, 2);
+  const int32_t rows = random.pick(kRows) + random.in(-1, 2);
+  c.texture_width_texel = std::max(columns, 16) + random.in(0, 4);
+  c.texture_height_texel = rows + random.in(0, 8);
+  const auto first = [&](int32_t texels, int32_t size_texel) {
+    return random.pick({0, size_texel - texels, size_texel - texels - random.in(0, 3), -1});
+  };
+  const int32_t s = first(columns, c.texture_width_texel), t = first(rows, c.texture_height_texel);
+  const int32_t width_px = random.in(columns, 65), height_px = random.in(rows, 2 * rows);
+  c.target_width_px = width_px + 8;
+  c.target_height_px = height_px + 8;
+  const int32_t left_px = random.in(0, 8), top_px = random.in(0, 8);
+  c.vertices.clear();
+  for (const auto& [right, below] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+    const auto at = [](int32_t texel, int32_t texels, int32_t end) {
+      return texel * kTexel + end * (texels * kTexel - 1);
+    };
+    c.vertices.push_back({(left_px + right * width_px) * kPixel,
+                          (top_px + below * height_px) * kPixel, at(s, columns, right),
+                          at(t, rows, below), 1});
+  }
+  return c;
+}
+
+// Every kernel draws what the scalar one draws.
 void expect_alike(const spec::Case& c, uint64_t seed) {
   const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR);
   for (const selvage_kernel kernel : usable_kernels()) {
@@ -141,6 +174,13 @@ TEST_P(Window, EveryKernelDrawsFromATexelsCorner) {
   constexpr uint64_t kSeeds = 200;
   for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
     ASSERT_NO_FATAL_FAILURE(expect_alike(from_a_texels_corner(seed), seed));
+  }
+}
+
+TEST_P(Window, EveryKernelDrawsWhatFillsIt) {
+  constexpr uint64_t kSeeds = 200;
+  for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
+    ASSERT_NO_FATAL_FAILURE(expect_alike(that_fills_a_window(seed), seed));
   }
 }
 
