@@ -28,6 +28,11 @@ class Inside {
 
 }  // namespace
 
+bool pays_to_ask_inside(const SpanBatch& batch) {
+  constexpr int32_t kLeast_px = 64;
+  return batch.widest_px >= kLeast_px;
+}
+
 // u and v are monotone along a span: its ends have the least and the most.
 bool is_inside(const SpanBatch& batch, const AffineField& field, const selvage_texture& texture) {
   const Inside inside(texture);

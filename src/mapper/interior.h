@@ -11,10 +11,7 @@
 namespace selvage::mapper {
 
 // Whether rows are wide enough for the answer to save more than it costs.
-[[nodiscard]] inline bool pays_to_ask_inside(const SpanBatch& batch) {
-  constexpr int32_t kLeast_px = 64;
-  return batch.widest_px >= kLeast_px;
-}
+[[nodiscard]] bool pays_to_ask_inside(const SpanBatch& batch);
 
 // Whether the texels that all pixels of a batch show, near-ties among them, lie in the texture.
 [[nodiscard]] bool is_inside(const SpanBatch& batch, const AffineField& field,

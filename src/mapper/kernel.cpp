@@ -16,10 +16,7 @@ const Kernels& kernels_for(const selvage_options& options, const Surface& surfac
   if (options.kernel == SELVAGE_KERNEL_SCALAR || !fits_vectors(surface, polygon)) {
     return scalar_kernels(filter);
   }
-  if (options.kernel != SELVAGE_KERNEL_FASTEST) {
-    const Kernels* const vector = vector_kernels(options.kernel, filter);
-    return vector != nullptr ? *vector : scalar_kernels(filter);
-  }
+  if (options.kernel != SELVAGE_KERNEL_FASTEST) return *vector_kernels(options.kernel, filter);
   for (const selvage_kernel kernel : kernel_order(filter, work_of(polygon, options.tolerance))) {
     if (const Kernels* const vector = vector_kernels(kernel, filter)) return *vector;
   }
