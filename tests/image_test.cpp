@@ -75,14 +75,14 @@ TEST(Vertices, MustLieApartFromTheTarget) {
   const auto at = [](size_t offset) {
     return reinterpret_cast<const selvage_vertex*>(memory.data() + offset);
   };
-  EXPECT_EQ(check_vertices(target, at(64), 3), SELVAGE_OK);
-  EXPECT_EQ(check_vertices(target, at(60), 3), SELVAGE_ERROR_OVERLAP);
-  EXPECT_EQ(check_vertices(target, at(64), 2), SELVAGE_ERROR_VERTEX_COUNT);
-  EXPECT_EQ(check_vertices(target, nullptr, 3), SELVAGE_ERROR_VERTICES_NULL);
+  EXPECT_EQ(check_vertices(memory_of(target), at(64), 3), SELVAGE_OK);
+  EXPECT_EQ(check_vertices(memory_of(target), at(60), 3), SELVAGE_ERROR_OVERLAP);
+  EXPECT_EQ(check_vertices(memory_of(target), at(64), 2), SELVAGE_ERROR_VERTEX_COUNT);
+  EXPECT_EQ(check_vertices(memory_of(target), nullptr, 3), SELVAGE_ERROR_VERTICES_NULL);
   // More vertices than memory: they would run into any target behind them.
-  EXPECT_EQ(check_vertices(image(64, 4, 4, 16), at(0), SIZE_MAX), SELVAGE_ERROR_OVERLAP);
-  EXPECT_EQ(check_vertices(image(64, 4, 4, 16), at(4), 3), SELVAGE_OK);
-  EXPECT_EQ(check_vertices(image(64, 4, 4, 16), at(8), 3), SELVAGE_ERROR_OVERLAP);
+  EXPECT_EQ(check_vertices(memory_of(image(64, 4, 4, 16)), at(0), SIZE_MAX), SELVAGE_ERROR_OVERLAP);
+  EXPECT_EQ(check_vertices(memory_of(image(64, 4, 4, 16)), at(4), 3), SELVAGE_OK);
+  EXPECT_EQ(check_vertices(memory_of(image(64, 4, 4, 16)), at(8), 3), SELVAGE_ERROR_OVERLAP);
 }
 
 TEST(Clip, IsCutToTheTarget) {

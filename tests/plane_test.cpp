@@ -1,6 +1,7 @@
 #include "mapper/plane.h"
 
 #include "mapper/exact_row.h"
+#include "mapper/vector_kernel.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +13,7 @@
 #include "spec/exact.h"
 #include "spec/generate.h"
 #include "spec/random.h"
+#include "tests/kernel_support.h"
 #include "tests/span_support.h"
 
 namespace selvage::mapper {
@@ -178,11 +180,21 @@ TEST(Plane, MarginHasAUnitForTheStartAndForEachStep) {
   return static_cast<int64_t>(n / d - (n % d < 0 ? 1 : 0));
 }
 
+[[nodiscard]] std::vector<FindLanes> lane_kernels() {
+  std::vector<FindLanes> kernels = {find_lanes_scalar};
+  for (const selvage_kernel kernel : usable_kernels()) {
+    const Kernels* const vectors = vector_kernels(kernel, SELVAGE_FILTER_NEAREST);
+    if (vectors != nullptr) kernels.push_back(vectors->find_lanes);
+  }
+  return kernels;
+}
+
 // The plane of a triangle, if it has one; its lanes start at floors and go on by floors.
-[[nodiscard]] std::optional<Plane> with_floors(const std::vector<selvage_vertex>& triangle) {
+[[nodiscard]] std::optional<Plane> with_floors(const std::vector<selvage_vertex>& triangle,
+                                               FindLanes find_lanes) {
   Polygon polygon;
   if (examine(triangle, &polygon) != SELVAGE_OK) return std::nullopt;
-  const auto plane = Plane::of(polygon, {-32768, -32768, 32768, 32768});
+  const auto plane = Plane::of(polygon, {-32768, -32768, 32768, 32768}, find_lanes);
   if (!plane) return std::nullopt;
   const PlaneFrame frame = PlaneFrame::of(triangle);
   const selvage_vertex& origin = frame.origin();
@@ -205,6 +217,7 @@ TEST(Plane, MarginHasAUnitForTheStartAndForEachStep) {
 // Slivers on which estimates in double are several units off, and gradients that are whole.
 TEST(Plane, StartsAndStepsAreFloorsHoweverSteep) {
   spec::Random random(12);
+  const std::vector<FindLanes> kernels = lane_kernels();
   int planes = 0, steep = 0;
   for (int i = 0; i < 30000 && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
@@ -217,14 +230,16 @@ TEST(Plane, StartsAndStepsAreFloorsHoweverSteep) {
       const int32_t u = whole ? x * unit : random.in(-furthest, furthest);
       triangle.push_back({x, y, u, random.in(-furthest, furthest), 1});
     }
-    const std::optional<Plane> plane = with_floors(triangle);
-    if (!plane) continue;
-    ++planes;
-    steep += std::abs(plane->lanes().step_x.u_fx32) > int64_t{1} << 50 ? 1 : 0;
-    steep += std::abs(plane->lanes().step_x.v_fx32) > int64_t{1} << 50 ? 1 : 0;
+    for (const FindLanes find_lanes : kernels) {
+      const std::optional<Plane> plane = with_floors(triangle, find_lanes);
+      if (!plane) break;
+      ++planes;
+      steep += std::abs(plane->lanes().step_x.u_fx32) > int64_t{1} << 50 ? 1 : 0;
+      steep += std::abs(plane->lanes().step_x.v_fx32) > int64_t{1} << 50 ? 1 : 0;
+    }
   }
-  EXPECT_GT(planes, 10000);
-  EXPECT_GT(steep, 100);
+  EXPECT_GT(planes, 10000 * static_cast<int>(kernels.size()));
+  EXPECT_GT(steep, 100 * static_cast<int>(kernels.size()));
 }
 
 // (s, t) with a s + b t the greatest common divisor of a and b.
@@ -238,6 +253,7 @@ TEST(Plane, StartsAndStepsAreFloorsHoweverSteep) {
 // pixel, and remainders are often the least or the greatest that there can be.
 TEST(Plane, StartsAndStepsAreFloorsOfTheThinnestSlivers) {
   spec::Random random(13);
+  const std::vector<FindLanes> kernels = lane_kernels();
   int planes = 0;
   for (int i = 0; i < 60000 && !HasFailure(); ++i) {
     SCOPED_TRACE(i);
@@ -251,9 +267,36 @@ TEST(Plane, StartsAndStepsAreFloorsOfTheThinnestSlivers) {
       vertex.u = random.in(-furthest, furthest);
       vertex.v = random.in(-furthest, furthest);
     }
-    planes += with_floors(triangle) ? 1 : 0;
+    for (const FindLanes find_lanes : kernels) planes += with_floors(triangle, find_lanes) ? 1 : 0;
   }
-  EXPECT_GT(planes, 30000);
+  EXPECT_GT(planes, 30000 * static_cast<int>(kernels.size()));
+}
+
+// Large triangles with steep maps, which vectors of doubles cannot hold exactly, and those that
+// they just can.
+TEST(Plane, StartsAndStepsAreFloorsAboutTheLimitsOfDouble) {
+  spec::Random random(14);
+  const std::vector<FindLanes> kernels = lane_kernels();
+  int planes = 0, exact = 0, inexact = 0;
+  for (int i = 0; i < 60000 && !HasFailure(); ++i) {
+    SCOPED_TRACE(i);
+    const int32_t far = 1 << random.in(8, 23), furthest = 1 << random.in(20, 31);
+    std::vector<selvage_vertex> triangle(3);
+    for (selvage_vertex& v : triangle) {
+      v = {random.in(-far, far), random.in(-far, far), random.in(-furthest, furthest),
+           random.in(-furthest, furthest), 1};
+    }
+    const double product = static_cast<double>(furthest) * far;
+    for (const FindLanes find_lanes : kernels) {
+      const bool is_plane = with_floors(triangle, find_lanes).has_value();
+      planes += is_plane ? 1 : 0;
+      exact += is_plane && product * far < kMostExactProduct / 16 ? 1 : 0;
+      inexact += is_plane && product > kMostExactProduct / 4 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(planes, 50000 * static_cast<int>(kernels.size()));
+  EXPECT_GT(exact, 5000 * static_cast<int>(kernels.size()));
+  EXPECT_GT(inexact, 1000 * static_cast<int>(kernels.size()));
 }
 
 }  // namespace

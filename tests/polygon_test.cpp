@@ -69,7 +69,7 @@ TEST(Polygon, TellsItsExtents) {
     EXPECT_EQ(polygon.bottom_row, 3);
     EXPECT_EQ(polygon.left_px, -1);
     EXPECT_EQ(polygon.right_px, 4);
-    const auto& [least_u, most_u, least_v, most_v] = polygon.texels;
+    const auto& [least_u, least_v, most_u, most_v] = polygon.texels;
     const auto [u, u_end] = std::ranges::minmax(v, {}, &selvage_vertex::u);
     const auto [w, w_end] = std::ranges::minmax(v, {}, &selvage_vertex::v);
     EXPECT_EQ(std::tuple(least_u, most_u), std::tuple(u.u, u_end.u));

@@ -12,7 +12,7 @@
 namespace selvage::mapper {
 
 // Texels of which nothing is known: no window holds them.
-inline constexpr TexelBox kFarApart = {INT32_MIN, INT32_MAX, INT32_MIN, INT32_MAX};
+inline constexpr TexelBox kFarApart = {INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX};
 
 // Calls visit(left, right, span) for rows of a polygon between two columns, at their edges.
 template <class Visit>

@@ -1,8 +1,8 @@
 #@ -Eprecision=200 -Eno-auto-dichotomy
-# Plane::set_gradient: estimates in double of a step, 2^(FRACTION + SUBPIXEL_BITS) A / D, and of the
+# find_lanes_scalar: estimates in double of a step, 2^(FRACTION + SUBPIXEL_BITS) A / D, and of the
 # start, 2^FRACTION (dx A + dy B) / D. A, B, dx, dy and D are integers; unit 2^-32 texel.
 # Claim: both are off by at most ERROR where every term is at most MOST.
-# Used: src/mapper/plane.cpp: what is left to correct by the exact remainder.
+# Used: src/mapper/plane_lanes.cpp: what is left to correct by the exact remainder.
 # By hand: scaling by a power of two does not round. Terms that the code finds below MOST are below MOST (1 + 2^-50), and there the claim has
 # room; the code bounds the sum of all four, not each.
 

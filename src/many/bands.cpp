@@ -4,10 +4,6 @@
 
 namespace selvage::many {
 
-Rows Rows::within(const Rows& other) const {
-  return {std::max(first, other.first), std::min(end, other.end)};
-}
-
 Bands::Bands(Rows rows, size_t wanted, int32_t least_rows) : rows_(rows) {
   const auto height = static_cast<size_t>(rows.count());
   const auto least = static_cast<size_t>(least_rows);

@@ -6,6 +6,7 @@
 // The polygons of a band are the lists on the way from its leaf to the root, merged.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +27,9 @@ struct Rows {
 
   [[nodiscard]] bool empty() const { return first >= end; }
   [[nodiscard]] int32_t count() const { return empty() ? 0 : end - first; }
-  [[nodiscard]] Rows within(const Rows& other) const;
+  [[nodiscard]] Rows within(const Rows& other) const {
+    return {std::max(first, other.first), std::min(end, other.end)};
+  }
 };
 
 // Strips of 2^k rows, the last one maybe lower.

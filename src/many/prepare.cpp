@@ -28,7 +28,7 @@ class Checks {
   [[nodiscard]] selvage_status check_texture(const selvage_texture* texture) {
     if (texture == nullptr) return SELVAGE_ERROR_TEXTURE_NULL;
     if (texture == known_) return SELVAGE_OK;
-    selvage_status status = check_apart(texture, 1, sizeof *texture);
+    selvage_status status = check_apart(mapper::memory_of(texture, 1, sizeof *texture));
     if (status == SELVAGE_OK) status = check_source(request_.options, request_.target, texture);
     if (status == SELVAGE_OK && mapper::memory_of(*texture).meets(request_.scratch)) {
       status = SELVAGE_ERROR_SCRATCH_OVERLAP;
@@ -39,12 +39,13 @@ class Checks {
 
   [[nodiscard]] selvage_status check_vertices(const selvage_polygon& given) const {
     const auto& [vertices, count, texture] = given;
-    const selvage_status status = mapper::check_vertices(request_.target, vertices, count);
-    return status == SELVAGE_OK ? check_apart(vertices, count, sizeof *vertices) : status;
+    const selvage_status status = mapper::check_vertices(target_, vertices, count);
+    if (status != SELVAGE_OK) return status;
+    const mapper::Memory memory = mapper::memory_of(vertices, count, sizeof *vertices);
+    return memory.meets(request_.scratch) ? SELVAGE_ERROR_SCRATCH_OVERLAP : SELVAGE_OK;
   }
 
-  [[nodiscard]] selvage_status check_apart(const void* values, size_t count, size_t bytes) const {
-    const mapper::Memory memory = mapper::memory_of(values, count, bytes);
+  [[nodiscard]] selvage_status check_apart(const mapper::Memory& memory) const {
     if (memory.meets(target_)) return SELVAGE_ERROR_OVERLAP;
     return memory.meets(request_.scratch) ? SELVAGE_ERROR_SCRATCH_OVERLAP : SELVAGE_OK;
   }
@@ -60,7 +61,10 @@ class Checks {
   const Rows visible{request.visible.top, request.visible.bottom};
   for (size_t i = first; i < end; ++i) {
     const selvage_polygon& given = request.polygons[i];
-    mapper::Polygon polygon;
+    // In its place: a copy would wait for what was just stored.
+    Prepared* const prepared = std::construct_at(&request.prepared[i]);
+    mapper::Polygon& polygon = prepared->polygon;
+    prepared->texture = given.texture;
     run.status = checks.examine(given, &polygon);
     if (run.status != SELVAGE_OK) {
       run.failed = i;
@@ -69,7 +73,6 @@ class Checks {
     const Rows reach = reach_of(polygon, request.options.profile);
     run.reach = {std::min(run.reach.first, reach.first), std::max(run.reach.end, reach.end)};
     run.row_count += reach.within(visible).count();
-    std::construct_at(&request.prepared[i], Prepared{polygon, given.texture});
   }
   return run;
 }

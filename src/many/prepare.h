@@ -17,7 +17,7 @@ namespace selvage::many {
 // A polygon that has passed its checks.
 struct Prepared {
   mapper::Polygon polygon;
-  const selvage_texture* texture;
+  const selvage_texture* texture = nullptr;
 };
 
 // A call whose arguments, apart from the polygons, have passed their checks.

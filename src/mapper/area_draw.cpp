@@ -82,7 +82,7 @@ void draw_projective(const ProjectivePlane& plane, const Surface& surface,
 void draw_area(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
                const Kernels& kernels) {
   if (polygon.affine) {
-    if (const auto plane = Plane::of(polygon, visible)) {
+    if (const auto plane = Plane::of(polygon, visible, kernels.find_lanes)) {
       return draw_affine(*plane, surface, visible, polygon, kernels);
     }
   } else if (const auto plane = ProjectivePlane::of(polygon, visible)) {

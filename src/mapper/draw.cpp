@@ -83,7 +83,7 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
     return draw_tolerantly(surface, visible, polygon, kernels, options.tolerance);
   }
   if (polygon.affine) {
-    if (const std::optional<Plane> plane = Plane::of(polygon, visible)) {
+    if (const std::optional<Plane> plane = Plane::of(polygon, visible, kernels.find_lanes)) {
       return draw_affine(*plane, polygon, visible, surface, kernels);
     }
   } else if (const auto plane = ProjectivePlane::of(polygon, visible)) {

@@ -137,12 +137,11 @@ selvage_status check_pair(const selvage_image& target, const selvage_texture& te
   return sums_meet ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
 }
 
-selvage_status check_vertices(const selvage_image& target, const selvage_vertex* vertices,
-                              size_t count) {
+selvage_status check_vertices(const Memory& target, const selvage_vertex* vertices, size_t count) {
   if (vertices == nullptr) return SELVAGE_ERROR_VERTICES_NULL;
   if (count < 3) return SELVAGE_ERROR_VERTEX_COUNT;
   const Memory bytes = memory_of(vertices, count, sizeof(selvage_vertex));
-  return memory_of(target).meets(bytes) ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
+  return target.meets(bytes) ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
 }
 
 selvage_rect visible_rect(const selvage_image& target, const selvage_rect* clip) {

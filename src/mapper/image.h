@@ -65,8 +65,8 @@ struct RowsOfBytes {
 // Both images must have passed the checks above.
 [[nodiscard]] selvage_status check_pair(const selvage_image& target,
                                         const selvage_texture& texture);
-[[nodiscard]] selvage_status check_vertices(const selvage_image& target,
-                                            const selvage_vertex* vertices, size_t count);
+[[nodiscard]] selvage_status check_vertices(const Memory& target, const selvage_vertex* vertices,
+                                            size_t count);
 
 // The clip rectangle within the target; NULL is all of it.
 [[nodiscard]] selvage_rect visible_rect(const selvage_image& target, const selvage_rect* clip);

@@ -9,6 +9,7 @@
 #include "mapper/exact_row.h"
 #include "mapper/footprint.h"
 #include "mapper/lanes.h"
+#include "mapper/plane_lanes.h"
 #include "mapper/polygon.h"
 #include "mapper/span_batch.h"
 #include "mapper/stepped.h"
@@ -47,6 +48,7 @@ struct ProjectiveSpans {
 // its other two, which are the bilinear ones, the least boxes.
 struct Kernels {
   FindSpans find_spans;
+  FindLanes find_lanes;
   void (*draw_affine)(const AffineSpans& spans, const Surface& surface);
   void (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
   void (*draw_stepped)(const SteppedSpans& spans, const Surface& surface) = nullptr;

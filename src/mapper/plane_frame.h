@@ -21,6 +21,8 @@
 namespace selvage::mapper {
 
 inline constexpr int kPlaneAreaBits = 2 * kPositionBits + 1;  // of a doubled area
+inline constexpr int kTexelGradientBits = kTexelBits + 1 + kPositionBits + 1;
+static_assert(kTexelGradientBits < 63);
 
 class PlaneFrame {
  public:
@@ -71,8 +73,15 @@ class PlaneFrame {
   // Of what changes by so much from the origin to the second vertex and to the third.
   template <class Integer>
   [[nodiscard]] Gradient<Integer> gradient(int64_t to_second, int64_t to_third) const {
-    return {Integer{to_second} * y3_ - Integer{to_third} * y2_,
-            Integer{to_third} * x2_ - Integer{to_second} * x3_};
+    const int64_t x2 = int64_t{second_->x} - origin_->x, y2 = int64_t{second_->y} - origin_->y;
+    const int64_t x3 = int64_t{third_->x} - origin_->x, y3 = int64_t{third_->y} - origin_->y;
+    return {Integer{to_second} * y3 - Integer{to_third} * y2,
+            Integer{to_third} * x2 - Integer{to_second} * x3};
+  }
+  // Of u or v, in 1/65536 texel * D per 1/256 px: |A|, |B| < 2^kTexelGradientBits.
+  [[nodiscard]] Gradient<int64_t> gradient_of(int32_t selvage_vertex::*coordinate) const {
+    const int64_t at_origin = (*origin_).*coordinate;
+    return gradient<int64_t>((*second_).*coordinate - at_origin, (*third_).*coordinate - at_origin);
   }
 
  private:
@@ -86,14 +95,9 @@ class PlaneFrame {
       : origin_(&origin),
         second_(&second),
         third_(&third),
-        x2_(int64_t{second.x} - origin.x),
-        y2_(int64_t{second.y} - origin.y),
-        x3_(int64_t{third.x} - origin.x),
-        y3_(int64_t{third.y} - origin.y),
         doubled_area_(doubled_area(origin, second, third)) {}
 
   const selvage_vertex *origin_, *second_, *third_;
-  int64_t x2_, y2_, x3_, y3_;  // from the origin, 1/256 px
   int64_t doubled_area_;
 };
 

@@ -1,6 +1,8 @@
 #include "mapper/polygon.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 #include "mapper/number.h"
 
@@ -10,13 +12,60 @@ namespace {
 [[nodiscard]] bool position_in_range(int32_t position_fx8) {
   return SELVAGE_X_MIN <= position_fx8 && position_fx8 < SELVAGE_X_END;
 }
+[[nodiscard]] bool q_in_range(int32_t q) { return 1 <= q && q <= SELVAGE_Q_MAX; }
 
-[[nodiscard]] selvage_status check_ranges(std::span<const selvage_vertex> vertices) {
+// Of vertices of which some number is out of range: of the first one's first.
+[[nodiscard]] selvage_status range_error(std::span<const selvage_vertex> vertices) {
   for (const selvage_vertex& v : vertices) {
     if (!position_in_range(v.x) || !position_in_range(v.y)) return SELVAGE_ERROR_VERTEX_POSITION;
-    if (v.q < 1 || v.q > SELVAGE_Q_MAX) return SELVAGE_ERROR_VERTEX_Q;
+    if (!q_in_range(v.q)) break;
   }
-  return SELVAGE_OK;
+  return SELVAGE_ERROR_VERTEX_Q;
+}
+
+// The least and the most of each number of some vertices. x, y, u and v are side by side for
+// compilers to make a vector of them.
+struct VertexBox {
+  enum { kX, kY, kU, kV };
+  using Numbers = std::array<int32_t, 4>;
+
+  Numbers least, most;
+  int32_t least_q, most_q;
+
+  explicit VertexBox(std::span<const selvage_vertex> vertices)
+      : least(numbers_of(vertices[0])), most(least), least_q(vertices[0].q), most_q(least_q) {
+    for (const selvage_vertex& v : vertices.subspan(1)) {
+      widen_by(numbers_of(v));
+      least_q = std::min(least_q, v.q);
+      most_q = std::max(most_q, v.q);
+    }
+  }
+
+  [[nodiscard]] bool in_range() const {
+    return position_in_range(least[kX]) && position_in_range(most[kX]) &&
+           position_in_range(least[kY]) && position_in_range(most[kY]) && q_in_range(least_q) &&
+           q_in_range(most_q);
+  }
+
+ private:
+  [[nodiscard]] static Numbers numbers_of(const selvage_vertex& v) { return {v.x, v.y, v.u, v.v}; }
+  void widen_by(const Numbers& numbers) {
+    for (size_t i = 0; i < numbers.size(); ++i) {
+      least[i] = std::min(least[i], numbers[i]);
+      most[i] = std::max(most[i], numbers[i]);
+    }
+  }
+};
+
+// The first vertex of this y, which one has. A triangle's is found without a guess.
+[[nodiscard]] size_t first_at(int32_t y_fx8, std::span<const selvage_vertex> vertices) {
+  if (vertices.size() == 3) {
+    const size_t not_first = vertices[0].y != y_fx8, not_second = vertices[1].y != y_fx8;
+    return not_first + (not_first & not_second);
+  }
+  size_t at = 0;
+  while (vertices[at].y != y_fx8) ++at;
+  return at;
 }
 
 // A closed outline crosses every scan line at most twice if and only if its edges, horizontal ones
@@ -61,37 +110,23 @@ void find_shift(Polygon* polygon) {
 
 selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygon) {
   if (vertices.size() < 3) return SELVAGE_ERROR_VERTEX_COUNT;
-  const selvage_status ranges = check_ranges(vertices);
-  if (ranges != SELVAGE_OK) return ranges;
+  const VertexBox box(vertices);
+  if (!box.in_range()) return range_error(vertices);
   // A triangle turns twice at most.
   if (vertices.size() > 3 && !is_monotone(vertices)) return SELVAGE_ERROR_NOT_MONOTONE;
 
   // Field by field: a whole Polygon would be copied by sixteens of bytes from where it was just
   // made by eights, and wait for it.
+  const auto& [least, most, least_q, most_q] = box;
   polygon->vertices = vertices;
-  polygon->top = 0;
-  polygon->affine = true;
-  const selvage_vertex& first = vertices[0];
-  int32_t top_fx8 = first.y, bottom_fx8 = first.y, left_fx8 = first.x, right_fx8 = first.x;
-  TexelBox texels{first.u, first.u, first.v, first.v};
-  for (size_t i = 1; i < vertices.size(); ++i) {
-    const selvage_vertex& v = vertices[i];
-    if (v.y < top_fx8) polygon->top = i;
-    top_fx8 = std::min(top_fx8, v.y);
-    bottom_fx8 = std::max(bottom_fx8, v.y);
-    left_fx8 = std::min(left_fx8, v.x);
-    right_fx8 = std::max(right_fx8, v.x);
-    texels.least_u_fx16 = std::min(texels.least_u_fx16, v.u);
-    texels.most_u_fx16 = std::max(texels.most_u_fx16, v.u);
-    texels.least_v_fx16 = std::min(texels.least_v_fx16, v.v);
-    texels.most_v_fx16 = std::max(texels.most_v_fx16, v.v);
-    if (v.q != first.q) polygon->affine = false;
-  }
-  polygon->top_row = first_centre_px(top_fx8);
-  polygon->bottom_row = first_centre_px(bottom_fx8);
-  polygon->left_px = first_centre_px(left_fx8);
-  polygon->right_px = first_centre_px(right_fx8);
-  polygon->texels = texels;
+  polygon->top = first_at(least[VertexBox::kY], vertices);
+  polygon->left_px = first_centre_px(least[VertexBox::kX]);
+  polygon->top_row = first_centre_px(least[VertexBox::kY]);
+  polygon->right_px = first_centre_px(most[VertexBox::kX]);
+  polygon->bottom_row = first_centre_px(most[VertexBox::kY]);
+  polygon->texels = {least[VertexBox::kU], least[VertexBox::kV], most[VertexBox::kU],
+                     most[VertexBox::kV]};
+  polygon->affine = least_q == most_q;
   find_shift(polygon);
   return SELVAGE_OK;
 }

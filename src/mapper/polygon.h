@@ -11,15 +11,14 @@ namespace selvage::mapper {
 
 // The least and the most of u and v at the vertices, and so of all that lies between them.
 struct TexelBox {
-  int32_t least_u_fx16, most_u_fx16, least_v_fx16, most_v_fx16;
+  int32_t least_u_fx16, least_v_fx16, most_u_fx16, most_v_fx16;
 };
 
 struct Polygon {
   std::span<const selvage_vertex> vertices;
-  size_t top = 0;                       // a vertex of least y
-  int32_t top_row = 0, bottom_row = 0;  // rows whose centres lie in [least y, greatest y)
-  // Columns whose centres lie in [least x, greatest x).
-  int32_t left_px = 0, right_px = 0;
+  size_t top = 0;  // the first vertex of least y
+  // Columns and rows whose centres lie in [least x, greatest x) and [least y, greatest y).
+  int32_t left_px = 0, top_row = 0, right_px = 0, bottom_row = 0;
   TexelBox texels{};
   bool affine = true;          // all q are equal
   bool untransformed = false;  // u = x + ds and v = y + dt, ds and dt whole, everywhere

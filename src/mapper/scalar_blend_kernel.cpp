@@ -45,13 +45,17 @@ void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
 
 }  // namespace
 
-constexpr Kernels kFourScalar = {find_spans_scalar, draw_affine<blend_four>,
+constexpr Kernels kFourScalar = {find_spans_scalar, find_lanes_scalar, draw_affine<blend_four>,
                                  draw_projective<blend_four>};
-constexpr Kernels kBilinearScalar = {find_spans_scalar, draw_affine<blend_bilinear>,
-                                     draw_projective<blend_bilinear>};
-constexpr Kernels kAreaScalar = {
-    find_spans_scalar, draw_affine<blend_bilinear>, draw_projective<blend_bilinear>,
-    nullptr,           draw_boxes_affine_scalar,    draw_boxes_projective_scalar,
-    draw_boxes_scalar};
+constexpr Kernels kBilinearScalar = {find_spans_scalar, find_lanes_scalar,
+                                     draw_affine<blend_bilinear>, draw_projective<blend_bilinear>};
+constexpr Kernels kAreaScalar = {find_spans_scalar,
+                                 find_lanes_scalar,
+                                 draw_affine<blend_bilinear>,
+                                 draw_projective<blend_bilinear>,
+                                 nullptr,
+                                 draw_boxes_affine_scalar,
+                                 draw_boxes_projective_scalar,
+                                 draw_boxes_scalar};
 
 }  // namespace selvage::mapper

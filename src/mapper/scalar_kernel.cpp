@@ -98,7 +98,8 @@ void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
   }
 }
 
-constexpr Kernels kScalar = {find_spans_scalar, draw_affine, draw_projective, draw_stepped_scalar};
+constexpr Kernels kScalar = {find_spans_scalar, find_lanes_scalar, draw_affine, draw_projective,
+                             draw_stepped_scalar};
 
 }  // namespace
 

@@ -46,8 +46,9 @@ void find_columns_of(Chain* chain, const SpanBatch& batch, int32_t* first_px) {
 }  // namespace
 
 void find_spans_scalar(Outline* outline, int32_t left_px, int32_t right_px, SpanBatch* batch) {
-  find_columns_of(outline->forward(), *batch, batch->left_px.data());
-  find_columns_of(outline->backward(), *batch, batch->right_px.data());
+  auto& [forward, backward] = outline->chains();
+  find_columns_of(&forward, *batch, batch->left_px.data());
+  find_columns_of(&backward, *batch, batch->right_px.data());
   make_spans(left_px, right_px, batch);
 }
 

@@ -16,6 +16,7 @@
 #include "mapper/vector_affine_kernel-inl.h"
 #include "mapper/vector_blend_kernel-inl.h"
 #include "mapper/vector_box_kernel-inl.h"
+#include "mapper/vector_plane_kernel-inl.h"
 #include "mapper/vector_projective_kernel-inl.h"
 #include "mapper/vector_projective_pieces-inl.h"
 #include "mapper/vector_projective_wide-inl.h"
@@ -24,13 +25,14 @@
 
 namespace selvage::mapper::HWY_NAMESPACE {
 
-constexpr Kernels kNearest = {find_spans, draw_affine, draw_projective, draw_stepped};
-constexpr Kernels kFour = {find_spans, draw_blended_affine<true>, draw_blended_projective<true>};
-constexpr Kernels kBilinear = {find_spans, draw_blended_affine<false>,
+constexpr Kernels kNearest = {find_spans, find_lanes, draw_affine, draw_projective, draw_stepped};
+constexpr Kernels kFour = {find_spans, find_lanes, draw_blended_affine<true>,
+                           draw_blended_projective<true>};
+constexpr Kernels kBilinear = {find_spans, find_lanes, draw_blended_affine<false>,
                                draw_blended_projective<false>};
-constexpr Kernels kArea = {find_spans, draw_blended_affine<false>, draw_blended_projective<false>,
-                           nullptr,    draw_boxes_affine,          draw_boxes_projective,
-                           draw_boxes};
+constexpr Kernels kArea = {
+    find_spans, find_lanes,        draw_blended_affine<false>, draw_blended_projective<false>,
+    nullptr,    draw_boxes_affine, draw_boxes_projective,      draw_boxes};
 
 const Kernels& kernels(selvage_filter filter) {
   switch (filter) {

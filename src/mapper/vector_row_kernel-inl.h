@@ -7,7 +7,7 @@
 #endif
 
 #include "mapper/span_batch.h"
-#include "mapper/vector_kernel-inl.h"
+#include "mapper/vector_pair-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -18,12 +18,39 @@ using ColumnTag = hn::Rebind<int32_t, RowTag>;
 using Columns = hn::Vec<ColumnTag>;
 inline constexpr int32_t kRows = static_cast<int32_t>(hn::MaxLanes(RowTag()));
 
-// Where a line crosses the rows from so many below its first one on.
-[[nodiscard]] HWY_INLINE Columns columns_of(const EdgeLine& line, int32_t rows_below) {
+using RowNumbers = hn::Vec<RowTag>;
+
+// An EdgeLine in all lanes.
+struct LineVectors {
+  RowNumbers dividend, step, divisor;
+
+  // Where it crosses the rows from so many below its first one on.
+  [[nodiscard]] HWY_INLINE Columns columns(int32_t rows_below) const {
+    const auto at_row = hn::MulAdd(hn::Iota(RowTag(), rows_below), step, dividend);
+    return hn::DemoteTo(ColumnTag(), hn::Floor(hn::Div(at_row, divisor)));
+  }
+};
+
+[[nodiscard]] HWY_INLINE LineVectors vectors_of(const EdgeLine& line) {
   const RowTag d;
-  const auto dividend =
-      hn::MulAdd(hn::Iota(d, rows_below), hn::Set(d, line.step), hn::Set(d, line.dividend));
-  return hn::DemoteTo(ColumnTag(), hn::Floor(hn::Div(dividend, hn::Set(d, line.divisor))));
+  return {hn::Set(d, line.dividend), hn::Set(d, line.step), hn::Set(d, line.divisor)};
+}
+
+// line_between, by the same numbers: all are whole, and exact in double. Between vertices of one
+// height the divisor is 0, and the columns mean nothing.
+[[nodiscard]] HWY_INLINE LineVectors lines_between(const selvage_vertex& top,
+                                                   const selvage_vertex& bottom, int32_t row) {
+  const PairTag pairs;
+  const RowTag d;
+  const Pair place = xy_of(top);
+  const Pair across = hn::Reverse(pairs, hn::Sub(xy_of(bottom), place));  // height, dx
+  const Pair right_by = hn::Add(place, hn::Set(pairs, kHalfPixel)),
+             below_by = hn::Sub(hn::Set(pairs, centre_fx8(row)), place);
+  const Pair terms = hn::Mul(hn::OddEven(below_by, right_by), across);
+  const Pair dividend = hn::Sub(hn::Add(terms, hn::Reverse(pairs, terms)), hn::Set(pairs, 1));
+  const Pair per_row = hn::Mul(across, hn::Set(pairs, kSubpixels));
+  return {hn::Set(d, hn::GetLane(dividend)), hn::Set(d, hn::GetLane(hn::Reverse(pairs, per_row))),
+          hn::Set(d, hn::GetLane(per_row))};
 }
 
 // Makes spans between columns, some rows at a time.
@@ -57,36 +84,48 @@ class SpanMaker {
 HWY_INLINE void find_columns_of(Chain* chain, const SpanBatch& batch, int32_t* first_px) {
   chain->for_each_line(batch.first_row, batch.first_row + batch.rows,
                        [&](const EdgeLine& line, int32_t rows, int32_t first) HWY_ATTR {
+                         const LineVectors lines = vectors_of(line);
                          for (int32_t i = 0; i < rows; i += kRows) {
-                           hn::StoreU(columns_of(line, i), ColumnTag(), first_px + first + i);
+                           hn::StoreU(lines.columns(i), ColumnTag(), first_px + first + i);
                          }
                        });
 }
 
 HWY_INLINE void find_between_chains(Outline* outline, SpanMaker* spans, SpanBatch* batch) {
   const ColumnTag d;
-  find_columns_of(outline->forward(), *batch, batch->left_px.data());
-  find_columns_of(outline->backward(), *batch, batch->right_px.data());
+  auto& [forward, backward] = outline->chains();
+  find_columns_of(&forward, *batch, batch->left_px.data());
+  find_columns_of(&backward, *batch, batch->right_px.data());
   for (int32_t i = 0; i < batch->rows; i += kRows) {
     spans->make(i, hn::LoadU(d, batch->left_px.data() + i),
                 hn::LoadU(d, batch->right_px.data() + i));
   }
 }
 
-// A triangle's need no walk along its edges: all of them are followed through all rows.
-HWY_INLINE void find_in_triangle(const TriangleLines& lines, SpanMaker* spans, int32_t rows) {
-  const ColumnTag d;
-  for (int32_t i = 0; i < rows; i += kRows) {
-    const auto is_upper = hn::Lt(hn::Iota(d, i), hn::Set(d, lines.upper_rows));
-    spans->make(i, columns_of(lines.whole, i),
-                hn::IfThenElse(is_upper, columns_of(lines.upper, i), columns_of(lines.lower, i)));
+// A triangle's need no walk along its edges: one line goes through all rows, another one changes
+// at the corner between its edges.
+HWY_INLINE void find_in_triangle(const TriangleCorners& corners, SpanMaker* spans,
+                                 const SpanBatch& batch) {
+  const RowTag d;
+  const auto& [top, middle, bottom] = corners;
+  const int32_t row = batch.first_row;
+  const LineVectors whole = lines_between(top, bottom, row),
+                    upper = lines_between(top, middle, row),
+                    lower = lines_between(middle, bottom, row);
+  const auto corner = hn::Set(d, first_centre_px(middle.y) - row);
+  for (int32_t i = 0; i < batch.rows; i += kRows) {
+    const auto is_upper = hn::Lt(hn::Iota(d, i), corner);
+    const LineVectors broken = {hn::IfThenElse(is_upper, upper.dividend, lower.dividend),
+                                hn::IfThenElse(is_upper, upper.step, lower.step),
+                                hn::IfThenElse(is_upper, upper.divisor, lower.divisor)};
+    spans->make(i, whole.columns(i), broken.columns(i));
   }
 }
 
 void find_spans(Outline* outline, int32_t left_px, int32_t right_px, SpanBatch* batch) {
   SpanMaker spans(left_px, right_px, batch);
   if (outline->is_triangle()) {
-    find_in_triangle(outline->lines_from(batch->first_row), &spans, batch->rows);
+    find_in_triangle(outline->corners(), &spans, *batch);
   } else {
     find_between_chains(outline, &spans, batch);
   }
