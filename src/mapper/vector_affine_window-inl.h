@@ -25,9 +25,9 @@ namespace {
 // A strip of a block: of its rows, a vector each, from so many pixels right of their first ones on;
 // whole ones, or parts, maybe of no pixels. Returns what the lanes of pixels lack changes in them.
 template <class Pixel, bool kWhole, class Batch, class OneWindow>
-[[nodiscard]] HWY_INLINE V32 draw_strip(const OneWindow& window, const Batch& batch,
-                                        const AffineSpans& spans, const selvage_image& target,
-                                        const RowBlock& block, int32_t right_by_px) {
+[[nodiscard]] HWY_INLINE V32 draw_strip(OneWindow window, Batch batch, const AffineSpans& spans,
+                                        const selvage_image& target, const RowBlock& block,
+                                        int32_t right_by_px) {
   const D32 d;
   const Lane step_x = spans.field.step_x, step_y = spans.field.step_y;
   const int32_t* const left_px = spans.batch.left_px.data();
