@@ -56,23 +56,79 @@ template <class Pixel, bool kWhole, class Batch, class OneWindow>
   return changed;
 }
 
+// The vectors of a batch of narrow spans, row by row, in a list: where rows end is seldom foreseen,
+// and of a list only the end has to be guessed.
+struct VectorList {
+  static constexpr int32_t kMostPerRow = kMostOneWindow_px / kLanes;
+  static constexpr size_t kMost = (kRowsPerBatch + 1) * kMostPerRow;
+
+  // kMostOneWindow_px times a row, and how far right of its left end the vector begins.
+  std::array<int32_t, kMost> place;
+  int32_t count;
+
+  HWY_INLINE explicit VectorList(const SpanBatch& batch) {
+    int32_t end = 0;
+    for (int32_t i = 0; i < batch.rows; ++i) {
+      store_row(i * kMostOneWindow_px, place.data() + end);
+      end += (batch.span(i).width_px() + (kLanes - 1)) / kLanes;
+    }
+    count = end;
+  }
+
+ private:
+  static HWY_INLINE void store_row(int32_t row_place, int32_t* to) {
+    const hn::CappedTag<int32_t, kMostPerRow> d;
+    constexpr auto kPart =
+        static_cast<int32_t>(hn::MaxLanes(hn::CappedTag<int32_t, kMostPerRow>()));
+    for (int32_t k = 0; k < kMostPerRow; k += kPart) {
+      const auto right_by = hn::Mul(hn::Iota(d, k), hn::Set(d, kLanes));
+      hn::StoreU(hn::Add(hn::Set(d, row_place), right_by), d, to + k);
+    }
+  }
+};
+
+// All of a batch that has several vectors a row. The window and the constants of lanes are copies:
+// as such they stay in registers, for no store can change them.
+template <class Pixel, class Batch, class OneWindow>
+[[nodiscard]] HWY_INLINE V32 draw_list(OneWindow window, Batch batch, const AffineSpans& spans,
+                                       const selvage_image& target) {
+  const D32 d;
+  const SpanBatch& rows = spans.batch;
+  const VectorList list(rows);
+  std::array<Lane, kRowsPerBatch> anchors;
+  std::array<Pixel*, kRowsPerBatch> pixels;
+  const Lane step_x = spans.field.step_x;
+  Lane at_row = batch.anchor(spans.field.at(0, rows.first_row));
+  char* row = static_cast<char*>(target.pixels) + rows.first_row * target.pitch;
+  for (size_t i = 0; i < static_cast<size_t>(rows.rows); ++i) {
+    anchors[i] = plus(at_row, rows.left_px[i], step_x);
+    pixels[i] = reinterpret_cast<Pixel*>(row) + rows.left_px[i];
+    at_row = plus(at_row, 1, spans.field.step_y);
+    row += target.pitch;
+  }
+  V32 changed = hn::Zero(d);
+  for (size_t k = 0; k < static_cast<size_t>(list.count); ++k) {
+    const auto place = static_cast<uint32_t>(list.place[k]);
+    const size_t i = place / kMostOneWindow_px;
+    const auto right_by_px = static_cast<int32_t>(place % kMostOneWindow_px);
+    const int32_t count_px = rows.right_px[i] - rows.left_px[i] - right_by_px;
+    const LaneVectors lanes = batch.lanes_from(plus(anchors[i], right_by_px, step_x));
+    const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
+    changed = hn::IfThenElse(is_pixel, hn::Or(changed, batch.changes(lanes)), changed);
+    store_first(is_pixel, window.texels(lanes), count_px, pixels[i] + right_by_px);
+  }
+  return changed;
+}
+
 // False where some pixel is a near-tie.
 template <class Pixel, class Address, class OneWindow>
 [[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const AffineSpans& spans,
                                         const Surface& surface) {
   const AffineBatch<Address> batch(spans, surface);
-  V32 changed = hn::Zero(D32());
-  for_each_block(spans.batch, kLanes, [&](const RowBlock& block) HWY_ATTR {
-    int32_t px = 0;
-    for (; px + kLanes <= block.least_px; px += kLanes) {
-      changed =
-          hn::Or(changed, draw_strip<Pixel, true>(window, batch, spans, surface.target, block, px));
-    }
-    for (; px < block.widest_px; px += kLanes) {
-      changed = hn::Or(changed, draw_strip<Pixel, false>(window, batch, spans, surface.target,
-                                                         block.wider_than(spans.batch, px), px));
-    }
-  });
+  const RowBlock all{0, spans.batch.rows, 0, spans.batch.widest_px};
+  const V32 changed = spans.batch.widest_px <= kLanes
+                          ? draw_strip<Pixel, false>(window, batch, spans, surface.target, all, 0)
+                          : draw_list<Pixel>(window, batch, spans, surface.target);
   return !any_bits(changed, ~0xFFFF);
 }
 

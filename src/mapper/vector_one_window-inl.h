@@ -16,9 +16,9 @@ namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
 // Whether spans are narrow enough, and rows share the window.
+inline constexpr int32_t kMostOneWindow_px = 64;
 [[nodiscard]] HWY_INLINE bool pays_one_window(const SpanBatch& batch) {
-  constexpr int32_t kMost_px = 64;
-  return batch.widest_px <= kMost_px && batch.rows > 1;
+  return batch.widest_px <= kMostOneWindow_px && batch.rows > 1;
 }
 
 // Some rows of a batch. They have few vectors, and where they end is seldom foreseen: they are
