@@ -1,6 +1,7 @@
 // The filters over four texels, by every kernel that this machine can run.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <vector>
@@ -38,18 +39,41 @@ struct Corners {
 constexpr int32_t kSide_px = 256, kChannels = 4;
 using Picture = std::vector<uint8_t>;
 
+// All that the texture has, or some of it: a kernel may take other ways then.
+enum class Texels { kAll, kSome };
+
+// Of 16 x 8, the four texels in the middle.
+[[nodiscard]] Picture among_others(const std::array<uint8_t, 16>& texels) {
+  constexpr size_t kRow = 16 * kChannels, kPair = 2 * kChannels;
+  Picture all(8 * kRow, 0x77);
+  const auto first = all.begin() + 3 * kRow + 7 * kChannels;
+  std::copy(texels.begin(), texels.begin() + kPair, first);
+  std::copy(texels.begin() + kPair, texels.end(), first + kRow);
+  return all;
+}
+
 // Pixel (i, j) has the weights i / 256 and j / 256: from texel to texel in 256 pixels.
-[[nodiscard]] Picture drawn(const std::array<uint8_t, 16>& texels, selvage_filter filter,
-                            selvage_kernel kernel) {
+[[nodiscard]] Picture drawn(const std::array<uint8_t, 16>& texels, Texels are,
+                            selvage_filter filter, selvage_kernel kernel) {
   constexpr int32_t px = SELVAGE_SUBPIXELS, texel = SELVAGE_SUBTEXELS;
-  constexpr int32_t u = texel / 2 - texel / 512, far = texel / 2 - texel / 512 + 4 * texel;
-  const std::array<selvage_vertex, 3> corner{
-      {{0, 0, u, u, 1}, {4 * kSide_px * px, 0, far, u, 1}, {0, 4 * kSide_px * px, u, far, 1}}};
+  const bool some = are == Texels::kSome;
+  const Picture others = among_others(texels);
+  const int32_t first = texel / 2 - texel / 512, walk = 4 * texel;
+  const int32_t u = first + (some ? 7 * texel : 0), v = first + (some ? 3 * texel : 0);
+  const std::array<selvage_vertex, 3> corner{{{0, 0, u, v, 1},
+                                              {4 * kSide_px * px, 0, u + walk, v, 1},
+                                              {0, 4 * kSide_px * px, u, v + walk, 1}}};
   Picture picture(kSide_px * kSide_px * kChannels, 0x5A);
   const selvage_image target{picture.data(), kSide_px, kSide_px, kSide_px * kChannels,
                              SELVAGE_RGBA8888};
-  const selvage_texture texture{texels.data(),       2,      2, 2 * kChannels, SELVAGE_RGBA8888,
-                                SELVAGE_LAYOUT_ROWS, nullptr};
+  const int32_t width_texel = some ? 16 : 2, height_texel = some ? 8 : 2;
+  const selvage_texture texture{some ? others.data() : texels.data(),
+                                width_texel,
+                                height_texel,
+                                width_texel * kChannels,
+                                SELVAGE_RGBA8888,
+                                SELVAGE_LAYOUT_ROWS,
+                                nullptr};
   selvage_options options{};
   options.filter = filter;
   options.kernel = kernel;
@@ -96,10 +120,12 @@ TEST(BlendKernel, MixesByTheFormulaWhateverTheWeights) {
     }
     for (const selvage_kernel kernel : usable_kernels()) {
       if (kernel == SELVAGE_KERNEL_SCALAR) continue;
-      ASSERT_EQ(drawn(texels_of(channels), SELVAGE_FILTER_BILINEAR, kernel) == wanted, true)
-          << "kernel " << kernel << ", red corners " << channels[0].upper_left << ' '
-          << channels[0].upper_right << ' ' << channels[0].lower_left << ' '
-          << channels[0].lower_right;
+      for (const Texels are : {Texels::kAll, Texels::kSome}) {
+        ASSERT_EQ(drawn(texels_of(channels), are, SELVAGE_FILTER_BILINEAR, kernel) == wanted, true)
+            << "kernel " << kernel << ", red corners " << channels[0].upper_left << ' '
+            << channels[0].upper_right << ' ' << channels[0].lower_left << ' '
+            << channels[0].lower_right;
+      }
     }
   });
 }
@@ -107,10 +133,12 @@ TEST(BlendKernel, MixesByTheFormulaWhateverTheWeights) {
 TEST(BlendKernel, MeanOfFourIsByItsOwnFormula) {
   for_hard_corners([](const std::array<Corners, kChannels>& channels) {
     for (const selvage_kernel kernel : usable_kernels()) {
-      const Picture picture = drawn(texels_of(channels), SELVAGE_FILTER_FOUR, kernel);
-      for (size_t c = 0; c < kChannels; ++c) {
-        ASSERT_EQ(picture[c], four(channels[c])) << "kernel " << kernel;
-        ASSERT_EQ(picture[picture.size() - kChannels + c], four(channels[c]));
+      for (const Texels are : {Texels::kAll, Texels::kSome}) {
+        const Picture picture = drawn(texels_of(channels), are, SELVAGE_FILTER_FOUR, kernel);
+        for (size_t c = 0; c < kChannels; ++c) {
+          ASSERT_EQ(picture[c], four(channels[c])) << "kernel " << kernel;
+          ASSERT_EQ(picture[picture.size() - kChannels + c], four(channels[c]));
+        }
       }
     }
   });

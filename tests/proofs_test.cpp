@@ -42,8 +42,11 @@ struct Constant {
 struct Proof {
   std::string script;
   std::vector<Constant> constants;
+  std::string use = "";  // of several
+
+  [[nodiscard]] std::string name() const { return script + use; }
 };
-void PrintTo(const Proof& proof, std::ostream* out) { *out << proof.script; }
+void PrintTo(const Proof& proof, std::ostream* out) { *out << proof.name(); }
 
 // Exactly, in Gappa's notation.
 [[nodiscard]] std::string number(double value) {
@@ -122,11 +125,21 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
       {"vector_lanes",
        {{"SHIFT", number(kLaneFraction - kTexelFraction)},
         {"TRUNCATIONS", number(kVectorTruncations_fx16), barely_less(kVectorTruncations_fx16)}}},
+      {"vector_lanes",
+       {{"SHIFT", number(kLaneFraction - kWindowFraction)},
+        {"TRUNCATIONS", number(kVectorTruncations_fx24), barely_less(kVectorTruncations_fx24)}},
+       "_fx24"},
       {"divided_lanes",
        {{"SHIFT", number(kLaneFraction - kTexelFraction)},
         {"LANE_BITS", number(kTexelBits + 1), "38"},
         {"SPARE", number(kProjectiveTruncations_fx32 - 1), "0"},
         {"TRUNCATIONS", number(kDividedTruncations_fx16), barely_less(kDividedTruncations_fx16)}}},
+      {"divided_lanes",
+       {{"SHIFT", number(kLaneFraction - kWindowFraction)},
+        {"LANE_BITS", number(kTexelBits - kTexelFraction + kWindowFraction + 1), "46"},
+        {"SPARE", number(kProjectiveTruncations_fx32 - 1), "0"},
+        {"TRUNCATIONS", number(kDividedTruncations_fx24), barely_less(kDividedTruncations_fx24)}},
+       "_fx24"},
       {"anchored_lanes",
        {{"LANE_BITS", number(kTexelBits), "45"},
         {"MOST_TURN", number(kMostTurn), "0.52"},
@@ -276,7 +289,7 @@ TEST_P(Proofs, FailWithAWrongConstant) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, Proofs, testing::ValuesIn(proofs()),
-                         [](const auto& proof) { return proof.param.script; });
+                         [](const auto& proof) { return proof.param.name(); });
 
 TEST(ProofScripts, AreAllRunAndAllExplained) {
   std::set<std::string> run, found;

@@ -18,9 +18,15 @@ inline constexpr int32_t kNarrow_px = 32;
 // anchor, and by that of the step from there.
 inline constexpr int32_t kVectorTruncations_fx16 = 2;
 
+// The filters over four texels ask for lanes that are finer, of the same law, and for fewer texels,
+// counted from the first of a window: 8.24.
+inline constexpr int kWindowFraction = 24;
+inline constexpr int32_t kVectorTruncations_fx24 = kVectorTruncations_fx16;
+
 // In perspective they are floors of estimates that are lowered by their error, and lack less than
 // twice that, the floor's unit, and what is left of one where the sum is floored.
 inline constexpr int32_t kDividedTruncations_fx16 = 2;
+inline constexpr int32_t kDividedTruncations_fx24 = kDividedTruncations_fx16;
 
 // Or they are counted from an anchor, the first of a vector of pixels, in single precision: where
 // the denominator turns by no more than half of itself over them, and u and v walk no further than

@@ -1,0 +1,152 @@
+// Where the vector kernels permute the rows of small windows to mix four texels: every size of
+// texture about a window's, slopes about those at which one no longer holds all texels, seams and
+// ends of the texture in the middle of vectors, and nothing but the texture to read.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "spec/random.h"
+#include "tests/fenced_bytes.h"
+#include "tests/kernel_support.h"
+
+namespace selvage::mapper {
+namespace {
+
+struct Texture {
+  int32_t width_texel, height_texel, pitch_texel;
+  bool flipped;
+};
+
+struct Drawing {
+  Texture texture;
+  int32_t width_px, height_px;
+  selvage_address address;
+  selvage_filter filter;
+  std::vector<selvage_vertex> vertices;
+};
+
+// Vectors of 16 pixels span whole numbers of texels, or a hair less or more; or any number.
+[[nodiscard]] double any_slope(spec::Random& random) {
+  const int32_t sign = random.percent(50) ? 1 : -1;
+  if (random.percent(20)) return sign * random.in(0, 257) / 256.0;
+  if (random.percent(20)) return sign * random.in(0, 1200) / 1000.0;
+  return sign * (random.in(0, 16) / 15.0 + random.in(-1, 2) / 4096.0);
+}
+
+[[nodiscard]] Texture any_texture(spec::Random& random) {
+  static constexpr int32_t kWidths[] = {1, 2, 7, 8, 9, 15, 16, 17, 31, 32, 64, 67, 100};
+  static constexpr int32_t kHeights[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 16, 23, 24, 32, 50};
+  const int32_t width_texel = random.pick(kWidths);
+  return {width_texel, random.pick(kHeights), width_texel + (random.percent(50) ? 0 : 3),
+          random.percent(30)};
+}
+
+[[nodiscard]] Drawing any_drawing(uint64_t seed, bool perspective) {
+  spec::Random random(seed);
+  Drawing drawing{any_texture(random),
+                  random.in(1, 120),
+                  random.in(1, 40),
+                  random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP,
+                  random.percent(70) ? SELVAGE_FILTER_BILINEAR : SELVAGE_FILTER_FOUR,
+                  {}};
+  const double ux = any_slope(random), uy = any_slope(random);
+  const double vx = any_slope(random), vy = any_slope(random);
+  const int32_t beyond = random.percent(20) ? 400 : 20;
+  const double u =
+      random.in(-beyond, drawing.texture.width_texel + beyond) + random.in(0, 512) / 512.0;
+  const double v =
+      random.in(-beyond, drawing.texture.height_texel + beyond) + random.in(0, 512) / 512.0;
+  const auto fx16 = [](double texel) { return static_cast<int32_t>(std::lround(texel * 65536)); };
+  const int32_t q = random.pick({256, 1000, 65536});
+  for (int corner = 0; corner < 3; ++corner) {
+    const int32_t x_fx8 = random.in(-2000, 32000), y_fx8 = random.in(-2000, 12000);
+    const double x_px = x_fx8 / 256.0, y_px = y_fx8 / 256.0;
+    drawing.vertices.push_back({x_fx8, y_fx8, fx16(u + x_px * ux + y_px * uy),
+                                fx16(v + x_px * vx + y_px * vy),
+                                perspective ? q + random.in(0, q / 4) : 1});
+  }
+  return drawing;
+}
+
+// The texture ends, or begins, at memory that may not be touched.
+[[nodiscard]] std::vector<uint32_t> drawn(const Drawing& of, selvage_kernel kernel,
+                                          FencedBytes::Side side) {
+  constexpr auto kBytes = sizeof(uint32_t);
+  const Texture& texture = of.texture;
+  const auto last_row = static_cast<size_t>(texture.height_texel - 1);
+  const auto pitch_texel = static_cast<size_t>(texture.pitch_texel);
+  const size_t texels = last_row * pitch_texel + static_cast<size_t>(texture.width_texel);
+  const FencedBytes memory(texels * kBytes, side);
+  for (size_t i = 0; i < texels; ++i) {
+    const uint32_t texel = static_cast<uint32_t>(i + 1) * 2654435761U;
+    std::memcpy(memory.first() + i * kBytes, &texel, kBytes);
+  }
+  const auto pitch = static_cast<ptrdiff_t>(pitch_texel * kBytes);
+  const selvage_texture view{
+      memory.first() + (texture.flipped ? static_cast<ptrdiff_t>(last_row) * pitch : 0),
+      texture.width_texel,
+      texture.height_texel,
+      texture.flipped ? -pitch : pitch,
+      SELVAGE_RGBA8888,
+      SELVAGE_LAYOUT_ROWS,
+      nullptr};
+  std::vector<uint32_t> pixels(static_cast<size_t>(of.width_px * of.height_px), 0x11111111);
+  const selvage_image image{pixels.data(), of.width_px, of.height_px,
+                            of.width_px * ptrdiff_t{kBytes}, SELVAGE_RGBA8888};
+  selvage_options options{};
+  options.filter = of.filter;
+  options.address = of.address;
+  options.kernel = kernel;
+  EXPECT_EQ(selvage_draw(&image, nullptr, of.vertices.data(), of.vertices.size(), &view, &options),
+            SELVAGE_OK);
+  return pixels;
+}
+
+void expect_alike(const Drawing& drawing, FencedBytes::Side side) {
+  const std::vector<uint32_t> wanted = drawn(drawing, SELVAGE_KERNEL_SCALAR, side);
+  for (const selvage_kernel kernel : usable_kernels()) {
+    ASSERT_TRUE(drawn(drawing, kernel, side) == wanted)
+        << "kernel " << kernel << ", filter " << drawing.filter << ", address " << drawing.address
+        << ", texture " << drawing.texture.width_texel << " x " << drawing.texture.height_texel;
+  }
+}
+
+void expect_all_kernels_draw_the_same(bool perspective) {
+  constexpr uint64_t kDrawings = 10000;
+  for (uint64_t seed = 1; seed <= kDrawings; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const auto side = seed % 2 == 0 ? FencedBytes::Side::kFirst : FencedBytes::Side::kLast;
+    ASSERT_NO_FATAL_FAILURE(expect_alike(any_drawing(seed, perspective), side));
+  }
+}
+
+TEST(BlendWindows, KernelsDrawTheSame) { expect_all_kernels_draw_the_same(false); }
+
+TEST(BlendWindows, KernelsDrawTheSameInPerspective) { expect_all_kernels_draw_the_same(true); }
+
+// A third of a texel a pixel from a step of the grid on, or u on such a step everywhere: so many
+// vectors have near-ties that they are not all left at once.
+TEST(BlendWindows, KernelsDrawTheSameWhereAllIsNear) {
+  constexpr int32_t kPixel = SELVAGE_SUBPIXELS, kTexel = SELVAGE_SUBTEXELS;
+  constexpr int32_t first = kPixel / 2, end = first + 900 * kPixel;
+  constexpr int32_t u = kTexel / 2, far = u + 300 * kTexel;
+  const std::vector<selvage_vertex> thirds{
+      {first, first, u, u, 1}, {end, first, far, u, 1}, {first, end, u, far, 1}};
+  const std::vector<selvage_vertex> steps{
+      {first, first, u, u, 1000}, {end, first, u, far, 1300}, {first, end, u, u, 1600}};
+  for (const auto& vertices : {thirds, steps}) {
+    for (const selvage_filter filter : {SELVAGE_FILTER_BILINEAR, SELVAGE_FILTER_FOUR}) {
+      for (const selvage_address address : {SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP}) {
+        expect_alike({{64, 64, 64, false}, 300, 90, address, filter, vertices},
+                     FencedBytes::Side::kLast);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper
