@@ -75,14 +75,6 @@ struct TexelRange {
   }
 };
 
-// A window's columns, a power of two: as many as there are lanes, or half as many, two rows to the
-// vector.
-inline constexpr int kHalfColumnBits = kWindowColumnBits - 1;
-template <int kColumnBits>
-inline constexpr int32_t kColumns = 1 << kColumnBits;
-template <int kColumnBits>
-inline constexpr int32_t kRowsPerVector = kLanes >> kColumnBits;
-
 // Picked from by one permute, and the most that are kept.
 inline constexpr int32_t kVectorsPerPermute = kRowsPerPermute;
 inline constexpr int32_t kMostWindowVectors = kMostWindowRows;
