@@ -6,6 +6,8 @@
 #define SELVAGE_VECTOR_AFFINE_WIDE_INL_H
 #endif
 
+#include <type_traits>
+
 #include "mapper/interior.h"
 #include "mapper/vector_affine_windows-inl.h"
 #include "mapper/vector_fetch-inl.h"
@@ -14,7 +16,10 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// Calls draw(row, px, count_px, anchor) for each vector of pixels, from `at` on;
+using Whole = std::true_type;
+using Part = std::false_type;
+
+// Calls draw(row, px, count_px, anchor, Whole or Part) for each vector of pixels, from `at` on;
 // false from it leaves the vector to others. Returns at the end, or where no more can be left.
 template <class Draw>
 HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume* at, Left* left,
@@ -31,8 +36,8 @@ HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume
     int64_t u = first.u_fx32 + to_anchor.u_fx32, v = first.v_fx32 + to_anchor.v_fx32;
     for (int32_t count_px = span.right_px - px; count_px > 0; count_px -= kLanes) {
       const bool drawn = HWY_LIKELY(count_px >= kLanes)
-                             ? draw(span.row, px, kLanes, Lane{u, v})
-                             : draw(span.row, px, count_px, Lane{u, v});
+                             ? draw(span.row, px, kLanes, Lane{u, v}, Whole())
+                             : draw(span.row, px, count_px, Lane{u, v}, Part());
       if (HWY_UNLIKELY(!drawn)) {
         left->rest[static_cast<size_t>(left_count++)] = {span.row, px, span.right_px};
         if (left_count == Left::kMost) {
@@ -74,7 +79,8 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
   for_each_vector(spans, batch.to_anchor(), at, left,
-                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR {
+                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor, auto /*whole*/)
+                      HWY_ATTR {
                         const LaneVectors lanes = batch.lanes_from(anchor);
                         if (batch.any_near(lanes)) return false;
                         fetch.add(batch.places(lanes), count_px,

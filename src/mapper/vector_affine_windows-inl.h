@@ -1,5 +1,5 @@
-// Affine spans by windows, those of some vectors of a row found at once. Included once for each SIMD
-// target.
+// Affine spans by windows, those of some vectors of a row found at once. Included once for each
+// SIMD target.
 #if defined(SELVAGE_VECTOR_AFFINE_WINDOWS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_AFFINE_WINDOWS_INL_H
 #undef SELVAGE_VECTOR_AFFINE_WINDOWS_INL_H
@@ -43,8 +43,8 @@ class AnchorRun {
   template <int kHalf>
   HWY_INLINE V32 lanes(int64_t first_fx32) const {
     const hn::Repartition<int64_t, D32> d;
-    return hn::BitCast(D32(), hn::Add(hn::Set(d, first_fx32),
-                                      hn::Load(d, offsets_fx32_ + kHalf * (kLanes / 2))));
+    return hn::BitCast(
+        D32(), hn::Add(hn::Set(d, first_fx32), hn::Load(d, offsets_fx32_ + kHalf * (kLanes / 2))));
   }
 
   HWY_ALIGN int64_t offsets_fx32_[kLanes];
@@ -65,12 +65,12 @@ enum class Addressing { kClamped, kMasked, kWrapped };
 class WindowFinder {
  public:
   HWY_INLINE WindowFinder(const AffineField& field, const Surface& surface,
-                          const WindowShape& shape)
+                          const WindowShape& shape, bool inside)
       : u_(field.step_x.u_fx32),
         v_(field.step_x.v_fx32),
         extent_(extent_of(surface.texture)),
         shape_(shape),
-        addressing_(addressing_of(surface)) {}
+        addressing_(inside ? Addressing::kClamped : addressing_of(surface)) {}
 
   HWY_INLINE void find(Lane anchor, WindowRun* run) const {
     const D32 d;
@@ -134,9 +134,9 @@ class WindowDraw {
 
 template <class Pixel, class InWindow, int kColumnBits, int32_t kRows>
 HWY_NOINLINE void draw_windows(const AffineSpans& spans, const Surface& surface,
-                               const WindowShape& shape, Resume* at, Left* left) {
+                               const WindowShape& shape, bool inside, Resume* at, Left* left) {
   const AffineField field = spans.field;
-  const WindowFinder finder(field, surface, shape);
+  const WindowFinder finder(field, surface, shape, inside);
   const WindowDraw<Pixel, InWindow, kColumnBits, kRows> by(spans, surface, shape.rows);
   const Lane to_anchor = by.to_anchor();
   WindowRun run;
@@ -178,15 +178,16 @@ HWY_INLINE void draw_windows(const AffineSpans& spans, const Surface& surface,
   constexpr int32_t kOne = kRowsPerPermute, kTwo = 2 * kRowsPerPermute;
   if (surface.address == SELVAGE_ADDRESS_CLAMP && !inside) {
     const WindowShape wide{kBits, shape.rows};
-    draw_windows<Pixel, Addressed<ClampVector>, kBits, 0>(spans, surface, wide, at, left);
+    draw_windows<Pixel, Addressed<ClampVector>, kBits, 0>(spans, surface, wide, inside, at, left);
   } else if (shape.is_half()) {
-    draw_windows<Pixel, Inside, kHalfColumnBits, kHalfWindowRows>(spans, surface, shape, at, left);
+    draw_windows<Pixel, Inside, kHalfColumnBits, kHalfWindowRows>(spans, surface, shape, inside, at,
+                                                                  left);
   } else if (shape.rows == kOne) {
-    draw_windows<Pixel, Inside, kBits, kOne>(spans, surface, shape, at, left);
+    draw_windows<Pixel, Inside, kBits, kOne>(spans, surface, shape, inside, at, left);
   } else if (shape.rows == kTwo) {
-    draw_windows<Pixel, Inside, kBits, kTwo>(spans, surface, shape, at, left);
+    draw_windows<Pixel, Inside, kBits, kTwo>(spans, surface, shape, inside, at, left);
   } else {
-    draw_windows<Pixel, Inside, kBits, 0>(spans, surface, shape, at, left);
+    draw_windows<Pixel, Inside, kBits, 0>(spans, surface, shape, inside, at, left);
   }
 }
 

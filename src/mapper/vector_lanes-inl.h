@@ -131,10 +131,9 @@ class FixedLanes {
         hn::Or(hn::Gt(column, hn::Set(d, kLanes - 1)), hn::Gt(row, hn::Set(d, low.rows - 1)));
     if (s.index > last_column || t.index > last_row || !hn::AllFalse(d, beyond)) return false;
     const Pixel* const window = from + t.index * ptrdiff_t{extent_.pitch_texel} + s.index;
-    store_pixels(
-        pick<kWindowColumnBits>(window, extent_.pitch_texel, low.rows,
-                                hn::Add(hn::ShiftLeft<kWindowColumnBits>(row), column)),
-        kLanes, to);
+    store_pixels(pick<kWindowColumnBits>(window, extent_.pitch_texel, low.rows,
+                                         hn::Add(hn::ShiftLeft<kWindowColumnBits>(row), column)),
+                 kLanes, to);
     return true;
   }
 

@@ -179,6 +179,12 @@ struct WalkConstants {
 // From the anchors of pieces to the lanes of pixels.
 class PieceLanes {
  public:
+  HWY_INLINE PieceLanes()
+      : one_(hn::Set(DFloat(), 1.0F)), whole_(hn::Set(DFloat(), kWholeNumbers)) {
+    for (int32_t at = 0; at < kVectorsPerPiece; ++at) {
+      steps_[at] = hn::ConvertTo(DFloat(), hn::Iota(D32(), at * kLanes));
+    }
+  }
   HWY_INLINE explicit PieceLanes(const WalkConstants& constants)
       : one_(hn::Set(DFloat(), constants.one)), whole_(hn::Set(DFloat(), constants.whole)) {
     for (int32_t at = 0; at < kVectorsPerPiece; ++at) {
@@ -257,9 +263,9 @@ class AnchoredVectors {
         hn::Sub(hn::LoadU(d, pieces.right_px + k), hn::LoadU(d, pieces.left_px + k));
     const V32 end = hn::Min(width_px, hn::Set(d, (kVector + 1) * kLanes));
     const VFloat turn = hn::LoadU(df, anchors.turn + k);
-    const auto first =
-        kVector == 0 ? hn::Zero(df)
-                     : share_of(df, hn::Set(df, static_cast<float>(kVector * kLanes)), turn);
+    const auto first = kVector == 0
+                           ? hn::Zero(df)
+                           : share_of(df, hn::Set(df, static_cast<float>(kVector * kLanes)), turn);
     const auto last = share_of(df, hn::ConvertTo(df, hn::Sub(end, hn::Set(d, 1))), turn);
     const V32 u = hn::LoadU(d, anchors.u_fx16 + k), v = hn::LoadU(d, anchors.v_fx16 + k);
     const TexelRun s = run_of(u, hn::LoadU(df, anchors.u_rise + k), first, last);
@@ -281,8 +287,8 @@ class AnchoredVectors {
     hn::StoreU(from(v, origins.t), d, windows->v_fx16[kVector] + k);
     hn::StoreU(origins.place, d, windows->place[kVector] + k);
     const V32 in_texture = hn::IfThenElse(is_half, hn::Set(d, kHalfWindow), rows);
-    const V32 shape = hn::IfThenElse(hn::Lt(origins.place, hn::Zero(d)), hn::Set(d, kNoWindow),
-                                     in_texture);
+    const V32 shape =
+        hn::IfThenElse(hn::Lt(origins.place, hn::Zero(d)), hn::Set(d, kNoWindow), in_texture);
     hn::StoreU(hn::IfThenZeroElse(none, shape), d, windows->rows[kVector] + k);
   }
 

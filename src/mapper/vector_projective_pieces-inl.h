@@ -209,7 +209,7 @@ template <class Pixel, class Fixed, class OneWindow>
   const ptrdiff_t pitch = target.pitch;
   char* row = static_cast<char*>(target.pixels) + (batch.first_row + block.first) * pitch;
   V32 changed = hn::Zero(d);
-  const PieceLanes lanes_of{WalkConstants()};
+  const PieceLanes lanes_of;
   Pieces pieces;
   Anchors anchors;
   for (int32_t first = block.first; first < block.end; first += kMostPieces) {
@@ -273,13 +273,13 @@ void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
   while (more) {
     if (!cached) {
       more = draw_pieces<Pixel, Address, FetchAhead<Pixel>>(surface, vectors, has_windows, &queue,
-                                                             &left);
+                                                            &left);
     } else if (inside) {
       more = draw_pieces<Pixel, Addressed<InsideVector>, FetchAtOnce<Pixel>>(
           surface, vectors, has_windows, &queue, &left);
     } else {
       more = draw_pieces<Pixel, Address, FetchAtOnce<Pixel>>(surface, vectors, has_windows, &queue,
-                                                               &left);
+                                                             &left);
     }
     if (left.count != 0) {
       draw_left<Pixel, Address>(left, spans, surface, vectors.lack_fx16());
