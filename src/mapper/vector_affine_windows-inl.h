@@ -20,6 +20,7 @@ struct Resume {
 
 // kLanes vectors of pixels side by side: the lanes of their anchors, counted from the origins of
 // their windows, and the places of those, negative where there is none.
+inline constexpr int32_t kRun_px = kLanes * kLanes;
 struct WindowRun {
   HWY_ALIGN int32_t u_fx16[kLanes], v_fx16[kLanes], place[kLanes];
 };
@@ -132,6 +133,25 @@ class WindowDraw {
   int32_t rows_;
 };
 
+// Draws the run that begins with a pixel, and puts down the vectors that are left.
+template <class Pixel, class Draw>
+HWY_INLINE int32_t draw_run(const Draw& by, const WindowRun& run, const Span& rest, Pixel* row,
+                            int32_t left_count, Left* left) {
+  const auto leave = [&](int32_t px) HWY_ATTR {
+    left->rest[static_cast<size_t>(left_count++)] = {rest.row, px, rest.right_px};
+  };
+  const int32_t count_px = HWY_MIN(rest.width_px(), kRun_px);
+  const int32_t whole = count_px / kLanes, last_px = count_px % kLanes;
+  Pixel* const to = row + rest.left_px;
+  for (int32_t k = 0; k < whole; ++k) {
+    if (HWY_UNLIKELY(!by.draw(run, k, kLanes, to + k * kLanes))) leave(rest.left_px + k * kLanes);
+  }
+  if (last_px != 0 && HWY_UNLIKELY(!by.draw(run, whole, last_px, to + whole * kLanes))) {
+    leave(rest.left_px + whole * kLanes);
+  }
+  return left_count;
+}
+
 template <class Pixel, class InWindow, int kColumnBits, int32_t kRows>
 HWY_NOINLINE void draw_windows(const AffineSpans& spans, const Surface& surface,
                                const WindowShape& shape, bool inside, Resume* at, Left* left) {
@@ -143,25 +163,12 @@ HWY_NOINLINE void draw_windows(const AffineSpans& spans, const Surface& surface,
   int32_t i = at->row, px = at->px, left_count = 0;
   for (; i < spans.batch.rows; ++i, px = INT32_MIN) {
     const Span span = spans.batch.span(i);
-    px = HWY_MAX(px, span.left_px);
     Pixel* const row = reinterpret_cast<Pixel*>(first_pixel(surface, {span.row, 0, 0}));
-    for (; px < span.right_px; px += kLanes * kLanes) {
+    for (px = HWY_MAX(px, span.left_px); px < span.right_px; px += kRun_px) {
       if (left_count > Left::kMost - kLanes) break;
       const Lane first = field.at(px, span.row);
       finder.find({first.u_fx32 + to_anchor.u_fx32, first.v_fx32 + to_anchor.v_fx32}, &run);
-      const int32_t count_px = HWY_MIN(span.right_px - px, kLanes * kLanes);
-      const int32_t whole = count_px / kLanes, rest_px = count_px % kLanes;
-      Pixel* const to = row + px;
-      for (int32_t k = 0; k < whole; ++k) {
-        if (HWY_UNLIKELY(!by.draw(run, k, kLanes, to + k * kLanes))) {
-          left->rest[static_cast<size_t>(left_count++)] = {span.row, px + k * kLanes,
-                                                           span.right_px};
-        }
-      }
-      if (rest_px != 0 && HWY_UNLIKELY(!by.draw(run, whole, rest_px, to + whole * kLanes))) {
-        left->rest[static_cast<size_t>(left_count++)] = {span.row, px + whole * kLanes,
-                                                         span.right_px};
-      }
+      left_count = draw_run(by, run, {span.row, px, span.right_px}, row, left_count, left);
     }
     if (px < span.right_px) break;
   }

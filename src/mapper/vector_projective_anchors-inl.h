@@ -19,7 +19,8 @@
 #include <bit>
 
 #include "mapper/vector_lanes-inl.h"
-#include "mapper/vector_projective_wide-inl.h"
+#include "mapper/vector_piece_walk-inl.h"
+#include "mapper/vector_projective_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -31,126 +32,11 @@ using VHalfFloat = hn::Vec<DHalfFloat>;
 using DFloat = hn::RebindToFloat<D32>;
 using VFloat = hn::Vec<DFloat>;
 
-// So many at once that finding their anchors, which takes long but not much, is done side by side.
-inline constexpr int32_t kMostPieces = kLanes == kMostLanes ? 32 : 16;
-static_assert(kMostPieces % kLanes == 0);
-
-// Pixels of a row, kMostLanes of them, or the last ones of a span.
-inline constexpr int32_t kPiece_px = kMostLanes;
-inline constexpr int32_t kVectorsPerPiece = kPiece_px / kLanes;
-struct Pieces {
-  int32_t count;  // beyond it, values mean nothing
-  int32_t row[2 * kMostPieces], left_px[2 * kMostPieces];
-  int32_t right_px[2 * kMostPieces];  // the end of the span
-  int64_t to_byte[2 * kMostPieces];   // of the target: set by PieceWalk alone
-
-  // Rows of a batch are pieces, from so many pixels right of their first ones on. Some may be
-  // empty.
-  HWY_INLINE void put_rows(const SpanBatch& batch, int32_t first, int32_t rows,
-                           int32_t right_by_px) {
-    count = rows;
-    const D32 d;
-    for (int32_t k = 0; k < rows; k += kLanes) {
-      const V32 left = hn::LoadU(d, batch.left_px.data() + first + k);
-      hn::StoreU(hn::Iota(d, batch.first_row + first + k), d, row + k);
-      hn::StoreU(hn::Add(left, hn::Set(d, right_by_px)), d, left_px + k);
-      hn::StoreU(hn::LoadU(d, batch.right_px.data() + first + k), d, right_px + k);
-    }
-  }
-
-  // The first pieces of a span, up to kMostPieces of them in all. Returns what is left of it.
-  HWY_INLINE Span add(const Span& span) {
-    const D32 d;
-    const int32_t pieces =
-        HWY_MIN((span.width_px() + kPiece_px - 1) / kPiece_px, kMostPieces - count);
-    for (int32_t k = 0; k < pieces; k += kLanes) {
-      const V32 first_px = hn::Mul(hn::Iota(d, k), hn::Set(d, kPiece_px));
-      hn::StoreU(hn::Set(d, span.row), d, row + count + k);
-      hn::StoreU(hn::Add(first_px, hn::Set(d, span.left_px)), d, left_px + count + k);
-      hn::StoreU(hn::Set(d, span.right_px), d, right_px + count + k);
-    }
-    count += pieces;
-    return {span.row, span.left_px + pieces * kPiece_px, span.right_px};
-  }
-
-  // From one of its vectors on.
-  [[nodiscard]] HWY_INLINE Span rest(int32_t k, int32_t vector) const {
-    return {row[k], left_px[k] + vector * kLanes, right_px[k]};
-  }
-};
-
-// The pieces of a batch's spans, some at a time.
-class PieceWalk {
- public:
-  HWY_INLINE PieceWalk(const SpanBatch& batch, const selvage_image& target)
-      : batch_(&batch), pitch_(target.pitch), pixel_bytes_(bytes_per_pixel(target.format)) {
-    for (int32_t k = 0; k < kMostPieces; ++k) bytes_[k] = k * kPiece_px * pixel_bytes_;
-  }
-
-  // None where none is left. Some may be empty.
-  HWY_INLINE void next(Pieces* pieces) {
-    if (batch_->widest_px <= kPiece_px) {
-      next_rows(pieces);
-    } else {
-      next_parts(pieces);
-    }
-  }
-
- private:
-  // Each row is a piece.
-  HWY_INLINE void next_rows(Pieces* pieces) {
-    const int32_t rows = HWY_MIN(batch_->rows - next_, kMostPieces);
-    pieces->put_rows(*batch_, next_, rows, 0);
-    for (int32_t k = 0; k < rows; ++k) {
-      pieces->to_byte[k] = first_byte({pieces->row[k], pieces->left_px[k], 0});
-    }
-    next_ += rows;
-  }
-
-  HWY_INLINE void next_parts(Pieces* pieces) {
-    pieces->count = 0;
-    while (pieces->count < kMostPieces) {
-      if (span_.left_px >= span_.right_px) {
-        if (next_ == batch_->rows) break;
-        span_ = batch_->span(next_++);
-      }
-      const hn::Repartition<int64_t, D32> d;
-      const auto first = hn::Set(d, first_byte(span_));
-      int64_t* const to_byte = pieces->to_byte + pieces->count;
-      span_ = pieces->add(span_);
-      const int64_t* const end = pieces->to_byte + pieces->count;
-      for (int32_t k = 0; to_byte + k < end; k += kLanes / 2) {
-        hn::StoreU(hn::Add(first, hn::LoadU(d, bytes_ + k)), d, to_byte + k);
-      }
-    }
-  }
-
-  [[nodiscard]] HWY_INLINE int64_t first_byte(const Span& span) const {
-    return span.row * pitch_ + span.left_px * pixel_bytes_;
-  }
-
-  const SpanBatch* batch_;
-  int64_t pitch_, pixel_bytes_;
-  int64_t bytes_[kMostPieces];  // from a span's first piece on
-  int32_t next_ = 0;
-  Span span_{0, 0, 0};
-};
-
 // What the lanes of pieces are made of, in units of 2^-16 texel.
 struct Anchors {
   int32_t u_fx16[kMostPieces], v_fx16[kMostPieces];  // less kWholeNumbers, as bits
   float turn[kMostPieces], u_rise[kMostPieces], v_rise[kMostPieces];
 };
-
-// The windows of vectors of pieces: the lanes of the piece's anchor counted from there, less
-// kWholeNumbers, as bits; their places; and rows. Where they are kHalfWindow, half as many columns
-// are enough; where kNoWindow, it does not lie in the texture; where 0, there is a load for each
-// pixel.
-struct PieceWindows {
-  int32_t u_fx16[kVectorsPerPiece][kMostPieces], v_fx16[kVectorsPerPiece][kMostPieces];
-  int32_t place[kVectorsPerPiece][kMostPieces], rows[kVectorsPerPiece][kMostPieces] = {};
-};
-inline constexpr int32_t kHalfWindow = -1, kNoWindow = -2;
 
 template <class Floats>
 [[nodiscard]] HWY_INLINE hn::Vec<Floats> share_of(Floats d, hn::Vec<Floats> i,
@@ -252,46 +138,6 @@ class AnchoredVectors {
     hn::StoreU(hn::Combine(df, high.v_rise, low.v_rise), df, anchors->v_rise + k);
   }
 
-  // Of one vector of kLanes pieces from k on. Along a span u and v rise or fall all the way: its
-  // ends have the least and the most.
-  template <class Address, int32_t kVector>
-  static HWY_INLINE void find_windows(const Pieces& pieces, int32_t k, const Anchors& anchors,
-                                      const Extent& extent, PieceWindows* windows) {
-    const D32 d;
-    const DFloat df;
-    const V32 width_px =
-        hn::Sub(hn::LoadU(d, pieces.right_px + k), hn::LoadU(d, pieces.left_px + k));
-    const V32 end = hn::Min(width_px, hn::Set(d, (kVector + 1) * kLanes));
-    const VFloat turn = hn::LoadU(df, anchors.turn + k);
-    const auto first = kVector == 0
-                           ? hn::Zero(df)
-                           : share_of(df, hn::Set(df, static_cast<float>(kVector * kLanes)), turn);
-    const auto last = share_of(df, hn::ConvertTo(df, hn::Sub(end, hn::Set(d, 1))), turn);
-    const V32 u = hn::LoadU(d, anchors.u_fx16 + k), v = hn::LoadU(d, anchors.v_fx16 + k);
-    const TexelRun s = run_of(u, hn::LoadU(df, anchors.u_rise + k), first, last);
-    const TexelRun t = run_of(v, hn::LoadU(df, anchors.v_rise + k), first, last);
-
-    constexpr int32_t kHalfColumns = kColumns<kHalfColumnBits>;
-    const bool has_half = extent.height_texel >= kHalfWindowRows;
-    const auto is_half = hn::And(hn::Lt(s.count, hn::Set(d, has_half ? kHalfColumns + 1 : 0)),
-                                 hn::Lt(t.count, hn::Set(d, kHalfWindowRows + 1)));
-    const V32 columns = hn::IfThenElse(is_half, hn::Set(d, kHalfColumns), hn::Set(d, kLanes));
-    const V32 rows = hn::IfThenElse(is_half, hn::Set(d, kHalfWindowRows), whole_rows(t.count));
-    const int32_t most_rows = HWY_MIN(kMostWindowRows, extent.height_texel);
-    const auto none = hn::Or(hn::Gt(s.count, columns), hn::Gt(rows, hn::Set(d, most_rows)));
-    const auto origins = window_origins<Address>(s.first, t.first, columns, rows, extent);
-    const auto from = [&](V32 anchor_fx16, V32 texel) HWY_ATTR {
-      return hn::Sub(anchor_fx16, hn::ShiftLeft<kTexelFraction>(texel));
-    };
-    hn::StoreU(from(u, origins.s), d, windows->u_fx16[kVector] + k);
-    hn::StoreU(from(v, origins.t), d, windows->v_fx16[kVector] + k);
-    hn::StoreU(origins.place, d, windows->place[kVector] + k);
-    const V32 in_texture = hn::IfThenElse(is_half, hn::Set(d, kHalfWindow), rows);
-    const V32 shape =
-        hn::IfThenElse(hn::Lt(origins.place, hn::Zero(d)), hn::Set(d, kNoWindow), in_texture);
-    hn::StoreU(hn::IfThenZeroElse(none, shape), d, windows->rows[kVector] + k);
-  }
-
  private:
   using Linear = ProjectiveField::Linear;
   static constexpr double kUnit_fx16 = 1.0 / (1 << (kLaneFraction - kTexelFraction));
@@ -329,22 +175,6 @@ class AnchoredVectors {
     const VHalf bits = hn::Set(d, std::bit_cast<int32_t>(kWholeNumbers));
     const VD low = hn::Sub(value, hn::Set(DD(), lowered_fx16_));
     return hn::Sub(hn::DemoteTo(d, hn::Floor(low)), bits);
-  }
-
-  // Texels from the first one on, at most as many as that: two no further apart than n are in n
-  // rounded up, plus one.
-  struct TexelRun {
-    V32 first, count;
-  };
-  static HWY_INLINE TexelRun run_of(V32 anchor_fx16, VFloat rise, VFloat first, VFloat last) {
-    const D32 d;
-    const DFloat df;
-    const V32 from = hn::Add(anchor_fx16, walk_of(df, first, rise));
-    const V32 to = hn::Add(anchor_fx16, walk_of(df, last, rise));
-    constexpr int32_t kOne = 1 << kTexelFraction;
-    const V32 apart = hn::Add(hn::Abs(hn::Sub(to, from)), hn::Set(d, 2 * kOne - 1));
-    return {hn::ShiftRight<kTexelFraction>(hn::Min(from, to)),
-            hn::ShiftRight<kTexelFraction>(apart)};
   }
 
   Linear u_, v_, denominator_;

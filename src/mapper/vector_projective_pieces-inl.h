@@ -8,8 +8,9 @@
 
 #include "mapper/interior.h"
 #include "mapper/vector_fetch-inl.h"
-#include "mapper/vector_one_window-inl.h"
-#include "mapper/vector_projective_anchors-inl.h"
+#include "mapper/vector_piece_queue-inl.h"
+#include "mapper/vector_projective_wide-inl.h"
+#include "mapper/vector_projective_window-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -49,66 +50,6 @@ HWY_NOINLINE void draw_left(const LeftOfPieces& left, const ProjectiveSpans& spa
     fixed.template draw<Pixel>(rest, surface, ties, left.lanes(i), left.low_window(i));
   }
 }
-
-// Blocks of pieces on their way. What one is drawn by takes long to find, step by step: while one
-// block is drawn, the windows of the next, the anchors of the one after, and the places of the last
-// are found side by side.
-struct PieceBlock {
-  Pieces pieces;
-  Anchors anchors;
-  PieceWindows windows;
-};
-
-class PieceQueue {
- public:
-  HWY_INLINE PieceQueue(const SpanBatch& batch, const selvage_image& target,
-                        const AnchoredVectors& vectors)
-      : walk_(batch, target), vectors_(vectors) {
-    find_pieces(0);
-    find_anchors(0);
-    find_pieces(1);
-    find_anchors(1);
-    find_pieces(2);
-  }
-
-  // The next block; without pieces where none is left.
-  template <class Address>
-  HWY_INLINE const PieceBlock& next(const Extent& extent, bool has_windows) {
-    if (at_ == 0 && has_windows) find_windows<Address>(extent, 0);
-    if (has_windows) find_windows<Address>(extent, at_ + 1);
-    find_anchors(at_ + 2);
-    find_pieces(at_ + 3);
-    return blocks_[at_++ % kBlocks];
-  }
-
- private:
-  static constexpr uint32_t kBlocks = 4;
-
-  HWY_INLINE void find_pieces(uint32_t at) { walk_.next(&blocks_[at % kBlocks].pieces); }
-  HWY_INLINE void find_anchors(uint32_t at) {
-    PieceBlock& block = blocks_[at % kBlocks];
-    for (int32_t k = 0; k < block.pieces.count; k += kLanes) {
-      vectors_.find_lanes(block.pieces, k, &block.anchors);
-    }
-  }
-  template <class Address>
-  HWY_INLINE void find_windows(const Extent& extent, uint32_t at) {
-    PieceBlock& block = blocks_[at % kBlocks];
-    for (int32_t k = 0; k < block.pieces.count; k += kLanes) {
-      AnchoredVectors::find_windows<Address, 0>(block.pieces, k, block.anchors, extent,
-                                                &block.windows);
-      if constexpr (kVectorsPerPiece > 1) {
-        AnchoredVectors::find_windows<Address, 1>(block.pieces, k, block.anchors, extent,
-                                                  &block.windows);
-      }
-    }
-  }
-
-  PieceWalk walk_;
-  const AnchoredVectors& vectors_;
-  uint32_t at_ = 0;
-  PieceBlock blocks_[kBlocks];
-};
 
 // What vectors of pieces are drawn with.
 template <class Pixel, class Address>
@@ -196,67 +137,6 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
   fetch.finish();
   left->count = left_count;
   return more;
-}
-
-// A strip of a block: of its rows, a piece each, from so many pixels right of their first ones on,
-// maybe of no pixels. Returns what the lanes of pixels lack changes in them.
-template <class Pixel, class Fixed, class OneWindow>
-[[nodiscard]] HWY_INLINE V32 draw_strip(const OneWindow& window, const Fixed& fixed,
-                                        const AnchoredVectors& vectors, const SpanBatch& batch,
-                                        const selvage_image& target, const RowBlock& block,
-                                        int32_t right_by_px) {
-  const D32 d;
-  const ptrdiff_t pitch = target.pitch;
-  char* row = static_cast<char*>(target.pixels) + (batch.first_row + block.first) * pitch;
-  V32 changed = hn::Zero(d);
-  const PieceLanes lanes_of;
-  Pieces pieces;
-  Anchors anchors;
-  for (int32_t first = block.first; first < block.end; first += kMostPieces) {
-    pieces.put_rows(batch, first, HWY_MIN(block.end - first, kMostPieces), right_by_px);
-    for (int32_t k = 0; k < pieces.count; k += kDoubles) vectors.find(pieces, k, &anchors);
-    for (int32_t k = 0; k < pieces.count; ++k) {
-      int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
-      Pixel* to = reinterpret_cast<Pixel*>(row) + pieces.left_px[k];
-      for (int32_t at = 0; at < kVectorsPerPiece && (at == 0 || count_px > 0); ++at) {
-        const LaneVectors lanes = lanes_of.lanes(anchors, k, at);
-        const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
-        changed = hn::IfThenElse(is_pixel, hn::Or(changed, fixed.changes(lanes)), changed);
-        store_first(is_pixel, window.texels(lanes), count_px, to);
-        count_px -= kLanes;
-        to += kLanes;
-      }
-      row += pitch;
-    }
-  }
-  return changed;
-}
-
-// False where some pixel is a near-tie.
-template <class Pixel, class Address, class OneWindow>
-[[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const ProjectiveSpans& spans,
-                                        const Surface& surface, const AnchoredVectors& vectors) {
-  const FixedLanes<Address> fixed(surface.texture, vectors.lack_fx16());
-  V32 changed = hn::Zero(D32());
-  for_each_block(spans.batch, kPiece_px, [&](const RowBlock& block) HWY_ATTR {
-    for (int32_t px = 0; px < block.widest_px; px += kPiece_px) {
-      changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
-                                                  surface.target, block, px));
-    }
-  });
-  return !any_bits(changed, ~0xFFFF);
-}
-
-// Draws a batch, if one window holds its texels and no pixel is a near-tie.
-template <class Pixel, class Address>
-[[nodiscard]] HWY_NOINLINE bool draw_one_window(const ProjectiveSpans& spans,
-                                                const Surface& surface,
-                                                const AnchoredVectors& vectors) {
-  if (!pays_one_window(spans.batch)) return false;
-  return with_one_window<Pixel, Address>(
-      spans.texels, surface.texture, [&](const auto& window) HWY_ATTR {
-        return draw_from<Pixel, Address>(window, spans, surface, vectors);
-      });
 }
 
 template <class Pixel, class Address>
