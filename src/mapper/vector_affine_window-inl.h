@@ -56,34 +56,38 @@ template <class Pixel, bool kWhole, class Batch, class OneWindow>
   return changed;
 }
 
-// False where some pixel is a near-tie.
-template <class Pixel, class Address, class OneWindow>
-[[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const AffineSpans& spans,
-                                        const Surface& surface) {
-  const AffineBatch<Address> batch(spans, surface);
-  V32 changed = hn::Zero(D32());
-  for_each_block(spans.batch, kLanes, [&](const RowBlock& block) HWY_ATTR {
-    int32_t px = 0;
-    for (; px + kLanes <= block.least_px; px += kLanes) {
-      changed =
-          hn::Or(changed, draw_strip<Pixel, true>(window, batch, spans, surface.target, block, px));
-    }
-    for (; px < block.widest_px; px += kLanes) {
-      changed = hn::Or(changed, draw_strip<Pixel, false>(window, batch, spans, surface.target,
-                                                         block.wider_than(spans.batch, px), px));
-    }
-  });
-  return !any_bits(changed, ~0xFFFF);
-}
+// Draws a batch from one window.
+template <class Pixel>
+struct AffineFromWindow {
+  const AffineSpans& spans;
+  const Surface& surface;
+
+  // False where some pixel is a near-tie.
+  template <class OneWindow>
+  [[nodiscard]] HWY_INLINE bool operator()(const OneWindow& window) const {
+    const AffineBatch<Addressed<InsideVector>> batch(spans, surface);  // for its lanes alone
+    V32 changed = hn::Zero(D32());
+    for_each_block(spans.batch, kLanes, [&](const RowBlock& block) HWY_ATTR {
+      int32_t px = 0;
+      for (; px + kLanes <= block.least_px; px += kLanes) {
+        changed = hn::Or(changed,
+                         draw_strip<Pixel, true>(window, batch, spans, surface.target, block, px));
+      }
+      for (; px < block.widest_px; px += kLanes) {
+        changed = hn::Or(changed, draw_strip<Pixel, false>(window, batch, spans, surface.target,
+                                                           block.wider_than(spans.batch, px), px));
+      }
+    });
+    return !any_bits(changed, ~0xFFFF);
+  }
+};
 
 // Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_one_window(const AffineSpans& spans, const Surface& surface) {
-  if (!pays_one_window(spans.batch)) return false;
-  return with_one_window<Pixel, Address>(spans.texels, surface.texture,
-                                         [&](const auto& window) HWY_ATTR {
-                                           return draw_from<Pixel, Address>(window, spans, surface);
-                                         });
+  return pays_one_window(spans.batch) &&
+         with_one_window<Pixel, Address>(spans.texels, surface.texture,
+                                         AffineFromWindow<Pixel>{spans, surface});
 }
 
 }  // namespace

@@ -177,6 +177,13 @@ template <class Pixel, class Address, int kColumnBits, int32_t kVectors = kMostW
   return draw(Window<Pixel, Address, kColumnBits, kVectors>(texture, place));
 }
 
+// A window in the texture is the same whatever the address mode: one function for all of them.
+template <class Pixel, int kColumnBits, class Draw>
+[[nodiscard]] HWY_NOINLINE bool with_window_inside(const selvage_texture& texture,
+                                                   const WindowPlace& place, const Draw& draw) {
+  return with_window<Pixel, Addressed<InsideVector>, kColumnBits>(texture, place, draw);
+}
+
 // What draw(window) returns, or false where there is no such window.
 template <class Pixel, class Address, int kColumnBits, class Draw>
 [[nodiscard]] HWY_INLINE bool with_columns(const TexelBox& box, const selvage_texture& texture,
@@ -185,7 +192,7 @@ template <class Pixel, class Address, int kColumnBits, class Draw>
   *found = place.vectors != 0;
   if (!*found) return false;
   if (place.inside) {
-    return with_window<Pixel, Addressed<InsideVector>, kColumnBits>(texture, place, draw);
+    return with_window_inside<Pixel, kColumnBits>(texture, place, draw);
   }
   // Seldom: one size is enough.
   const auto large = place_of<Address, kColumnBits, WindowSize::kMost>(box, texture);

@@ -47,31 +47,37 @@ template <class Pixel, class Fixed, class OneWindow>
   return changed;
 }
 
-// False where some pixel is a near-tie.
-template <class Pixel, class Address, class OneWindow>
-[[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const ProjectiveSpans& spans,
-                                        const Surface& surface, const AnchoredVectors& vectors) {
-  const FixedLanes<Address> fixed(surface.texture, vectors.lack_fx16());
-  V32 changed = hn::Zero(D32());
-  for_each_block(spans.batch, kPiece_px, [&](const RowBlock& block) HWY_ATTR {
-    for (int32_t px = 0; px < block.widest_px; px += kPiece_px) {
-      changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
-                                                  surface.target, block, px));
-    }
-  });
-  return !any_bits(changed, ~0xFFFF);
-}
+// Draws a batch from one window.
+template <class Pixel>
+struct ProjectiveFromWindow {
+  const ProjectiveSpans& spans;
+  const Surface& surface;
+  const AnchoredVectors& vectors;
+
+  // False where some pixel is a near-tie.
+  template <class OneWindow>
+  [[nodiscard]] HWY_INLINE bool operator()(const OneWindow& window) const {
+    // for what its lanes lack alone
+    const FixedLanes<Addressed<InsideVector>> fixed(surface.texture, vectors.lack_fx16());
+    V32 changed = hn::Zero(D32());
+    for_each_block(spans.batch, kPiece_px, [&](const RowBlock& block) HWY_ATTR {
+      for (int32_t px = 0; px < block.widest_px; px += kPiece_px) {
+        changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
+                                                    surface.target, block, px));
+      }
+    });
+    return !any_bits(changed, ~0xFFFF);
+  }
+};
 
 // Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_one_window(const ProjectiveSpans& spans,
                                                 const Surface& surface,
                                                 const AnchoredVectors& vectors) {
-  if (!pays_one_window(spans.batch)) return false;
-  return with_one_window<Pixel, Address>(
-      spans.texels, surface.texture, [&](const auto& window) HWY_ATTR {
-        return draw_from<Pixel, Address>(window, spans, surface, vectors);
-      });
+  return pays_one_window(spans.batch) &&
+         with_one_window<Pixel, Address>(spans.texels, surface.texture,
+                                         ProjectiveFromWindow<Pixel>{spans, surface, vectors});
 }
 
 }  // namespace
