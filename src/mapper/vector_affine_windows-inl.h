@@ -18,37 +18,35 @@ struct Resume {
   int32_t row = 0, px = INT32_MIN;
 };
 
-// kLanes vectors of pixels side by side: the lanes of their anchors, counted from the origins of
-// their windows, and the places of those, negative where there is none.
-inline constexpr int32_t kRun_px = kLanes * kLanes;
+// Vectors of pixels side by side: the lanes of their anchors, counted from the origins of their
+// windows, and the places of those, negative where there is none.
+inline constexpr int32_t kRunVectors = kMostLanes, kRun_px = kRunVectors * kLanes;
 struct WindowRun {
-  HWY_ALIGN int32_t u_fx16[kLanes], v_fx16[kLanes], place[kLanes];
+  HWY_ALIGN int32_t u_fx16[kRunVectors], v_fx16[kRunVectors], place[kRunVectors];
 };
 
-// Of one coordinate: the lanes of some vectors' anchors.
+// Of one coordinate: the lanes of a run's anchors, kLanes of them from the k-th on.
 class AnchorRun {
  public:
   HWY_INLINE explicit AnchorRun(int64_t step_fx32) {
-    for (int64_t i = 0; i < kLanes; ++i) offsets_fx32_[i] = i * kLanes * step_fx32;
+    for (int64_t i = 0; i < kRunVectors; ++i) offsets_fx32_[i] = i * kLanes * step_fx32;
   }
-  HWY_INLINE V32 texels(int64_t first_fx32) const {
-    return hn::ConcatOdd(D32(), lanes<1>(first_fx32), lanes<0>(first_fx32));
+  HWY_INLINE V32 texels(int64_t first_fx32, int32_t k) const {
+    return hn::ConcatOdd(D32(), half(first_fx32, k + kLanes / 2), half(first_fx32, k));
   }
-  HWY_INLINE V32 fractions_fx16(int64_t first_fx32) const {
+  HWY_INLINE V32 fractions_fx16(int64_t first_fx32, int32_t k) const {
     const hn::RebindToUnsigned<D32> du;
-    const V32 low = hn::ConcatEven(D32(), lanes<1>(first_fx32), lanes<0>(first_fx32));
+    const V32 low = hn::ConcatEven(D32(), half(first_fx32, k + kLanes / 2), half(first_fx32, k));
     return hn::BitCast(D32(), hn::ShiftRight<kAnchorShift>(hn::BitCast(du, low)));
   }
 
  private:
-  template <int kHalf>
-  HWY_INLINE V32 lanes(int64_t first_fx32) const {
+  HWY_INLINE V32 half(int64_t first_fx32, int32_t k) const {
     const hn::Repartition<int64_t, D32> d;
-    return hn::BitCast(
-        D32(), hn::Add(hn::Set(d, first_fx32), hn::Load(d, offsets_fx32_ + kHalf * (kLanes / 2))));
+    return hn::BitCast(D32(), hn::Add(hn::Set(d, first_fx32), hn::Load(d, offsets_fx32_ + k)));
   }
 
-  HWY_ALIGN int64_t offsets_fx32_[kLanes];
+  HWY_ALIGN int64_t offsets_fx32_[kRunVectors];
 };
 
 // How a texture is addressed, told at run time: windows are found so seldom that one loop is for
@@ -73,16 +71,21 @@ class WindowFinder {
         shape_(shape),
         addressing_(inside ? Addressing::kClamped : addressing_of(surface)) {}
 
-  HWY_INLINE void find(Lane anchor, WindowRun* run) const {
+  // The first windows of a run, at least so many.
+  HWY_INLINE void find(Lane anchor, int32_t vectors, WindowRun* run) const {
     const D32 d;
-    const V32 s = u_.texels(anchor.u_fx32), t = v_.texels(anchor.v_fx32);
-    const WindowOrigins<V32> origins = origins_of(s, t);
     const auto from = [&](V32 texel, V32 origin, V32 fraction_fx16) HWY_ATTR {
       return hn::Or(hn::ShiftLeft<kTexelFraction>(hn::Sub(texel, origin)), fraction_fx16);
     };
-    hn::Store(from(s, origins.s, u_.fractions_fx16(anchor.u_fx32)), d, run->u_fx16);
-    hn::Store(from(t, origins.t, v_.fractions_fx16(anchor.v_fx32)), d, run->v_fx16);
-    hn::Store(origins.place, d, run->place);
+    for (int32_t k = 0; k < kRunVectors && k < vectors; k += kLanes) {
+      const V32 s = u_.texels(anchor.u_fx32, k), t = v_.texels(anchor.v_fx32, k);
+      const WindowOrigins<V32> origins = origins_of(s, t);
+      const V32 u = from(s, origins.s, u_.fractions_fx16(anchor.u_fx32, k));
+      const V32 v = from(t, origins.t, v_.fractions_fx16(anchor.v_fx32, k));
+      hn::Store(u, d, run->u_fx16 + k);
+      hn::Store(v, d, run->v_fx16 + k);
+      hn::Store(origins.place, d, run->place + k);
+    }
   }
 
  private:
@@ -165,9 +168,10 @@ HWY_NOINLINE void draw_windows(const AffineSpans& spans, const Surface& surface,
     const Span span = spans.batch.span(i);
     Pixel* const row = reinterpret_cast<Pixel*>(first_pixel(surface, {span.row, 0, 0}));
     for (px = HWY_MAX(px, span.left_px); px < span.right_px; px += kRun_px) {
-      if (left_count > Left::kMost - kLanes) break;
+      if (left_count > Left::kMost - kRunVectors) break;
       const Lane first = field.at(px, span.row);
-      finder.find({first.u_fx32 + to_anchor.u_fx32, first.v_fx32 + to_anchor.v_fx32}, &run);
+      finder.find({first.u_fx32 + to_anchor.u_fx32, first.v_fx32 + to_anchor.v_fx32},
+                  (span.right_px - px + kLanes - 1) / kLanes, &run);
       left_count = draw_run(by, run, {span.row, px, span.right_px}, row, left_count, left);
     }
     if (px < span.right_px) break;
