@@ -19,7 +19,8 @@ struct Resume {
 };
 
 // Vectors of pixels side by side: the lanes of their anchors, counted from the origins of their
-// windows, and the places of those, negative where there is none.
+// windows, and the places of those, negative where there is none. So many, for a run is read so
+// soon after it is written that its first vectors wait for it.
 inline constexpr int32_t kRunVectors = 2 * kMostLanes, kRun_px = kRunVectors * kLanes;
 struct WindowRun {
   HWY_ALIGN int32_t u_fx16[kRunVectors], v_fx16[kRunVectors], place[kRunVectors];
