@@ -70,6 +70,41 @@ HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Su
   }
 }
 
+// Whether rows have so many vectors that finding their windows together costs less.
+[[nodiscard]] HWY_INLINE bool pays_to_find_runs(const SpanBatch& batch) {
+  constexpr int32_t kLeast_px = 64;
+  return batch.widest_px >= kLeast_px;
+}
+
+// Texels from windows of narrow spans, of each vector by itself, but for what does not lie in one.
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_narrow_windows(const AffineSpans& spans, const Surface& surface,
+                                      int32_t rows, Resume* at, Left* left) {
+  const AffineBatch<Address> batch(spans, surface);
+  const Extent extent = extent_of(surface.texture);
+  const auto* const texels = static_cast<const Pixel*>(surface.texture.texels);
+  const int32_t last_column = extent.width_texel - kLanes, last_row = extent.height_texel - rows;
+  char* const pixels = static_cast<char*>(surface.target.pixels);
+  const ptrdiff_t pitch = surface.target.pitch;
+  for_each_vector(
+      spans, batch.to_anchor(), at, left,
+      [&](int32_t row, int32_t px, int32_t count_px, Lane anchor, auto /*whole*/) HWY_ATTR {
+        const Origin s =
+            Address::origin(floor_texel(anchor.u_fx32), last_column, extent.width_texel);
+        const Origin t = Address::origin(floor_texel(anchor.v_fx32), last_row, extent.height_texel);
+        const LaneVectors lanes =
+            batch.lanes_from({anchor.u_fx32 - (int64_t{s.texel} << kLaneFraction),
+                              anchor.v_fx32 - (int64_t{t.texel} << kLaneFraction)});
+        const bool is_outside = s.index > last_column || t.index > last_row;
+        if (batch.any_near(lanes) || is_outside) return false;
+        const V32 index = batch.template window_index<kWindowColumnBits>(lanes, rows);
+        const Pixel* const window = texels + t.index * ptrdiff_t{extent.pitch_texel} + s.index;
+        store_pixels(pick<kWindowColumnBits>(window, extent.pitch_texel, rows, index), count_px,
+                     reinterpret_cast<Pixel*>(pixels + row * pitch) + px);
+        return true;
+      });
+}
+
 // A load for each pixel of a vector of them.
 template <class Pixel, class Address, class Fetch>
 HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, Resume* at,
@@ -103,11 +138,14 @@ template <class Pixel, class Address>
 void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowShape& shape) {
   const bool inside =
       pays_to_ask_inside(spans.batch) && is_inside(spans.batch, spans.field, surface.texture);
+  const bool by_runs = pays_to_find_runs(spans.batch);
   const bool ahead = shape.rows == 0 && !is_cached(surface.texture);
   Resume at;
   Left left;
   do {
-    if (kHasWindows && shape.rows != 0) {
+    if (kHasWindows && shape.rows != 0 && !by_runs) {
+      draw_narrow_windows<Pixel, Address>(spans, surface, shape.rows, &at, &left);
+    } else if (kHasWindows && shape.rows != 0) {
       draw_windows<Pixel>(spans, surface, shape, inside, &at, &left);
     } else if (ahead) {
       draw_loads<Pixel, Address, FetchAhead<Pixel>>(spans, surface, &at, &left);
