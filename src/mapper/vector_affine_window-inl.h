@@ -84,7 +84,7 @@ struct AffineFromWindow {
 
 // Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>
-[[nodiscard]] HWY_NOINLINE bool draw_one_window(const AffineSpans& spans, const Surface& surface) {
+[[nodiscard]] HWY_INLINE bool draw_one_window(const AffineSpans& spans, const Surface& surface) {
   return pays_one_window(spans.batch) &&
          with_one_window<Pixel, Address>(spans.texels, surface.texture,
                                          AffineFromWindow<Pixel>{spans, surface});

@@ -184,6 +184,16 @@ template <class Pixel, int kColumnBits, class Draw>
   return with_window<Pixel, Addressed<InsideVector>, kColumnBits>(texture, place, draw);
 }
 
+// Others are seldom: one size is enough.
+template <class Pixel, class Address, int kColumnBits, class Draw>
+[[nodiscard]] HWY_NOINLINE bool with_large_window(const TexelBox& box,
+                                                  const selvage_texture& texture, const Draw& draw,
+                                                  bool* found) {
+  const auto place = place_of<Address, kColumnBits, WindowSize::kMost>(box, texture);
+  *found = place.vectors != 0;
+  return *found && draw(Window<Pixel, Address, kColumnBits, kMostWindowVectors>(texture, place));
+}
+
 // What draw(window) returns, or false where there is no such window.
 template <class Pixel, class Address, int kColumnBits, class Draw>
 [[nodiscard]] HWY_INLINE bool with_columns(const TexelBox& box, const selvage_texture& texture,
@@ -194,10 +204,7 @@ template <class Pixel, class Address, int kColumnBits, class Draw>
   if (place.inside) {
     return with_window_inside<Pixel, kColumnBits>(texture, place, draw);
   }
-  // Seldom: one size is enough.
-  const auto large = place_of<Address, kColumnBits, WindowSize::kMost>(box, texture);
-  *found = large.vectors != 0;
-  return *found && draw(Window<Pixel, Address, kColumnBits, kMostWindowVectors>(texture, large));
+  return with_large_window<Pixel, Address, kColumnBits>(box, texture, draw, found);
 }
 
 template <class Pixel, class Address, class Draw>

@@ -72,9 +72,8 @@ struct ProjectiveFromWindow {
 
 // Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>
-[[nodiscard]] HWY_NOINLINE bool draw_one_window(const ProjectiveSpans& spans,
-                                                const Surface& surface,
-                                                const AnchoredVectors& vectors) {
+[[nodiscard]] HWY_INLINE bool draw_one_window(const ProjectiveSpans& spans, const Surface& surface,
+                                              const AnchoredVectors& vectors) {
   return pays_one_window(spans.batch) &&
          with_one_window<Pixel, Address>(spans.texels, surface.texture,
                                          ProjectiveFromWindow<Pixel>{spans, surface, vectors});
