@@ -56,29 +56,35 @@ template <class Pixel, bool kWhole, class Batch, class OneWindow>
   return changed;
 }
 
-// Draws a batch from one window.
+// False where some pixel is a near-tie.
+template <class Pixel, class Address, class OneWindow>
+[[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const AffineSpans& spans,
+                                        const Surface& surface) {
+  const AffineBatch<Address> batch(spans, surface);
+  V32 changed = hn::Zero(D32());
+  for_each_block(spans.batch, kLanes, [&](const RowBlock& block) HWY_ATTR {
+    int32_t px = 0;
+    for (; px + kLanes <= block.least_px; px += kLanes) {
+      changed =
+          hn::Or(changed, draw_strip<Pixel, true>(window, batch, spans, surface.target, block, px));
+    }
+    for (; px < block.widest_px; px += kLanes) {
+      changed = hn::Or(changed, draw_strip<Pixel, false>(window, batch, spans, surface.target,
+                                                         block.wider_than(spans.batch, px), px));
+    }
+  });
+  return !any_bits(changed, ~0xFFFF);
+}
+
+// Draws a batch from one window; of an address mode it takes lanes alone, for which any will do.
 template <class Pixel>
 struct AffineFromWindow {
   const AffineSpans& spans;
   const Surface& surface;
 
-  // False where some pixel is a near-tie.
   template <class OneWindow>
   [[nodiscard]] HWY_INLINE bool operator()(const OneWindow& window) const {
-    const AffineBatch<Addressed<InsideVector>> batch(spans, surface);  // for its lanes alone
-    V32 changed = hn::Zero(D32());
-    for_each_block(spans.batch, kLanes, [&](const RowBlock& block) HWY_ATTR {
-      int32_t px = 0;
-      for (; px + kLanes <= block.least_px; px += kLanes) {
-        changed = hn::Or(changed,
-                         draw_strip<Pixel, true>(window, batch, spans, surface.target, block, px));
-      }
-      for (; px < block.widest_px; px += kLanes) {
-        changed = hn::Or(changed, draw_strip<Pixel, false>(window, batch, spans, surface.target,
-                                                           block.wider_than(spans.batch, px), px));
-      }
-    });
-    return !any_bits(changed, ~0xFFFF);
+    return draw_from<Pixel, Addressed<InsideVector>>(window, spans, surface);
   }
 };
 
