@@ -20,11 +20,11 @@ void draw_affine(const AffineSpans& spans, const Surface& surface) {
       using Address = decltype(address);
       using Pixel = decltype(pixel);
       if (draw_one_window<Pixel, Address>(spans, surface)) return;
-      const int32_t rows = window_rows(spans.field.step_x, surface.texture);
-      if (rows == 0 && spans.batch.widest_px <= kNarrow_px) {
+      const WindowShape shape = window_shape(spans.field.step_x, surface.texture);
+      if (shape.rows == 0 && spans.batch.widest_px <= kNarrow_px) {
         return draw_narrow<Address>(spans, surface);
       }
-      draw_wide<Pixel, Address>(spans, surface, rows);
+      draw_wide<Pixel, Address>(spans, surface, shape);
     });
   });
 }

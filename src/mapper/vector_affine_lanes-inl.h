@@ -62,9 +62,11 @@ class AffineBatch : public FixedLanes<Address> {
     return {first.u_fx32 + to_anchor_.u_fx32, first.v_fx32 + to_anchor_.v_fx32};
   }
   HWY_INLINE LaneVectors lanes_from(Lane anchor) const {
+    return lanes_from(floor_fx16(anchor.u_fx32), floor_fx16(anchor.v_fx32));
+  }
+  HWY_INLINE LaneVectors lanes_from(int32_t u_fx16, int32_t v_fx16) const {
     const D32 d;
-    return {hn::Add(hn::Set(d, floor_fx16(anchor.u_fx32)), offset_u_),
-            hn::Add(hn::Set(d, floor_fx16(anchor.v_fx32)), offset_v_)};
+    return {hn::Add(hn::Set(d, u_fx16), offset_u_), hn::Add(hn::Set(d, v_fx16), offset_v_)};
   }
 
  private:

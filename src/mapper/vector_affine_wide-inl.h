@@ -9,17 +9,12 @@
 #include <type_traits>
 
 #include "mapper/interior.h"
-#include "mapper/vector_affine_lanes-inl.h"
+#include "mapper/vector_affine_windows-inl.h"
 #include "mapper/vector_fetch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
-
-// Where a hot loop goes on: in this row of the batch, not before this pixel.
-struct Resume {
-  int32_t row = 0, px = INT32_MIN;
-};
 
 using Whole = std::true_type;
 using Part = std::false_type;
@@ -75,35 +70,39 @@ HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Su
   }
 }
 
-// Texels from windows of so many rows, but for what does not lie in one. kPermutes: as many as they
-// take, or 0 for any number.
-template <class Pixel, class Address, int32_t kPermutes>
-HWY_NOINLINE void draw_windows(const AffineSpans& spans, const Surface& surface, int32_t any_rows,
-                               Resume* at, Left* left) {
-  const int32_t rows = kPermutes == 0 ? any_rows : kPermutes * kRowsPerPermute;
+// Whether rows have so many vectors that finding their windows together costs less.
+[[nodiscard]] HWY_INLINE bool pays_to_find_runs(const SpanBatch& batch) {
+  constexpr int32_t kLeast_px = 64;
+  return batch.widest_px >= kLeast_px;
+}
+
+// Texels from windows of narrow spans, of each vector by itself, but for what does not lie in one.
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_narrow_windows(const AffineSpans& spans, const Surface& surface,
+                                      int32_t rows, Resume* at, Left* left) {
   const AffineBatch<Address> batch(spans, surface);
   const Extent extent = extent_of(surface.texture);
   const auto* const texels = static_cast<const Pixel*>(surface.texture.texels);
   const int32_t last_column = extent.width_texel - kLanes, last_row = extent.height_texel - rows;
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
-  for_each_vector(spans, batch.to_anchor(), at, left,
-                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor, auto whole) HWY_ATTR {
-                    const LaneVectors lanes = batch.lanes_from(anchor);
-                    const Origin s = Address::template origin_of<decltype(whole)::value>(
-                        floor_texel(anchor.u_fx32), last_column, extent.width_texel);
-                    const Origin t = Address::template origin_of<decltype(whole)::value>(
-                        floor_texel(anchor.v_fx32), last_row, extent.height_texel);
-                    const bool is_outside = s.index > last_column || t.index > last_row;
-                    if (batch.any_near(lanes) || is_outside) return false;
-                    const V32 index = batch.window_index(
-                        lanes, hn::Set(D32(), (t.texel << kWindowColumnBits) + s.texel));
-                    const Pixel* const window =
-                        texels + t.index * ptrdiff_t{extent.pitch_texel} + s.index;
-                    store_pixels(pick(window, extent.pitch_texel, rows, index), count_px,
-                                 reinterpret_cast<Pixel*>(pixels + row * pitch) + px);
-                    return true;
-                  });
+  for_each_vector(
+      spans, batch.to_anchor(), at, left,
+      [&](int32_t row, int32_t px, int32_t count_px, Lane anchor, auto /*whole*/) HWY_ATTR {
+        const Origin s =
+            Address::origin(floor_texel(anchor.u_fx32), last_column, extent.width_texel);
+        const Origin t = Address::origin(floor_texel(anchor.v_fx32), last_row, extent.height_texel);
+        const LaneVectors lanes =
+            batch.lanes_from({anchor.u_fx32 - (int64_t{s.texel} << kLaneFraction),
+                              anchor.v_fx32 - (int64_t{t.texel} << kLaneFraction)});
+        const bool is_outside = s.index > last_column || t.index > last_row;
+        if (batch.any_near(lanes) || is_outside) return false;
+        const V32 index = batch.template window_index<kWindowColumnBits>(lanes, rows);
+        const Pixel* const window = texels + t.index * ptrdiff_t{extent.pitch_texel} + s.index;
+        store_pixels(pick<kWindowColumnBits>(window, extent.pitch_texel, rows, index), count_px,
+                     reinterpret_cast<Pixel*>(pixels + row * pitch) + px);
+        return true;
+      });
 }
 
 // A load for each pixel of a vector of them.
@@ -135,44 +134,31 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
          left.count * kManyOf > spans.batch.rows * (spans.batch.widest_px / kLanes + 1);
 }
 
-// By windows of so many rows, or, where there are none, by loads.
 template <class Pixel, class Address>
-HWY_INLINE void draw_some(const AffineSpans& spans, const Surface& surface, int32_t rows,
-                          Resume* at, Left* left) {
-  if (!kHasWindows || rows == 0) {
-    return draw_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, at, left);
-  }
-  if constexpr (Address::kIsInside) {
-    if (rows == kRowsPerPermute) {
-      return draw_windows<Pixel, Address, 1>(spans, surface, rows, at, left);
-    }
-    if (rows == 2 * kRowsPerPermute) {
-      return draw_windows<Pixel, Address, 2>(spans, surface, rows, at, left);
-    }
-  }
-  draw_windows<Pixel, Address, 0>(spans, surface, rows, at, left);
-}
-
-template <class Pixel, class Address>
-void draw_wide(const AffineSpans& spans, const Surface& surface, int32_t rows) {
+void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowShape& shape) {
   const bool inside =
       pays_to_ask_inside(spans.batch) && is_inside(spans.batch, spans.field, surface.texture);
-  const bool ahead = rows == 0 && !is_cached(surface.texture);
+  const bool by_runs = pays_to_find_runs(spans.batch);
+  const bool ahead = shape.rows == 0 && !is_cached(surface.texture);
   Resume at;
   Left left;
   do {
-    if (ahead) {
+    if (kHasWindows && shape.rows != 0 && !by_runs) {
+      draw_narrow_windows<Pixel, Address>(spans, surface, shape.rows, &at, &left);
+    } else if (kHasWindows && shape.rows != 0) {
+      draw_windows<Pixel>(spans, surface, shape, inside, &at, &left);
+    } else if (ahead) {
       draw_loads<Pixel, Address, FetchAhead<Pixel>>(spans, surface, &at, &left);
     } else if (inside) {
-      draw_some<Pixel, Addressed<InsideVector>>(spans, surface, rows, &at, &left);
+      draw_loads<Pixel, Addressed<InsideVector>, FetchAtOnce<Pixel>>(spans, surface, &at, &left);
     } else {
-      draw_some<Pixel, Address>(spans, surface, rows, &at, &left);
+      draw_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, &at, &left);
     }
     if (are_many(left, spans)) {
       return scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(spans, surface);
     }
-    if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface, rows);
-  } while (left.count == Left::kMost);
+    if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface, shape.rows);
+  } while (at.row < spans.batch.rows);
 }
 
 }  // namespace

@@ -132,14 +132,24 @@ template <class Pixel, class Address, class OneWindow>
   return !any_bits(changed, ~0xFFFF);
 }
 
+// Draws a batch from one window; of an address mode it takes lanes alone, for which any will do.
+template <class Pixel>
+struct AffineFromWindow {
+  const AffineSpans& spans;
+  const Surface& surface;
+
+  template <class OneWindow>
+  [[nodiscard]] HWY_INLINE bool operator()(const OneWindow& window) const {
+    return draw_from<Pixel, Addressed<InsideVector>>(window, spans, surface);
+  }
+};
+
 // Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>
-[[nodiscard]] HWY_NOINLINE bool draw_one_window(const AffineSpans& spans, const Surface& surface) {
-  if (!pays_one_window(spans.batch)) return false;
-  return with_one_window<Pixel, Address>(spans.texels, surface.texture,
-                                         [&](const auto& window) HWY_ATTR {
-                                           return draw_from<Pixel, Address>(window, spans, surface);
-                                         });
+[[nodiscard]] HWY_INLINE bool draw_one_window(const AffineSpans& spans, const Surface& surface) {
+  return pays_one_window(spans.batch) &&
+         with_one_window<Pixel, Address>(spans.texels, surface.texture,
+                                         AffineFromWindow<Pixel>{spans, surface});
 }
 
 }  // namespace

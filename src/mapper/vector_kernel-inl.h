@@ -41,6 +41,7 @@ struct Origins {
 
 struct ClampVector {
   using Scalar = Clamp;
+  static constexpr bool kClampsWindows = true;
   template <class V>
   static HWY_INLINE V index(V texel, int32_t size_texel) {
     const hn::DFromV<V> d;
@@ -65,6 +66,7 @@ struct ClampVector {
 // Of texels that are known to lie in the texture. A run may begin outside all the same, where its
 // first ones are shown by no pixel.
 struct InsideVector : ClampVector {
+  static constexpr bool kClampsWindows = false;
   template <class V>
   static HWY_INLINE V index(V texel, int32_t /*size_texel*/) {
     return texel;
@@ -77,6 +79,7 @@ struct InsideVector : ClampVector {
 
 struct WrapMaskedVector {
   using Scalar = WrapMasked;
+  static constexpr bool kClampsWindows = false;
   static HWY_INLINE Origin origin(int32_t texel, int32_t /*last*/, int32_t size_texel) {
     return {texel, Scalar::index(texel, size_texel)};
   }
@@ -98,6 +101,7 @@ struct WrapMaskedVector {
 // next whole number at least, so that its floor is never too high, and too low by one at most.
 struct WrapVector {
   using Scalar = Wrap;
+  static constexpr bool kClampsWindows = false;
   static HWY_INLINE Origin origin(int32_t texel, int32_t /*last*/, int32_t size_texel) {
     return {texel, Scalar::index(texel, size_texel)};
   }
@@ -158,16 +162,6 @@ struct Extent {
 // again and again, which costs little, so that there is one kernel for both.
 template <class Mode>
 struct Addressed : Mode {
-  static constexpr bool kIsInside = std::is_same_v<Mode, InsideVector>;
-
-  // As of Mode::origin, where all texels of the run are shown by pixels, or not all.
-  template <bool kAllShown>
-  static HWY_INLINE Origin origin_of(int32_t texel, int32_t last, int32_t size_texel) {
-    if constexpr (!kIsInside || !kAllShown) return Mode::origin(texel, last, size_texel);
-    const int32_t inside = HWY_MIN(texel, last);
-    return {inside, inside};
-  }
-
   template <class V>
   static HWY_INLINE V row(V t, const Extent& extent) {
     const V inside = Mode::index(t, extent.height_texel);

@@ -41,11 +41,19 @@ class FixedLanes {
     return Address::place(texel_of(lanes.u), texel_of(lanes.v), extent_);
   }
 
-  // Texels by their distance from the origin of a window, which is given as such an index.
-  HWY_INLINE V32 window_index(const LaneVectors& lanes, V32 origin) const {
-    const V32 s = Address::window_texel(texel_of(lanes.u), extent_.width_texel);
-    const V32 t = Address::window_texel(texel_of(lanes.v), extent_.height_texel);
-    return hn::Sub(hn::Add(hn::ShiftLeft<kWindowColumnBits>(t), s), origin);
+  // Texels of a window of so many rows by lanes that are counted from its origin. Those of no pixel
+  // may lie anywhere.
+  template <int kColumnBits>
+  static HWY_INLINE V32 window_index(const LaneVectors& lanes, int32_t rows) {
+    const D32 d;
+    if constexpr (Address::kClampsWindows) {
+      const V32 s = Address::window_texel(texel_of(lanes.u), kColumns<kColumnBits>);
+      const V32 t = Address::window_texel(texel_of(lanes.v), rows);
+      return hn::Add(hn::ShiftLeft<kColumnBits>(t), s);
+    } else {
+      return hn::OrAnd(texel_of(lanes.u), hn::ShiftRight<kTexelFraction - kColumnBits>(lanes.v),
+                       hn::Set(d, -kColumns<kColumnBits>));
+    }
   }
 
   // What adding all that they may lack changes in either lane: above the low 16 bits, texels.
@@ -123,8 +131,8 @@ class FixedLanes {
         hn::Or(hn::Gt(column, hn::Set(d, kLanes - 1)), hn::Gt(row, hn::Set(d, low.rows - 1)));
     if (s.index > last_column || t.index > last_row || !hn::AllFalse(d, beyond)) return false;
     const Pixel* const window = from + t.index * ptrdiff_t{extent_.pitch_texel} + s.index;
-    store_pixels(pick(window, extent_.pitch_texel, low.rows,
-                      hn::Add(hn::ShiftLeft<kWindowColumnBits>(row), column)),
+    store_pixels(pick<kWindowColumnBits>(window, extent_.pitch_texel, low.rows,
+                                         hn::Add(hn::ShiftLeft<kWindowColumnBits>(row), column)),
                  kLanes, to);
     return true;
   }

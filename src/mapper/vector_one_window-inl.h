@@ -75,14 +75,6 @@ struct TexelRange {
   }
 };
 
-// A window's columns, a power of two: as many as there are lanes, or half as many, two rows to the
-// vector.
-inline constexpr int kHalfColumnBits = kWindowColumnBits - 1;
-template <int kColumnBits>
-inline constexpr int32_t kColumns = 1 << kColumnBits;
-template <int kColumnBits>
-inline constexpr int32_t kRowsPerVector = kLanes >> kColumnBits;
-
 // Picked from by one permute, and the most that are kept.
 inline constexpr int32_t kVectorsPerPermute = kRowsPerPermute;
 inline constexpr int32_t kMostWindowVectors = kMostWindowRows;
@@ -185,6 +177,23 @@ template <class Pixel, class Address, int kColumnBits, int32_t kVectors = kMostW
   return draw(Window<Pixel, Address, kColumnBits, kVectors>(texture, place));
 }
 
+// A window in the texture is the same whatever the address mode: one function for all of them.
+template <class Pixel, int kColumnBits, class Draw>
+[[nodiscard]] HWY_NOINLINE bool with_window_inside(const selvage_texture& texture,
+                                                   const WindowPlace& place, const Draw& draw) {
+  return with_window<Pixel, Addressed<InsideVector>, kColumnBits>(texture, place, draw);
+}
+
+// Others are seldom: one size is enough.
+template <class Pixel, class Address, int kColumnBits, class Draw>
+[[nodiscard]] HWY_NOINLINE bool with_large_window(const TexelBox& box,
+                                                  const selvage_texture& texture, const Draw& draw,
+                                                  bool* found) {
+  const auto place = place_of<Address, kColumnBits, WindowSize::kMost>(box, texture);
+  *found = place.vectors != 0;
+  return *found && draw(Window<Pixel, Address, kColumnBits, kMostWindowVectors>(texture, place));
+}
+
 // What draw(window) returns, or false where there is no such window.
 template <class Pixel, class Address, int kColumnBits, class Draw>
 [[nodiscard]] HWY_INLINE bool with_columns(const TexelBox& box, const selvage_texture& texture,
@@ -193,12 +202,9 @@ template <class Pixel, class Address, int kColumnBits, class Draw>
   *found = place.vectors != 0;
   if (!*found) return false;
   if (place.inside) {
-    return with_window<Pixel, Addressed<InsideVector>, kColumnBits>(texture, place, draw);
+    return with_window_inside<Pixel, kColumnBits>(texture, place, draw);
   }
-  // Seldom: one size is enough.
-  const auto large = place_of<Address, kColumnBits, WindowSize::kMost>(box, texture);
-  *found = large.vectors != 0;
-  return *found && draw(Window<Pixel, Address, kColumnBits, kMostWindowVectors>(texture, large));
+  return with_large_window<Pixel, Address, kColumnBits>(box, texture, draw, found);
 }
 
 template <class Pixel, class Address, class Draw>

@@ -19,7 +19,8 @@
 #include <bit>
 
 #include "mapper/vector_lanes-inl.h"
-#include "mapper/vector_projective_wide-inl.h"
+#include "mapper/vector_piece_walk-inl.h"
+#include "mapper/vector_projective_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -27,107 +28,14 @@ namespace {
 
 using VHalf = hn::Vec<DHalf>;
 using DHalfFloat = hn::RebindToFloat<DHalf>;
-
-// So many at once that finding their anchors, which takes long but not much, is done side by side.
-inline constexpr int32_t kMostPieces = 16;
-static_assert(kMostPieces % kDoubles == 0 && kMostPieces <= kMostLanes);
-
-// Pixels of a row, kMostLanes of them, or the last ones of a span.
-inline constexpr int32_t kPiece_px = kMostLanes;
-inline constexpr int32_t kVectorsPerPiece = kPiece_px / kLanes;
-struct Pieces {
-  int32_t count;     // beyond it, values mean nothing
-  bool has_windows;  // some piece has window_rows
-  int32_t row[kMostPieces], left_px[kMostPieces];
-  int32_t right_px[kMostPieces];     // the end of the span
-  int32_t window_rows[kMostPieces];  // 0: a load for each pixel
-
-  // Rows of a batch are pieces, from so many pixels right of their first ones on. Some may be
-  // empty.
-  HWY_INLINE void put_rows(const SpanBatch& batch, int32_t first, int32_t rows,
-                           int32_t right_by_px) {
-    count = rows;
-    has_windows = false;
-    const D32 d;
-    for (int32_t k = 0; k < kMostPieces; k += kLanes) {
-      const V32 left = hn::LoadU(d, batch.left_px.data() + first + k);
-      hn::StoreU(hn::Iota(d, batch.first_row + first + k), d, row + k);
-      hn::StoreU(hn::Add(left, hn::Set(d, right_by_px)), d, left_px + k);
-      hn::StoreU(hn::LoadU(d, batch.right_px.data() + first + k), d, right_px + k);
-      hn::StoreU(hn::Zero(d), d, window_rows + k);
-    }
-  }
-
-  // From one of its vectors on.
-  [[nodiscard]] HWY_INLINE Span rest(int32_t k, int32_t vector) const {
-    return {row[k], left_px[k] + vector * kLanes, right_px[k]};
-  }
-};
-
-// The pieces of a batch's spans, some at a time.
-class PieceWalk {
- public:
-  HWY_INLINE PieceWalk(const ProjectiveSpans& spans, const selvage_texture& texture)
-      : spans_(&spans), texture_(&texture) {}
-
-  // False where none is left. Some may be empty.
-  HWY_INLINE bool next(Pieces* pieces) {
-    return spans_->batch.widest_px <= kPiece_px ? next_rows(pieces) : next_parts(pieces);
-  }
-
- private:
-  // Each row is a piece.
-  HWY_INLINE bool next_rows(Pieces* pieces) {
-    const SpanBatch& batch = spans_->batch;
-    if (next_ >= batch.rows) return false;
-    pieces->put_rows(batch, next_, HWY_MIN(batch.rows - next_, kMostPieces), 0);
-    next_ += kMostPieces;
-    return true;
-  }
-
-  HWY_INLINE bool next_parts(Pieces* pieces) {
-    int32_t count = 0;
-    pieces->has_windows = false;
-    for (; count < kMostPieces; ++count) {
-      while (span_.left_px >= span_.right_px) {
-        if (next_ == spans_->batch.rows) {
-          pieces->count = count;
-          return count != 0;
-        }
-        span_ = spans_->batch.span(next_++);
-        window_rows_ = span_.width_px() < 2 * kLanes ? 0 : rows_of(span_);
-      }
-      pieces->row[count] = span_.row;
-      pieces->left_px[count] = span_.left_px;
-      pieces->right_px[count] = span_.right_px;
-      pieces->window_rows[count] = window_rows_;
-      pieces->has_windows |= window_rows_ != 0;
-      span_.left_px += kPiece_px;
-    }
-    pieces->count = count;
-    return true;
-  }
-
-  HWY_NOINLINE int32_t rows_of(const Span& span) const {
-    return window_rows(spans_->field.of(span), span.width_px(), *texture_);
-  }
-
-  const ProjectiveSpans* spans_;
-  const selvage_texture* texture_;
-  int32_t next_ = 0;
-  Span span_{0, 0, 0};
-  int32_t window_rows_ = 0;
-};
+using VHalfFloat = hn::Vec<DHalfFloat>;
+using DFloat = hn::RebindToFloat<D32>;
+using VFloat = hn::Vec<DFloat>;
 
 // What the lanes of pieces are made of, in units of 2^-16 texel.
 struct Anchors {
   int32_t u_fx16[kMostPieces], v_fx16[kMostPieces];  // less kWholeNumbers, as bits
   float turn[kMostPieces], u_rise[kMostPieces], v_rise[kMostPieces];
-};
-
-// Of the windows of pieces.
-struct PieceOrigins {
-  int32_t index[kVectorsPerPiece][kMostPieces], place[kVectorsPerPiece][kMostPieces];
 };
 
 template <class Floats>
@@ -136,14 +44,60 @@ template <class Floats>
   return hn::Div(i, hn::MulAdd(i, turn, hn::Set(d, 1.0F)));
 }
 
-// The lane after a walk of so much: what is added lands in the lowest bits of a float, a whole
+// A walk of so much, to be added to an anchor: it lands in the lowest bits of a float, a whole
 // number.
 template <class Floats>
-[[nodiscard]] HWY_INLINE auto lane_of(Floats d, hn::Vec<hn::RebindToSigned<Floats>> anchor,
-                                      hn::Vec<Floats> share, hn::Vec<Floats> rise) {
+[[nodiscard]] HWY_INLINE auto walk_of(Floats d, hn::Vec<Floats> share, hn::Vec<Floats> rise) {
   const auto walk = hn::MulAdd(share, rise, hn::Set(d, kWholeNumbers));
-  return hn::Add(anchor, hn::BitCast(hn::RebindToSigned<Floats>(), walk));
+  return hn::BitCast(hn::RebindToSigned<Floats>(), walk);
 }
+
+// The constants of walks from anchors. They come from memory: where a compiler knows them, it loads
+// them for each vector anew, and does not keep them in registers.
+struct WalkConstants {
+  float steps[kPiece_px], one = 1, whole = kWholeNumbers;
+
+  HWY_INLINE WalkConstants() {
+    for (int32_t i = 0; i < kPiece_px; ++i) steps[i] = static_cast<float>(i);
+  }
+};
+
+// From the anchors of pieces to the lanes of pixels.
+class PieceLanes {
+ public:
+  HWY_INLINE PieceLanes()
+      : one_(hn::Set(DFloat(), 1.0F)), whole_(hn::Set(DFloat(), kWholeNumbers)) {
+    for (int32_t at = 0; at < kVectorsPerPiece; ++at) {
+      steps_[at] = hn::ConvertTo(DFloat(), hn::Iota(D32(), at * kLanes));
+    }
+  }
+  HWY_INLINE explicit PieceLanes(const WalkConstants& constants)
+      : one_(hn::Set(DFloat(), constants.one)), whole_(hn::Set(DFloat(), constants.whole)) {
+    for (int32_t at = 0; at < kVectorsPerPiece; ++at) {
+      steps_[at] = hn::LoadU(DFloat(), constants.steps + at * kLanes);
+    }
+  }
+
+  // What is added to the lanes of the anchor, of one of a piece's vectors of pixels.
+  HWY_INLINE LaneVectors walk(const Anchors& anchors, int32_t k, int32_t vector) const {
+    const D32 d;
+    const DFloat df;
+    const VFloat i = steps_[vector];
+    const VFloat share = hn::Div(i, hn::MulAdd(i, hn::Set(df, anchors.turn[k]), one_));
+    return {hn::BitCast(d, hn::MulAdd(share, hn::Set(df, anchors.u_rise[k]), whole_)),
+            hn::BitCast(d, hn::MulAdd(share, hn::Set(df, anchors.v_rise[k]), whole_))};
+  }
+  HWY_INLINE LaneVectors lanes(const Anchors& anchors, int32_t k, int32_t vector) const {
+    return plus(walk(anchors, k, vector), anchors.u_fx16[k], anchors.v_fx16[k]);
+  }
+  static HWY_INLINE LaneVectors plus(const LaneVectors& walk, int32_t u_fx16, int32_t v_fx16) {
+    const D32 d;
+    return {hn::Add(hn::Set(d, u_fx16), walk.u), hn::Add(hn::Set(d, v_fx16), walk.v)};
+  }
+
+ private:
+  VFloat steps_[kVectorsPerPiece], one_, whole_;
+};
 
 class AnchoredVectors {
  public:
@@ -155,58 +109,33 @@ class AnchoredVectors {
         first_row_(field.first_row),
         lowered_fx16_(anchored_error_fx16(field)) {}
 
+  [[nodiscard]] HWY_INLINE PieceLanes lanes() const { return PieceLanes(constants_); }
   HWY_INLINE int32_t lack_fx16() const {
     return static_cast<int32_t>(2 * lowered_fx16_) + kAnchoredTruncations_fx16;
   }
 
   // Of kDoubles pieces from k on.
   HWY_INLINE void find(const Pieces& pieces, int32_t k, Anchors* anchors) const {
-    const DD d;
-    const DHalf whole;
-    const auto from = [&](const int32_t* at, int32_t first) HWY_ATTR {
-      return hn::PromoteTo(d, hn::Sub(hn::LoadU(whole, at), hn::Set(whole, first)));
-    };
-    const VD x = from(pieces.left_px + k, first_px_), y = from(pieces.row + k, first_row_);
-    const VD w = hn::Div(hn::Set(d, 1.0), at(denominator_, x, y));
-    const VD u = hn::Mul(at(u_, x, y), w), v = hn::Mul(at(v_, x, y), w);
-    const VD turn = hn::Mul(hn::Set(d, denominator_.step_x), w);
-    store(turn, anchors->turn + k);
-    store(hn::NegMulAdd(u, turn, hn::Mul(hn::Set(d, u_.step_x), w)), anchors->u_rise + k);
-    store(hn::NegMulAdd(v, turn, hn::Mul(hn::Set(d, v_.step_x), w)), anchors->v_rise + k);
-    store_floor(hn::Sub(u, hn::Set(d, lowered_fx16_)), anchors->u_fx16 + k);
-    store_floor(hn::Sub(v, hn::Set(d, lowered_fx16_)), anchors->v_fx16 + k);
-  }
-
-  // Of kLanes pixels, one of the piece's vectors of them.
-  static HWY_INLINE LaneVectors lanes_from(const Anchors& anchors, int32_t k, int32_t vector) {
-    const D32 d;
-    const hn::RebindToFloat<D32> df;
-    const auto i = hn::ConvertTo(df, hn::Iota(d, vector * kLanes));
-    const auto share = share_of(df, i, hn::Set(df, anchors.turn[k]));
-    return {lane_of(df, hn::Set(d, anchors.u_fx16[k]), share, hn::Set(df, anchors.u_rise[k])),
-            lane_of(df, hn::Set(d, anchors.v_fx16[k]), share, hn::Set(df, anchors.v_rise[k]))};
-  }
-
-  // Of a vector of kDoubles pieces from k on. Along a span u and v rise or fall all the way: its
-  // ends have the least and the most.
-  template <class Address>
-  static HWY_INLINE void find_origins(const Pieces& pieces, int32_t k, int32_t vector,
-                                      const Anchors& anchors, const Extent& extent,
-                                      PieceOrigins* origins) {
     const DHalf d;
     const DHalfFloat df;
-    const VHalf width_px =
-        hn::Sub(hn::LoadU(d, pieces.right_px + k), hn::LoadU(d, pieces.left_px + k));
-    const VHalf end = hn::Min(width_px, hn::Set(d, (vector + 1) * kLanes));
-    const auto turn = hn::LoadU(df, anchors.turn + k);
-    const auto first = share_of(df, hn::Set(df, static_cast<float>(vector * kLanes)), turn);
-    const auto last = share_of(df, hn::ConvertTo(df, hn::Sub(end, hn::Set(d, 1))), turn);
-    const VHalf s = least_texel(anchors.u_fx16 + k, anchors.u_rise + k, first, last);
-    const VHalf t = least_texel(anchors.v_fx16 + k, anchors.v_rise + k, first, last);
-    const auto windows =
-        window_origins<Address>(s, t, hn::LoadU(d, pieces.window_rows + k), extent);
-    hn::StoreU(windows.index, d, origins->index[vector] + k);
-    hn::StoreU(windows.place, d, origins->place[vector] + k);
+    const HalfAnchors half = half_from(pieces, k);
+    hn::StoreU(half.u_fx16, d, anchors->u_fx16 + k);
+    hn::StoreU(half.v_fx16, d, anchors->v_fx16 + k);
+    hn::StoreU(half.turn, df, anchors->turn + k);
+    hn::StoreU(half.u_rise, df, anchors->u_rise + k);
+    hn::StoreU(half.v_rise, df, anchors->v_rise + k);
+  }
+
+  // Of kLanes pieces from k on.
+  HWY_INLINE void find_lanes(const Pieces& pieces, int32_t k, Anchors* anchors) const {
+    const D32 d;
+    const DFloat df;
+    const HalfAnchors low = half_from(pieces, k), high = half_from(pieces, k + kDoubles);
+    hn::StoreU(hn::Combine(d, high.u_fx16, low.u_fx16), d, anchors->u_fx16 + k);
+    hn::StoreU(hn::Combine(d, high.v_fx16, low.v_fx16), d, anchors->v_fx16 + k);
+    hn::StoreU(hn::Combine(df, high.turn, low.turn), df, anchors->turn + k);
+    hn::StoreU(hn::Combine(df, high.u_rise, low.u_rise), df, anchors->u_rise + k);
+    hn::StoreU(hn::Combine(df, high.v_rise, low.v_rise), df, anchors->v_rise + k);
   }
 
  private:
@@ -221,27 +150,37 @@ class AnchoredVectors {
     const VD row = hn::MulAdd(y, hn::Set(d, line.step_y), hn::Set(d, line.start));
     return hn::MulAdd(x, hn::Set(d, line.step_x), row);
   }
-  static HWY_INLINE void store(VD value, float* to) {
-    const hn::Rebind<float, DD> d;
-    hn::StoreU(hn::DemoteTo(d, value), d, to);
+  struct HalfAnchors {
+    VHalf u_fx16, v_fx16;
+    VHalfFloat turn, u_rise, v_rise;
+  };
+  HWY_INLINE HalfAnchors half_from(const Pieces& pieces, int32_t k) const {
+    const DD d;
+    const DHalf whole;
+    const auto from = [&](const int32_t* at, int32_t first) HWY_ATTR {
+      return hn::PromoteTo(d, hn::Sub(hn::LoadU(whole, at), hn::Set(whole, first)));
+    };
+    const VD x = from(pieces.left_px + k, first_px_), y = from(pieces.row + k, first_row_);
+    const VD w = hn::Div(hn::Set(d, 1.0), at(denominator_, x, y));
+    const VD u = hn::Mul(at(u_, x, y), w), v = hn::Mul(at(v_, x, y), w);
+    const VD turn = hn::Mul(hn::Set(d, denominator_.step_x), w);
+    return {whole_less_bits(u), whole_less_bits(v), narrow(turn),
+            narrow(hn::NegMulAdd(u, turn, hn::Mul(hn::Set(d, u_.step_x), w))),
+            narrow(hn::NegMulAdd(v, turn, hn::Mul(hn::Set(d, v_.step_x), w)))};
   }
-  static HWY_INLINE void store_floor(VD value, int32_t* to) {
+  static HWY_INLINE VHalfFloat narrow(VD value) { return hn::DemoteTo(DHalfFloat(), value); }
+  // The anchor's lane of a value, less kWholeNumbers, as bits.
+  HWY_INLINE VHalf whole_less_bits(VD value) const {
     const DHalf d;
     const VHalf bits = hn::Set(d, std::bit_cast<int32_t>(kWholeNumbers));
-    hn::StoreU(hn::Sub(hn::DemoteTo(d, hn::Floor(value)), bits), d, to);
-  }
-  static HWY_INLINE VHalf least_texel(const int32_t* anchor_fx16, const float* rise,
-                                      hn::Vec<DHalfFloat> first, hn::Vec<DHalfFloat> last) {
-    const DHalfFloat df;
-    const VHalf anchor = hn::LoadU(DHalf(), anchor_fx16);
-    const auto steepness = hn::LoadU(df, rise);
-    return hn::ShiftRight<kTexelFraction>(
-        hn::Min(lane_of(df, anchor, first, steepness), lane_of(df, anchor, last, steepness)));
+    const VD low = hn::Sub(value, hn::Set(DD(), lowered_fx16_));
+    return hn::Sub(hn::DemoteTo(d, hn::Floor(low)), bits);
   }
 
   Linear u_, v_, denominator_;
   int32_t first_px_, first_row_;
   double lowered_fx16_;
+  WalkConstants constants_;
 };
 
 }  // namespace

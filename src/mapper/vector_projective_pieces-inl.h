@@ -8,8 +8,9 @@
 
 #include "mapper/interior.h"
 #include "mapper/vector_fetch-inl.h"
-#include "mapper/vector_one_window-inl.h"
-#include "mapper/vector_projective_anchors-inl.h"
+#include "mapper/vector_piece_queue-inl.h"
+#include "mapper/vector_projective_wide-inl.h"
+#include "mapper/vector_projective_window-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -22,7 +23,7 @@ struct LeftOfPieces : Left {
 
   HWY_INLINE void put(int32_t i, const Span& rest_of_span, const LaneVectors& lanes, int32_t rows) {
     rest[static_cast<size_t>(i)] = rest_of_span;
-    window_rows[i] = rows;
+    window_rows[i] = rows == kHalfWindow ? kHalfWindowRows : HWY_MAX(rows, 0);
     hn::Store(lanes.u, D32(), u_fx16 + i * kLanes);
     hn::Store(lanes.v, D32(), v_fx16 + i * kLanes);
   }
@@ -50,51 +51,83 @@ HWY_NOINLINE void draw_left(const LeftOfPieces& left, const ProjectiveSpans& spa
   }
 }
 
-template <class Address>
-HWY_INLINE void find(const Pieces& pieces, const AnchoredVectors& vectors, const Extent& extent,
-                     Anchors* anchors, PieceOrigins* origins) {
-  for (int32_t k = 0; k < pieces.count; k += kDoubles) {
-    vectors.find(pieces, k, anchors);
-    for (int32_t at = 0; kHasWindows && pieces.has_windows && at < kVectorsPerPiece; ++at) {
-      AnchoredVectors::find_origins<Address>(pieces, k, at, *anchors, extent, origins);
-    }
+// What vectors of pieces are drawn with.
+template <class Pixel, class Address>
+class PieceDraw {
+ public:
+  HWY_INLINE PieceDraw(const AnchoredVectors& vectors, const Surface& surface)
+      : lanes_(vectors.lanes()),
+        fixed_(surface.texture, vectors.lack_fx16()),
+        texels_(static_cast<const Pixel*>(surface.texture.texels)),
+        pitch_texel_(pitch_texel_of(surface.texture)) {}
+
+  HWY_INLINE LaneVectors lanes(const PieceBlock& block, int32_t k, int32_t at) const {
+    return lanes_.lanes(block.anchors, k, at);
   }
-}
+  // False where a pixel may be a near-tie, or there is no window.
+  template <class Fetch>
+  HWY_INLINE bool draw(const PieceBlock& block, int32_t k, int32_t at, int32_t count_px,
+                       Fetch* fetch, Pixel* to) const {
+    const int32_t rows = block.windows.rows[at][k];
+    const LaneVectors walk = lanes_.walk(block.anchors, k, at);
+    if (kHasWindows && HWY_LIKELY(rows == kHalfWindow)) {
+      const LaneVectors lanes = from_window(block.windows, k, at, walk);
+      if (HWY_UNLIKELY(fixed_.any_near(lanes))) return false;
+      const V32 index = Fixed::template window_index<kHalfColumnBits>(lanes, kHalfWindowRows);
+      const Pixel* const window = texels_ + block.windows.place[at][k];
+      store_pixels(pick<kHalfColumnBits>(window, pitch_texel_, kHalfWindowRows, index), count_px,
+                   to);
+    } else if (kHasWindows && rows != 0) {
+      const LaneVectors lanes = from_window(block.windows, k, at, walk);
+      if (HWY_UNLIKELY(rows == kNoWindow || fixed_.any_near(lanes))) return false;
+      const V32 index = Fixed::template window_index<kWindowColumnBits>(lanes, rows);
+      const Pixel* const window = texels_ + block.windows.place[at][k];
+      store_pixels(pick_few(window, pitch_texel_, rows, index), count_px, to);
+    } else {
+      const LaneVectors lanes =
+          PieceLanes::plus(walk, block.anchors.u_fx16[k], block.anchors.v_fx16[k]);
+      if (HWY_UNLIKELY(fixed_.any_near(lanes))) return false;
+      fetch->add(fixed_.places(lanes), count_px, reinterpret_cast<char*>(to));
+    }
+    return true;
+  }
+
+ private:
+  using Fixed = FixedLanes<Address>;
+  static HWY_INLINE LaneVectors from_window(const PieceWindows& windows, int32_t k, int32_t at,
+                                            const LaneVectors& walk) {
+    return PieceLanes::plus(walk, windows.u_fx16[at][k], windows.v_fx16[at][k]);
+  }
+
+  PieceLanes lanes_;
+  Fixed fixed_;
+  const Pixel* texels_;
+  ptrdiff_t pitch_texel_;
+};
 
 // Until `left` may not hold the next ones; false where no piece is left.
 template <class Pixel, class Address, class Fetch>
 HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vectors,
-                              PieceWalk* from, LeftOfPieces* left) {
-  const FixedLanes<Address> fixed(surface.texture, vectors.lack_fx16());
+                              bool has_windows, PieceQueue* queue, LeftOfPieces* left) {
+  const PieceDraw<Pixel, Address> by(vectors, surface);
   const Extent extent = extent_of(surface.texture);
-  const auto* const texels = static_cast<const Pixel*>(surface.texture.texels);
-  Fetch fetch(texels);
+  Fetch fetch(surface.texture.texels);
   char* const pixels = static_cast<char*>(surface.target.pixels);
-  const ptrdiff_t pitch = surface.target.pitch;
-  PieceWalk walk = *from;
   int32_t left_count = 0;
   bool more = true;
-  Pieces pieces;
-  Anchors anchors;
-  PieceOrigins origins;
   static_assert(Left::kMost >= kMostPieces * kVectorsPerPiece);
-  while (left_count <= Left::kMost - kMostPieces * kVectorsPerPiece &&
-         (more = walk.next(&pieces))) {
-    find<Address>(pieces, vectors, extent, &anchors, &origins);
-    for (int32_t k = 0; k < pieces.count; ++k) {
+  while (left_count <= Left::kMost - kMostPieces * kVectorsPerPiece) {
+    const PieceBlock& block = queue->template next<Address>(extent, has_windows);
+    const Pieces& pieces = block.pieces;
+    more = pieces.count != 0;
+    if (!more) break;
+    for (int32_t k = 0, count = pieces.count; k < count; ++k) {
       int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
-      const int32_t rows = kHasWindows ? pieces.window_rows[k] : 0;
-      Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.row[k] * pitch) + pieces.left_px[k];
+      Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.to_byte[k]);
       for (int32_t at = 0; at < kVectorsPerPiece && count_px > 0; ++at) {
-        const LaneVectors lanes = AnchoredVectors::lanes_from(anchors, k, at);
-        if (HWY_UNLIKELY(fixed.any_near(lanes) || (rows != 0 && origins.place[at][k] < 0))) {
-          left->put(left_count++, pieces.rest(k, at), lanes, rows);
-        } else if (rows != 0) {
-          const V32 index = fixed.window_index(lanes, hn::Set(D32(), origins.index[at][k]));
-          store_pixels(pick_few(texels + origins.place[at][k], extent.pitch_texel, rows, index),
-                       count_px, to);
-        } else {
-          fetch.add(fixed.places(lanes), count_px, reinterpret_cast<char*>(to));
+        if (HWY_UNLIKELY(!by.draw(block, k, at, count_px, &fetch, to))) {
+          left->put(left_count++, pieces.rest(k, at), by.lanes(block, k, at),
+                    block.windows.rows[at][k]);
         }
         count_px -= kLanes;
         to += kLanes;
@@ -103,88 +136,30 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
   }
   fetch.finish();
   left->count = left_count;
-  *from = walk;
   return more;
-}
-
-// A strip of a block: of its rows, a piece each, from so many pixels right of their first ones on,
-// maybe of no pixels. Returns what the lanes of pixels lack changes in them.
-template <class Pixel, class Fixed, class OneWindow>
-[[nodiscard]] HWY_INLINE V32 draw_strip(const OneWindow& window, const Fixed& fixed,
-                                        const AnchoredVectors& vectors, const SpanBatch& batch,
-                                        const selvage_image& target, const RowBlock& block,
-                                        int32_t right_by_px) {
-  const D32 d;
-  const ptrdiff_t pitch = target.pitch;
-  char* row = static_cast<char*>(target.pixels) + (batch.first_row + block.first) * pitch;
-  V32 changed = hn::Zero(d);
-  Pieces pieces;
-  Anchors anchors;
-  for (int32_t first = block.first; first < block.end; first += kMostPieces) {
-    pieces.put_rows(batch, first, HWY_MIN(block.end - first, kMostPieces), right_by_px);
-    for (int32_t k = 0; k < pieces.count; k += kDoubles) vectors.find(pieces, k, &anchors);
-    for (int32_t k = 0; k < pieces.count; ++k) {
-      int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
-      Pixel* to = reinterpret_cast<Pixel*>(row) + pieces.left_px[k];
-      for (int32_t at = 0; at < kVectorsPerPiece && (at == 0 || count_px > 0); ++at) {
-        const LaneVectors lanes = AnchoredVectors::lanes_from(anchors, k, at);
-        const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
-        changed = hn::IfThenElse(is_pixel, hn::Or(changed, fixed.changes(lanes)), changed);
-        store_first(is_pixel, window.texels(lanes), count_px, to);
-        count_px -= kLanes;
-        to += kLanes;
-      }
-      row += pitch;
-    }
-  }
-  return changed;
-}
-
-// False where some pixel is a near-tie.
-template <class Pixel, class Address, class OneWindow>
-[[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const ProjectiveSpans& spans,
-                                        const Surface& surface, const AnchoredVectors& vectors) {
-  const FixedLanes<Address> fixed(surface.texture, vectors.lack_fx16());
-  V32 changed = hn::Zero(D32());
-  for_each_block(spans.batch, kPiece_px, [&](const RowBlock& block) HWY_ATTR {
-    for (int32_t px = 0; px < block.widest_px; px += kPiece_px) {
-      changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
-                                                  surface.target, block, px));
-    }
-  });
-  return !any_bits(changed, ~0xFFFF);
-}
-
-// Draws a batch, if one window holds its texels and no pixel is a near-tie.
-template <class Pixel, class Address>
-[[nodiscard]] HWY_NOINLINE bool draw_one_window(const ProjectiveSpans& spans,
-                                                const Surface& surface,
-                                                const AnchoredVectors& vectors) {
-  if (!pays_one_window(spans.batch)) return false;
-  return with_one_window<Pixel, Address>(
-      spans.texels, surface.texture, [&](const auto& window) HWY_ATTR {
-        return draw_from<Pixel, Address>(window, spans, surface, vectors);
-      });
 }
 
 template <class Pixel, class Address>
 void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
   const AnchoredVectors vectors(spans.field);
   if (draw_one_window<Pixel, Address>(spans, surface, vectors)) return;
-  PieceWalk walk(spans, surface.texture);
+  PieceQueue queue(spans.batch, surface.target, vectors);
   LeftOfPieces left;
   const bool cached = is_cached(surface.texture);
   const bool inside = cached && pays_to_ask_inside(spans.batch) &&
                       is_inside(spans.batch, spans.field, surface.texture);
+  const bool has_windows = may_have_windows(surface.texture) && spans.batch.widest_px >= 2 * kLanes;
   bool more = true;
   while (more) {
     if (!cached) {
-      more = draw_pieces<Pixel, Address, FetchAhead<Pixel>>(surface, vectors, &walk, &left);
+      more = draw_pieces<Pixel, Address, FetchAhead<Pixel>>(surface, vectors, has_windows, &queue,
+                                                            &left);
     } else if (inside) {
-      more = draw_pieces<Pixel, Addressed<InsideVector>, FetchAtOnce<Pixel>>(surface, vectors,
-                                                                             &walk, &left);
+      more = draw_pieces<Pixel, Addressed<InsideVector>, FetchAtOnce<Pixel>>(
+          surface, vectors, has_windows, &queue, &left);
     } else {
-      more = draw_pieces<Pixel, Address, FetchAtOnce<Pixel>>(surface, vectors, &walk, &left);
+      more = draw_pieces<Pixel, Address, FetchAtOnce<Pixel>>(surface, vectors, has_windows, &queue,
+                                                             &left);
     }
     if (left.count != 0) {
       draw_left<Pixel, Address>(left, spans, surface, vectors.lack_fx16());

@@ -119,10 +119,14 @@ HWY_NOINLINE void draw_windows(const DividedSpan& of, const Surface& surface, in
         const Origin t = Address::origin(HWY_MIN(v_fx16[0], v_fx16[end]) >> kTexelFraction,
                                          last_row, extent.height_texel);
         if (fixed.any_near(lanes) || s.index > last_column || t.index > last_row) return false;
-        const V32 index =
-            fixed.window_index(lanes, hn::Set(D32(), (t.texel << kWindowColumnBits) + s.texel));
+        const auto from = [](V32 lane, int32_t texel) HWY_ATTR {
+          return hn::Sub(lane, hn::ShiftLeft<kTexelFraction>(hn::Set(D32(), texel)));
+        };
+        const V32 index = fixed.template window_index<kWindowColumnBits>(
+            {from(lanes.u, s.texel), from(lanes.v, t.texel)}, rows);
         const Pixel* const window = texels + t.index * ptrdiff_t{extent.pitch_texel} + s.index;
-        store_pixels(pick(window, extent.pitch_texel, rows, index), count_px, pixels + at_px);
+        store_pixels(pick<kWindowColumnBits>(window, extent.pitch_texel, rows, index), count_px,
+                     pixels + at_px);
         return true;
       });
 }

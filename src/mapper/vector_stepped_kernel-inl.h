@@ -116,21 +116,22 @@ class StepWindows {
  private:
   using Lanes = StepLanes<D32>;
   struct Groups {
-    HWY_ALIGN int32_t u_fx16[kLanes], v_fx16[kLanes];
-    HWY_ALIGN int32_t index[Lanes::kVectors][kLanes], place[Lanes::kVectors][kLanes];
+    // Counted from the windows of their vectors.
+    HWY_ALIGN int32_t u_fx16[Lanes::kVectors][kLanes], v_fx16[Lanes::kVectors][kLanes];
+    HWY_ALIGN int32_t place[Lanes::kVectors][kLanes];
   };
 
   HWY_INLINE void find(int32_t px, Groups* groups) const {
     const D32 d;
     const V32 steps = hn::Add(hn::Mul(hn::Iota(d, 0), hn::Set(d, kStepGroup_px)), hn::Set(d, px));
     const V32 u = u_.groups(steps), v = v_.groups(steps);
-    hn::Store(u, d, groups->u_fx16);
-    hn::Store(v, d, groups->v_fx16);
     for (int32_t k = 0; k < Lanes::kVectors; ++k) {
       const V32 s = hn::ShiftRight<kTexelFraction>(hn::Add(u, u_.least_offset(k)));
       const V32 t = hn::ShiftRight<kTexelFraction>(hn::Add(v, v_.least_offset(k)));
-      const auto windows = window_origins<Address>(s, t, hn::Set(d, rows_), source_.extent);
-      hn::Store(windows.index, d, groups->index[k]);
+      const auto windows =
+          window_origins<Address>(s, t, hn::Set(d, kLanes), hn::Set(d, rows_), source_.extent);
+      hn::Store(hn::Sub(u, hn::ShiftLeft<kTexelFraction>(windows.s)), d, groups->u_fx16[k]);
+      hn::Store(hn::Sub(v, hn::ShiftLeft<kTexelFraction>(windows.t)), d, groups->v_fx16[k]);
       hn::Store(windows.place, d, groups->place[k]);
     }
   }
@@ -141,8 +142,8 @@ class StepWindows {
     for (int32_t k = 0; k < Lanes::kVectors && k * kLanes < count; ++k) {
       const int32_t place = groups.place[k][i];
       if (HWY_UNLIKELY(place < 0)) return false;
-      const LaneVectors lanes{u_.pixels(groups.u_fx16[i], k), v_.pixels(groups.v_fx16[i], k)};
-      const V32 index = source_.fixed.window_index(lanes, hn::Set(D32(), groups.index[k][i]));
+      const LaneVectors lanes{u_.pixels(groups.u_fx16[k][i], k), v_.pixels(groups.v_fx16[k][i], k)};
+      const V32 index = source_.fixed.template window_index<kWindowColumnBits>(lanes, rows_);
       store_pixels(pick_few(source_.texels + place, source_.extent.pitch_texel, rows_, index),
                    count - k * kLanes, to + k * kLanes);
     }

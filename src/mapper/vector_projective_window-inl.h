@@ -1,0 +1,85 @@
+// Projective spans of a polygon whose texels lie in one window. Included once for each SIMD target.
+#if defined(SELVAGE_VECTOR_PROJECTIVE_WINDOW_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_PROJECTIVE_WINDOW_INL_H
+#undef SELVAGE_VECTOR_PROJECTIVE_WINDOW_INL_H
+#else
+#define SELVAGE_VECTOR_PROJECTIVE_WINDOW_INL_H
+#endif
+
+#include "mapper/vector_one_window-inl.h"
+#include "mapper/vector_projective_anchors-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+// A strip of a block: of its rows, a piece each, from so many pixels right of their first ones on,
+// maybe of no pixels. Returns what the lanes of pixels lack changes in them.
+template <class Pixel, class Fixed, class OneWindow>
+[[nodiscard]] HWY_INLINE V32 draw_strip(const OneWindow& window, const Fixed& fixed,
+                                        const AnchoredVectors& vectors, const SpanBatch& batch,
+                                        const selvage_image& target, const RowBlock& block,
+                                        int32_t right_by_px) {
+  const D32 d;
+  const ptrdiff_t pitch = target.pitch;
+  char* row = static_cast<char*>(target.pixels) + (batch.first_row + block.first) * pitch;
+  V32 changed = hn::Zero(d);
+  const PieceLanes lanes_of;
+  Pieces pieces;
+  Anchors anchors;
+  for (int32_t first = block.first; first < block.end; first += kMostPieces) {
+    pieces.put_rows(batch, first, HWY_MIN(block.end - first, kMostPieces), right_by_px);
+    for (int32_t k = 0; k < pieces.count; k += kDoubles) vectors.find(pieces, k, &anchors);
+    for (int32_t k = 0; k < pieces.count; ++k) {
+      int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
+      Pixel* to = reinterpret_cast<Pixel*>(row) + pieces.left_px[k];
+      for (int32_t at = 0; at < kVectorsPerPiece && (at == 0 || count_px > 0); ++at) {
+        const LaneVectors lanes = lanes_of.lanes(anchors, k, at);
+        const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
+        changed = hn::IfThenElse(is_pixel, hn::Or(changed, fixed.changes(lanes)), changed);
+        store_first(is_pixel, window.texels(lanes), count_px, to);
+        count_px -= kLanes;
+        to += kLanes;
+      }
+      row += pitch;
+    }
+  }
+  return changed;
+}
+
+// Draws a batch from one window.
+template <class Pixel>
+struct ProjectiveFromWindow {
+  const ProjectiveSpans& spans;
+  const Surface& surface;
+  const AnchoredVectors& vectors;
+
+  // False where some pixel is a near-tie.
+  template <class OneWindow>
+  [[nodiscard]] HWY_INLINE bool operator()(const OneWindow& window) const {
+    // for what its lanes lack alone
+    const FixedLanes<Addressed<InsideVector>> fixed(surface.texture, vectors.lack_fx16());
+    V32 changed = hn::Zero(D32());
+    for_each_block(spans.batch, kPiece_px, [&](const RowBlock& block) HWY_ATTR {
+      for (int32_t px = 0; px < block.widest_px; px += kPiece_px) {
+        changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
+                                                    surface.target, block, px));
+      }
+    });
+    return !any_bits(changed, ~0xFFFF);
+  }
+};
+
+// Draws a batch, if one window holds its texels and no pixel is a near-tie.
+template <class Pixel, class Address>
+[[nodiscard]] HWY_INLINE bool draw_one_window(const ProjectiveSpans& spans, const Surface& surface,
+                                              const AnchoredVectors& vectors) {
+  return pays_one_window(spans.batch) &&
+         with_one_window<Pixel, Address>(spans.texels, surface.texture,
+                                         ProjectiveFromWindow<Pixel>{spans, surface, vectors});
+}
+
+}  // namespace
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
