@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "mapper/interior.h"
+#include "mapper/vector_affine_exact-inl.h"
 #include "mapper/vector_affine_lanes-inl.h"
 #include "mapper/vector_fetch-inl.h"
 
@@ -126,13 +127,17 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
   fetch.finish();
 }
 
-// Whether so many vectors of a small polygon are left that a pixel at a time costs less: its lanes
-// are finer, and, as near as they are, leave few pixels in doubt.
-[[nodiscard]] HWY_INLINE bool are_many(const Left& left, const AffineSpans& spans) {
+// How many vectors lie from a row on up to a place.
+[[nodiscard]] HWY_INLINE int32_t vectors_between(int32_t row, const Resume& end,
+                                                 const SpanBatch& batch) {
+  const int32_t rows = (end.row - row) * (batch.widest_px / kLanes + 1);
+  return end.px == INT32_MIN ? rows : rows + (end.px - batch.span(end.row).left_px) / kLanes;
+}
+
+// Of a small polygon, which has finer lanes than vectors, a pixel at a time costs less, too.
+[[nodiscard]] HWY_INLINE bool is_small(const AffineField& field) {
   constexpr uint32_t kSmall_fx32 = 128;
-  constexpr int32_t kManyOf = 4;
-  return spans.field.margin_fx32 <= kSmall_fx32 &&
-         left.count * kManyOf > spans.batch.rows * (spans.batch.widest_px / kLanes + 1);
+  return field.margin_fx32 <= kSmall_fx32;
 }
 
 // By windows of so many rows, or, where there are none, by loads.
@@ -161,6 +166,7 @@ void draw_wide(const AffineSpans& spans, const Surface& surface, int32_t rows) {
   Resume at;
   Left left;
   do {
+    const int32_t first = at.row;
     if (ahead) {
       draw_loads<Pixel, Address, FetchAhead<Pixel>>(spans, surface, &at, &left);
     } else if (inside) {
@@ -168,8 +174,11 @@ void draw_wide(const AffineSpans& spans, const Surface& surface, int32_t rows) {
     } else {
       draw_some<Pixel, Address>(spans, surface, rows, &at, &left);
     }
-    if (are_many(left, spans)) {
-      return scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(spans, surface);
+    if (are_many(left.count, vectors_between(first, at, spans.batch))) {
+      if (has_quotients(spans)) return draw_exactly<Pixel, Address>(spans, surface, first, rows);
+      if (is_small(spans.field)) {
+        return scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(spans, surface);
+      }
     }
     if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface, rows);
   } while (left.count == Left::kMost);

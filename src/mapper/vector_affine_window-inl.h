@@ -6,6 +6,7 @@
 #define SELVAGE_VECTOR_AFFINE_WINDOW_INL_H
 #endif
 
+#include "mapper/vector_affine_exact-inl.h"
 #include "mapper/vector_affine_lanes-inl.h"
 #include "mapper/vector_one_window-inl.h"
 
@@ -56,10 +57,10 @@ template <class Pixel, bool kWhole, class Batch, class OneWindow>
   return changed;
 }
 
-// False where some pixel is a near-tie.
+// Returns, in the high bits of each lane, whether one of its pixels is a near-tie.
 template <class Pixel, class Address, class OneWindow>
-[[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const AffineSpans& spans,
-                                        const Surface& surface) {
+[[nodiscard]] HWY_INLINE V32 draw_from(const OneWindow& window, const AffineSpans& spans,
+                                       const Surface& surface) {
   const AffineBatch<Address> batch(spans, surface);
   V32 changed = hn::Zero(D32());
   for_each_block(spans.batch, kLanes, [&](const RowBlock& block) HWY_ATTR {
@@ -73,17 +74,30 @@ template <class Pixel, class Address, class OneWindow>
                                                          block.wider_than(spans.batch, px), px));
     }
   });
-  return !any_bits(changed, ~0xFFFF);
+  return changed;
 }
+
+// What became of a batch: whether it is drawn or, if not, whether near-ties are why, and many.
+enum class InOneWindow { kDrawn, kNotDrawn, kManyNearTies };
 
 // Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>
-[[nodiscard]] HWY_NOINLINE bool draw_one_window(const AffineSpans& spans, const Surface& surface) {
-  if (!pays_one_window(spans.batch)) return false;
-  return with_one_window<Pixel, Address>(spans.texels, surface.texture,
-                                         [&](const auto& window) HWY_ATTR {
-                                           return draw_from<Pixel, Address>(window, spans, surface);
-                                         });
+[[nodiscard]] HWY_NOINLINE InOneWindow draw_one_window(const AffineSpans& spans,
+                                                       const Surface& surface) {
+  if (!pays_one_window(spans.batch)) return InOneWindow::kNotDrawn;
+  V32 changed = hn::Zero(D32());
+  if (!with_one_window<Pixel, Address>(spans.texels, surface.texture,
+                                       [&](const auto& window) HWY_ATTR {
+                                         changed =
+                                             draw_from<Pixel, Address>(window, spans, surface);
+                                         return true;
+                                       })) {
+    return InOneWindow::kNotDrawn;
+  }
+  if (!any_bits(changed, ~0xFFFF)) return InOneWindow::kDrawn;
+  const auto near = hn::Ne(hn::ShiftRight<kTexelFraction>(changed), hn::Zero(D32()));
+  return hn::CountTrue(D32(), near) < kLeastNear ? InOneWindow::kNotDrawn
+                                                 : InOneWindow::kManyNearTies;
 }
 
 }  // namespace
