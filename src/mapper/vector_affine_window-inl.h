@@ -57,7 +57,8 @@ template <class Pixel, bool kWhole, class Batch, class OneWindow>
   return changed;
 }
 
-// Returns, in the high bits of each lane, whether one of its pixels is a near-tie.
+// Returns, in the high bits of each lane, whether one of its pixels is a near-tie, and ends where
+// some are.
 template <class Pixel, class Address, class OneWindow>
 [[nodiscard]] HWY_INLINE V32 draw_from(const OneWindow& window, const AffineSpans& spans,
                                        const Surface& surface) {
@@ -73,6 +74,7 @@ template <class Pixel, class Address, class OneWindow>
       changed = hn::Or(changed, draw_strip<Pixel, false>(window, batch, spans, surface.target,
                                                          block.wider_than(spans.batch, px), px));
     }
+    return !any_bits(changed, ~0xFFFF);
   });
   return changed;
 }
@@ -86,12 +88,11 @@ template <class Pixel, class Address>
                                                        const Surface& surface) {
   if (!pays_one_window(spans.batch)) return InOneWindow::kNotDrawn;
   V32 changed = hn::Zero(D32());
-  if (!with_one_window<Pixel, Address>(spans.texels, surface.texture,
-                                       [&](const auto& window) HWY_ATTR {
-                                         changed =
-                                             draw_from<Pixel, Address>(window, spans, surface);
-                                         return true;
-                                       })) {
+  if (!with_one_window<Pixel, Address>(
+          spans.texels, surface.texture, [&](const auto& window) HWY_ATTR {
+            changed = draw_from<Pixel, Address>(window, spans, surface);
+            return true;
+          })) {
     return InOneWindow::kNotDrawn;
   }
   if (!any_bits(changed, ~0xFFFF)) return InOneWindow::kDrawn;

@@ -1,7 +1,7 @@
 // A window that holds all texels of a polygon. Included once for each SIMD target.
 //
 // Its rows are loaded once a batch and kept in registers. Near-ties are drawn as they come and
-// counted out at the end: where there is one, the batch is drawn once more, by others.
+// looked for behind some rows: where there is one, the batch is drawn once more, by others.
 #if defined(SELVAGE_VECTOR_ONE_WINDOW_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_ONE_WINDOW_INL_H
 #undef SELVAGE_VECTOR_ONE_WINDOW_INL_H
@@ -53,15 +53,16 @@ struct RowBlock {
           hn::GetLane(hn::MaxOfLanes(d, widest))};
 }
 
-// All rows are one block where they are one strip.
+// All rows are one block where they are one strip. Ends where draw(block) returns false.
 template <class Draw>
 HWY_INLINE void for_each_block(const SpanBatch& batch, int32_t strip_px, const Draw& draw) {
   constexpr int32_t kRows = 16;
   const bool is_one = batch.widest_px <= strip_px;
   const int32_t rows = is_one ? batch.rows : kRows;
   for (int32_t first = 0; first < batch.rows; first += rows) {
-    draw(is_one ? RowBlock{0, batch.rows, 0, batch.widest_px}
-                : block_of(batch, first, HWY_MIN(first + rows, batch.rows)));
+    const RowBlock block = is_one ? RowBlock{0, batch.rows, 0, batch.widest_px}
+                                  : block_of(batch, first, HWY_MIN(first + rows, batch.rows));
+    if (!draw(block)) return;
   }
 }
 

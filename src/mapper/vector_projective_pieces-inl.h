@@ -151,6 +151,7 @@ template <class Pixel, class Address, class OneWindow>
       changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
                                                   surface.target, block, px));
     }
+    return !any_bits(changed, ~0xFFFF);
   });
   return !any_bits(changed, ~0xFFFF);
 }
