@@ -97,5 +97,35 @@ TEST(Boundary, IsReachedByTies) {
   }
 }
 
+// u is whole along a diagonal. The terms there are longer than a double, and cancel to what tells
+// nothing.
+TEST(Boundary, IsUncertainWhereRoundingsDecide) {
+  spec::Random random(1);
+  int uncertain = 0;
+  for (int i = 0; i < 200; ++i) {
+    const int32_t side_fx8 = random.in(20000, 30000) * SELVAGE_SUBPIXELS;
+    const int32_t rise_fx16 = random.in(1, 1 << 24), q = random.in(1 << 23, 1 << 24);
+    const std::vector<selvage_vertex> triangle = {{0, 0, 5 << 16, 0, SELVAGE_Q_MAX - 1},
+                                                  {side_fx8, 0, (5 << 16) + rise_fx16, 0, q},
+                                                  {0, side_fx8, (5 << 16) - rise_fx16, 0, q}};
+    Polygon polygon;
+    ASSERT_EQ(examine(triangle, &polygon), SELVAGE_OK);
+    const auto plane = ProjectivePlane::of(polygon, {0, 0, 9000, 9000});
+    ASSERT_TRUE(plane);
+    const Boundary boundary(ExactMap(*plane), &ExactRow::u, 0, 5, random.in(0, 9000),
+                            random.in(0, 9000));
+    for (int j = 0; j < 50; ++j) {
+      const int32_t at = random.in(0, 9000);
+      const auto sides = boundary.sides_of({at, at, at + 1});
+      if (sides.left_px < 0) {
+        ++uncertain;
+      } else {
+        ASSERT_TRUE(sides.left_beyond);
+      }
+    }
+  }
+  EXPECT_GT(uncertain, 5000);
+}
+
 }  // namespace
 }  // namespace selvage::mapper

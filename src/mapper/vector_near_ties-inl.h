@@ -68,6 +68,8 @@ class RowOfTies {
   HWY_INLINE void go_to(const Span& span) {
     span_ = span;
     is_known_ = false;
+    u_boundary_.is_row_known = false;
+    v_boundary_.is_row_known = false;
   }
   [[nodiscard]] HWY_INLINE const Span& span() const { return span_; }
 
@@ -95,6 +97,9 @@ class RowOfTies {
     int32_t whole = INT32_MIN;
     int32_t vectors = 0, tries = kTries;
     Boundary line;
+    // Of a row.
+    bool is_row_known = false;
+    Boundary::Sides sides{};
   };
 
   // Decides near-ties that lie next to one boundary all, the one of those before. Returns what is
@@ -119,11 +124,10 @@ class RowOfTies {
       return asked;
     }
     if (known->vectors == KnownBoundary::kWorth) find(known, coordinate);
-    const Span pixels{span_.row, span_.left_px + HWY_MAX(offset_px, 0),
-                      HWY_MIN(span_.left_px + offset_px + kLanes, span_.right_px)};
-    const Boundary::Sides sides = known->line.sides_of(pixels);
+    if (!known->is_row_known) find_sides(known);
+    const Boundary::Sides sides = known->sides;
     if (sides.left_px < 0) return asked;
-    const auto is_left = hn::Lt(at, hn::Set(d, pixels.left_px - span_.left_px + sides.left_px));
+    const auto is_left = hn::Lt(at, hn::Set(d, sides.left_px));
     const auto beyond = sides.left_beyond ? hn::And(asked, is_left) : hn::AndNot(is_left, asked);
     *low = hn::IfThenElse(beyond, next, *low);
     return hn::FirstN(d, 0);
@@ -132,6 +136,11 @@ class RowOfTies {
     known->line = {*map_, coordinate, bits_, known->whole, span_.left_px, span_.row};
     ++known->vectors;
     known->tries = KnownBoundary::kTries;
+    known->is_row_known = false;
+  }
+  HWY_NOINLINE void find_sides(KnownBoundary* known) const {
+    known->sides = known->line.sides_of(span_);
+    known->is_row_known = true;
   }
 
   // Packed vectors may begin before their row does.
