@@ -1,6 +1,7 @@
 // Maps that make a mapper doubt at every pixel. Most cover the whole target with one triangle that
 // reaches kFar_px = 32 766 px: a corner's coordinate changed by its least unit, 1/65536 texel,
 // moves the coordinates in the target by as little as 2^-32 texel.
+#include <algorithm>
 #include <string>
 
 #include "reports/bench/outlines.h"
@@ -86,6 +87,21 @@ std::vector<Polygon> points_in_cells(int32_t cell_px, int32_t off_fx16) {
   return triangles;
 }
 
+// Two triangles in each cell, in perspective, all on the point (1024, 1024) but for off: q falls by
+// a sixteenth to the corners to the right.
+std::vector<Polygon> points_in_deep_cells(int32_t cell_px, int32_t off_fx16) {
+  std::vector<Polygon> triangles = points_in_cells(cell_px, off_fx16);
+  const int32_t point_fx16 = 1024 * kTexel_fx16 + off_fx16;
+  for (Polygon& triangle : triangles) {
+    for (selvage_vertex& vertex : triangle) {
+      const bool right = vertex.u != point_fx16;
+      vertex.u = vertex.v = point_fx16;
+      vertex.q = right ? SELVAGE_Q_MAX / 16 * 15 : SELVAGE_Q_MAX;
+    }
+  }
+  return triangles;
+}
+
 Workload item(const std::string& id, const std::string& title, const std::string& description,
               std::vector<Polygon> polygons) {
   Workload load;
@@ -93,7 +109,9 @@ Workload item(const std::string& id, const std::string& title, const std::string
   load.title = title;
   load.description = description;
   load.texture_side_texel = kTexture_texel;
-  load.perspective = polygons.front().front().q != polygons.front().back().q;
+  load.perspective = std::ranges::any_of(polygons.front(), [&](const selvage_vertex& vertex) {
+    return vertex.q != polygons.front().front().q;
+  });
   load.polygons = std::move(polygons);
   return load;
 }
@@ -141,6 +159,10 @@ std::vector<Workload> adversarial_workloads() {
   add_pair(loads, "A8", "near-ties in large triangles of a texel",
            "the same with one cell of 1024 px: 2^-27 to 2^-16 texel below a boundary",
            points_in_cells(1024, 0), points_in_cells(1024, half_fx16));
+  add_pair(loads, "A9", "ties in perspective in small triangles",
+           "triangles of half a cell of 64 px, in perspective, of one texel each, u and v of every "
+           "sample exactly on a boundary",
+           points_in_deep_cells(64, 0), points_in_deep_cells(64, half_fx16));
   return loads;
 }
 

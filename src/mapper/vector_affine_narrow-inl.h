@@ -6,6 +6,7 @@
 #define SELVAGE_VECTOR_AFFINE_NARROW_INL_H
 #endif
 
+#include "mapper/vector_affine_exact-inl.h"
 #include "mapper/vector_affine_lanes-inl.h"
 #include "mapper/vector_packed_ties-inl.h"
 
@@ -23,9 +24,10 @@ HWY_INLINE void store_rows(const Pixel* texels, const SpanBatch& batch, const Su
 }
 
 // Spans up to kNarrow_px wide: the lanes of all are packed one after another, so that vectors are
-// full although rows are short; each row is stored under a mask.
+// full although rows are short; each row is stored under a mask. False where they are better drawn
+// by exact quotients.
 template <class Address>
-void draw_narrow(const AffineSpans& spans, const Surface& surface) {
+[[nodiscard]] bool draw_narrow(const AffineSpans& spans, const Surface& surface) {
   constexpr int32_t kMost = kRowsPerBatch * kNarrow_px;
   const AffineBatch<Address> batch(spans, surface);
   const AffineField field = spans.field;
@@ -51,10 +53,12 @@ void draw_narrow(const AffineSpans& spans, const Surface& surface) {
   HWY_ALIGN int32_t place[kLanes];
   HWY_ALIGN char texels[(kMost + kMostLanes) * sizeof(uint32_t)];
   const ptrdiff_t bytes = bytes_per_pixel(surface.target.format);
+  int32_t near = 0;
   for (int32_t first = 0; first < packed; first += kLanes) {
     const LaneVectors lanes{hn::Load(d, u_fx16 + first), hn::Load(d, v_fx16 + first)};
     hn::Store(batch.places(lanes), d, place);
     if (HWY_UNLIKELY(batch.any_near(lanes))) {
+      if (are_many(++near, first / kLanes + 1) && has_quotients(spans)) return false;
       hn::Store(batch.decided_places(ties, first, lanes), d, place);
     }
     fetch(surface.texture, place, kLanes, texels + first * bytes);
@@ -62,6 +66,7 @@ void draw_narrow(const AffineSpans& spans, const Surface& surface) {
   with_pixel(surface.target.format, [&](auto pixel) {
     store_rows(reinterpret_cast<const decltype(pixel)*>(texels), spans.batch, surface);
   });
+  return true;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include "mapper/interior.h"
+#include "mapper/vector_affine_exact-inl.h"
 #include "mapper/vector_affine_windows-inl.h"
 #include "mapper/vector_fetch-inl.h"
 
@@ -125,13 +126,17 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
   fetch.finish();
 }
 
-// Whether so many vectors of a small polygon are left that a pixel at a time costs less: its lanes
-// are finer, and, as near as they are, leave few pixels in doubt.
-[[nodiscard]] HWY_INLINE bool are_many(const Left& left, const AffineSpans& spans) {
+// How many vectors lie from a row on up to a place.
+[[nodiscard]] HWY_INLINE int32_t vectors_between(int32_t row, const Resume& end,
+                                                 const SpanBatch& batch) {
+  const int32_t rows = (end.row - row) * (batch.widest_px / kLanes + 1);
+  return end.px == INT32_MIN ? rows : rows + (end.px - batch.span(end.row).left_px) / kLanes;
+}
+
+// Of a small polygon, which has finer lanes than vectors, a pixel at a time costs less, too.
+[[nodiscard]] HWY_INLINE bool is_small(const AffineField& field) {
   constexpr uint32_t kSmall_fx32 = 128;
-  constexpr int32_t kManyOf = 4;
-  return spans.field.margin_fx32 <= kSmall_fx32 &&
-         left.count * kManyOf > spans.batch.rows * (spans.batch.widest_px / kLanes + 1);
+  return field.margin_fx32 <= kSmall_fx32;
 }
 
 template <class Pixel, class Address>
@@ -143,6 +148,7 @@ void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowSha
   Resume at;
   Left left;
   do {
+    const int32_t first = at.row;
     if (kHasWindows && shape.rows != 0 && !by_runs) {
       draw_narrow_windows<Pixel, Address>(spans, surface, shape.rows, &at, &left);
     } else if (kHasWindows && shape.rows != 0) {
@@ -154,8 +160,12 @@ void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowSha
     } else {
       draw_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, &at, &left);
     }
-    if (are_many(left, spans)) {
-      return scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(spans, surface);
+    if (are_many(left.count, vectors_between(first, at, spans.batch))) {
+      if (has_quotients(spans))
+        return draw_exactly<Pixel, Address>(spans, surface, first, shape.rows);
+      if (is_small(spans.field)) {
+        return scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(spans, surface);
+      }
     }
     if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface, shape.rows);
   } while (at.row < spans.batch.rows);

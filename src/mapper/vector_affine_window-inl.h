@@ -6,6 +6,7 @@
 #define SELVAGE_VECTOR_AFFINE_WINDOW_INL_H
 #endif
 
+#include "mapper/vector_affine_exact-inl.h"
 #include "mapper/vector_affine_lanes-inl.h"
 #include "mapper/vector_one_window-inl.h"
 
@@ -22,34 +23,26 @@ namespace {
   return {sum(lane.u_fx32, step.u_fx32), sum(lane.v_fx32, step.v_fx32)};
 }
 
-// A strip of a block: of its rows, a vector each, from so many pixels right of their first ones on;
-// whole ones, or parts, maybe of no pixels. Returns what the lanes of pixels lack changes in them.
-template <class Pixel, bool kWhole, class Batch, class OneWindow>
-[[nodiscard]] HWY_INLINE V32 draw_strip(OneWindow window, Batch batch, const AffineSpans& spans,
-                                        const selvage_image& target, const RowBlock& block,
-                                        int32_t right_by_px) {
+// All of a batch that has a vector a row, maybe of no pixels. Returns what the lanes of pixels lack
+// changes in them. The window and the constants of lanes are copies: as such they stay in
+// registers, for no store can change them.
+template <class Pixel, class Batch, class OneWindow>
+[[nodiscard]] HWY_INLINE V32 draw_rows(OneWindow window, Batch batch, const AffineSpans& spans,
+                                       const selvage_image& target) {
   const D32 d;
   const Lane step_x = spans.field.step_x, step_y = spans.field.step_y;
   const int32_t* const left_px = spans.batch.left_px.data();
   const int32_t* const right_px = spans.batch.right_px.data();
   const ptrdiff_t pitch = target.pitch;
-  const int32_t first_row = spans.batch.first_row + block.first;
-  Lane at_row = batch.anchor(spans.field.at(right_by_px, first_row));  // where px is 0
-  char* row = static_cast<char*>(target.pixels) + first_row * pitch +
-              right_by_px * ptrdiff_t{sizeof(Pixel)};
+  Lane at_row = batch.anchor(spans.field.at(0, spans.batch.first_row));
+  char* row = static_cast<char*>(target.pixels) + spans.batch.first_row * pitch;
   V32 changed = hn::Zero(d);
-  for (int32_t i = block.first; i < block.end; ++i) {
-    const int32_t px = left_px[i], count_px = right_px[i] - px - right_by_px;
+  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+    const int32_t px = left_px[i], count_px = right_px[i] - px;
     const LaneVectors lanes = batch.lanes_from(plus(at_row, px, step_x));
-    Pixel* const to = reinterpret_cast<Pixel*>(row) + px;
-    if constexpr (kWhole) {
-      changed = hn::Or(changed, batch.changes(lanes));
-      store_pixels(window.texels(lanes), kLanes, to);
-    } else {
-      const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
-      changed = hn::IfThenElse(is_pixel, hn::Or(changed, batch.changes(lanes)), changed);
-      store_first(is_pixel, window.texels(lanes), count_px, to);
-    }
+    const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
+    changed = hn::IfThenElse(is_pixel, hn::Or(changed, batch.changes(lanes)), changed);
+    store_first(is_pixel, window.texels(lanes), count_px, reinterpret_cast<Pixel*>(row) + px);
     at_row = plus(at_row, 1, step_y);
     row += pitch;
   }
@@ -87,8 +80,7 @@ struct VectorList {
   }
 };
 
-// All of a batch that has several vectors a row. The window and the constants of lanes are copies:
-// as such they stay in registers, for no store can change them.
+// The same of a batch that has several vectors a row.
 template <class Pixel, class Batch, class OneWindow>
 [[nodiscard]] HWY_INLINE V32 draw_list(OneWindow window, Batch batch, const AffineSpans& spans,
                                        const selvage_image& target) {
@@ -120,16 +112,13 @@ template <class Pixel, class Batch, class OneWindow>
   return changed;
 }
 
-// False where some pixel is a near-tie.
+// Returns, in the high bits of each lane, whether one of its pixels is a near-tie.
 template <class Pixel, class Address, class OneWindow>
-[[nodiscard]] HWY_INLINE bool draw_from(const OneWindow& window, const AffineSpans& spans,
-                                        const Surface& surface) {
+[[nodiscard]] HWY_INLINE V32 draw_from(const OneWindow& window, const AffineSpans& spans,
+                                       const Surface& surface) {
   const AffineBatch<Address> batch(spans, surface);
-  const RowBlock all{0, spans.batch.rows, 0, spans.batch.widest_px};
-  const V32 changed = spans.batch.widest_px <= kLanes
-                          ? draw_strip<Pixel, false>(window, batch, spans, surface.target, all, 0)
-                          : draw_list<Pixel>(window, batch, spans, surface.target);
-  return !any_bits(changed, ~0xFFFF);
+  return spans.batch.widest_px <= kLanes ? draw_rows<Pixel>(window, batch, spans, surface.target)
+                                         : draw_list<Pixel>(window, batch, spans, surface.target);
 }
 
 // Draws a batch from one window; of an address mode it takes lanes alone, for which any will do.
@@ -137,19 +126,32 @@ template <class Pixel>
 struct AffineFromWindow {
   const AffineSpans& spans;
   const Surface& surface;
+  V32* changed;  // by near-ties
 
   template <class OneWindow>
   [[nodiscard]] HWY_INLINE bool operator()(const OneWindow& window) const {
-    return draw_from<Pixel, Addressed<InsideVector>>(window, spans, surface);
+    *changed = draw_from<Pixel, Addressed<InsideVector>>(window, spans, surface);
+    return true;
   }
 };
 
+// What became of a batch: whether it is drawn or, if not, whether near-ties are why, and many.
+enum class InOneWindow { kDrawn, kNotDrawn, kManyNearTies };
+
 // Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>
-[[nodiscard]] HWY_INLINE bool draw_one_window(const AffineSpans& spans, const Surface& surface) {
-  return pays_one_window(spans.batch) &&
-         with_one_window<Pixel, Address>(spans.texels, surface.texture,
-                                         AffineFromWindow<Pixel>{spans, surface});
+[[nodiscard]] HWY_INLINE InOneWindow draw_one_window(const AffineSpans& spans,
+                                                     const Surface& surface) {
+  if (!pays_one_window(spans.batch)) return InOneWindow::kNotDrawn;
+  V32 changed;
+  if (!with_one_window<Pixel, Address>(spans.texels, surface.texture,
+                                       AffineFromWindow<Pixel>{spans, surface, &changed})) {
+    return InOneWindow::kNotDrawn;
+  }
+  if (!any_bits(changed, ~0xFFFF)) return InOneWindow::kDrawn;
+  const auto near = hn::Ne(hn::ShiftRight<kTexelFraction>(changed), hn::Zero(D32()));
+  return hn::CountTrue(D32(), near) < kLeastNear ? InOneWindow::kNotDrawn
+                                                 : InOneWindow::kManyNearTies;
 }
 
 }  // namespace

@@ -27,6 +27,10 @@ struct LowWindow {
   int32_t s, t, rows;
 };
 
+struct TexelVectors {
+  V32 s, t;
+};
+
 // From lanes to places in the texture.
 template <class Address>
 class FixedLanes {
@@ -77,15 +81,23 @@ class FixedLanes {
     return Address::place(texels.s, texels.t, extent_);
   }
 
-  // The same, drawn: from a window, or, where there is none, by a load for each pixel.
+  // The same, drawn.
   template <class Pixel>
   HWY_INLINE void draw(const Span& rest, const Surface& surface, RowOfTies& ties,
                        const LaneVectors& lanes, const LowWindow& low) const {
+    draw_texels<Pixel>(rest, surface, decided(ties, rest.left_px - ties.span().left_px, lanes),
+                       low);
+  }
+
+  // A vector of right texels, or what there is left of one at a row's end: from a window, or, where
+  // there is none, by a load for each pixel.
+  template <class Pixel>
+  HWY_INLINE void draw_texels(const Span& rest, const Surface& surface, const TexelVectors& texels,
+                              const LowWindow& low) const {
     const auto* const from = static_cast<const Pixel*>(surface.texture.texels);
     char* const to = first_pixel(surface, rest);
-    const TexelVectors texels = decided(ties, rest.left_px - ties.span().left_px, lanes);
-    if (kHasWindows && low.rows != 0 && rest.width_px() >= kLanes &&
-        draw_window(texels, low, from, reinterpret_cast<Pixel*>(to))) {
+    if (kHasWindows && low.rows != 0 &&
+        draw_window(texels, low, from, rest.width_px(), reinterpret_cast<Pixel*>(to))) {
       return;
     }
     HWY_ALIGN int32_t place[kLanes];
@@ -104,9 +116,6 @@ class FixedLanes {
     return hn::Ne(texel_of(change(lane_fx16)), hn::Zero(D32()));
   }
 
-  struct TexelVectors {
-    V32 s, t;
-  };
   template <class Ties>
   HWY_NOINLINE TexelVectors decided(Ties& ties, int32_t first, const LaneVectors& lanes) const {
     TexelVectors texels{texel_of(lanes.u), texel_of(lanes.v)};
@@ -114,10 +123,10 @@ class FixedLanes {
     return texels;
   }
 
-  // A vector of right texels; false where the window does not hold them.
+  // False where the window does not hold them.
   template <class Pixel>
   HWY_INLINE bool draw_window(const TexelVectors& texels, const LowWindow& low, const Pixel* from,
-                              Pixel* to) const {
+                              int32_t count_px, Pixel* to) const {
     const D32 d;
     const int32_t last_column = extent_.width_texel - kLanes;
     const int32_t last_row = extent_.height_texel - low.rows;
@@ -133,7 +142,7 @@ class FixedLanes {
     const Pixel* const window = from + t.index * ptrdiff_t{extent_.pitch_texel} + s.index;
     store_pixels(pick<kWindowColumnBits>(window, extent_.pitch_texel, low.rows,
                                          hn::Add(hn::ShiftLeft<kWindowColumnBits>(row), column)),
-                 kLanes, to);
+                 count_px, to);
     return true;
   }
 

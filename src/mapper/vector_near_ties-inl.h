@@ -18,6 +18,7 @@
 #include <bit>
 #include <cstring>
 
+#include "mapper/boundary.h"
 #include "mapper/exact_row.h"
 #include "mapper/filter_point.h"
 #include "mapper/vector_kernel-inl.h"
@@ -67,6 +68,8 @@ class RowOfTies {
   HWY_INLINE void go_to(const Span& span) {
     span_ = span;
     is_known_ = false;
+    u_boundary_.is_row_known = false;
+    v_boundary_.is_row_known = false;
   }
   [[nodiscard]] HWY_INLINE const Span& span() const { return span_; }
 
@@ -74,15 +77,72 @@ class RowOfTies {
   // to the pixels from an offset in the span on; what those beyond its end become means nothing.
   HWY_INLINE void decide(int32_t offset_px, const NearTies& near, V32* HWY_RESTRICT s,
                          V32* HWY_RESTRICT t) {
+    const NearTies rest{
+        u_boundary_.tries == 0 ? near.u : settle(&u_boundary_, &ExactRow::u, offset_px, near.u, s),
+        v_boundary_.tries == 0 ? near.v : settle(&v_boundary_, &ExactRow::v, offset_px, near.v, t)};
+    if (hn::AllFalse(D32(), hn::Or(rest.u, rest.v))) return;
     if (HWY_UNLIKELY(!is_known_)) find();
     if (varies_) {
-      raise_by<true>(offset_px, digits_of(divisor_at(offset_px)), near, s, t);
+      raise_by<true>(offset_px, digits_of(divisor_at(offset_px)), rest, s, t);
     } else {
-      raise_by<false>(offset_px, constant_divisor_, near, s, t);
+      raise_by<false>(offset_px, constant_divisor_, rest, s, t);
     }
   }
 
  private:
+  // The one that the near-ties of some vectors in turn lay next to. It is worth finding after so
+  // many of them, and not worth asking for where several others came before.
+  struct KnownBoundary {
+    static constexpr int32_t kWorth = 4, kTries = 3;
+    int32_t whole = INT32_MIN;
+    int32_t vectors = 0, tries = kTries;
+    Boundary line;
+    // Of a row.
+    bool is_row_known = false;
+    Boundary::Sides sides{};
+  };
+
+  // Decides near-ties that lie next to one boundary all, the one of those before. Returns what is
+  // left: nothing, or all of them.
+  HWY_INLINE hn::Mask<D32> settle(KnownBoundary* known, ExactLine ExactRow::*coordinate,
+                                  int32_t offset_px, hn::Mask<D32> near,
+                                  V32* HWY_RESTRICT low) const {
+    const D32 d;
+    const V32 at = hn::Iota(d, offset_px), next = hn::Add(*low, hn::Set(d, 1));
+    const auto is_pixel =
+        hn::And(hn::Gt(at, hn::Set(d, -1)), hn::Lt(at, hn::Set(d, span_.width_px())));
+    const auto asked = hn::And(near, is_pixel);
+    if (hn::AllFalse(d, asked)) return asked;
+    if (!hn::AllFalse(d, hn::And(asked, hn::Ne(next, hn::Set(d, known->whole))))) {
+      --known->tries;
+      known->whole = hn::GetLane(next);
+      known->vectors = 1;
+      return asked;
+    }
+    if (known->vectors < KnownBoundary::kWorth) {
+      ++known->vectors;
+      return asked;
+    }
+    if (known->vectors == KnownBoundary::kWorth) find(known, coordinate);
+    if (!known->is_row_known) find_sides(known);
+    const Boundary::Sides sides = known->sides;
+    if (sides.left_px < 0) return asked;
+    const auto is_left = hn::Lt(at, hn::Set(d, sides.left_px));
+    const auto beyond = sides.left_beyond ? hn::And(asked, is_left) : hn::AndNot(is_left, asked);
+    *low = hn::IfThenElse(beyond, next, *low);
+    return hn::FirstN(d, 0);
+  }
+  HWY_NOINLINE void find(KnownBoundary* known, ExactLine ExactRow::*coordinate) const {
+    known->line = {*map_, coordinate, bits_, known->whole, span_.left_px, span_.row};
+    ++known->vectors;
+    known->tries = KnownBoundary::kTries;
+    known->is_row_known = false;
+  }
+  HWY_NOINLINE void find_sides(KnownBoundary* known) const {
+    known->sides = known->line.sides_of(span_);
+    known->is_row_known = true;
+  }
+
   // Packed vectors may begin before their row does.
   [[nodiscard]] HWY_INLINE uint128 divisor_at(int32_t offset_px) const {
     return d_.start + static_cast<uint128>(int128{offset_px}) * d_.step;
@@ -205,6 +265,7 @@ class RowOfTies {
   const ExactMap* map_;
   Span span_;
   int bits_, spare_bits_;
+  KnownBoundary u_boundary_, v_boundary_;
   bool is_known_ = false;
   // If known:
   bool varies_;

@@ -1,7 +1,7 @@
 // A window that holds all texels of a polygon. Included once for each SIMD target.
 //
 // Its rows are loaded once a batch and kept in registers. Near-ties are drawn as they come and
-// counted out at the end: where there is one, the batch is drawn once more, by others.
+// looked for behind some rows: where there is one, the batch is drawn once more, by others.
 #if defined(SELVAGE_VECTOR_ONE_WINDOW_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_ONE_WINDOW_INL_H
 #undef SELVAGE_VECTOR_ONE_WINDOW_INL_H
@@ -26,42 +26,33 @@ inline constexpr int32_t kMostOneWindow_px = 64;
 // pitch apart, throw each other out of the cache before the next strip.
 struct RowBlock {
   int32_t first, end;
-  int32_t least_px, widest_px;
-
-  // Without the first rows and the last that are no wider than so much.
-  [[nodiscard]] HWY_INLINE RowBlock wider_than(const SpanBatch& batch, int32_t px) const {
-    RowBlock block = *this;
-    while (block.first < block.end && batch.span(block.first).width_px() <= px) ++block.first;
-    while (block.first < block.end && batch.span(block.end - 1).width_px() <= px) --block.end;
-    return block;
-  }
+  int32_t widest_px;
 };
 
-// The widths of some rows of a batch.
+// The widest of some rows of a batch.
 [[nodiscard]] HWY_INLINE RowBlock block_of(const SpanBatch& batch, int32_t first, int32_t end) {
   const hn::CappedTag<int32_t, 8> d;
   constexpr int32_t kPart = static_cast<int32_t>(hn::MaxLanes(hn::CappedTag<int32_t, 8>()));
-  auto least = hn::Set(d, batch.widest_px), widest = hn::Zero(d);
+  auto widest = hn::Zero(d);
   for (int32_t i = first; i < end; i += kPart) {
     const auto width =
         hn::Sub(hn::LoadU(d, batch.right_px.data() + i), hn::LoadU(d, batch.left_px.data() + i));
     const auto is_row = hn::Lt(hn::Iota(d, i), hn::Set(d, end));
-    least = hn::IfThenElse(is_row, hn::Min(least, width), least);
     widest = hn::Max(widest, hn::IfThenElseZero(is_row, width));
   }
-  return {first, end, hn::GetLane(hn::MinOfLanes(d, least)),
-          hn::GetLane(hn::MaxOfLanes(d, widest))};
+  return {first, end, hn::GetLane(hn::MaxOfLanes(d, widest))};
 }
 
-// All rows are one block where they are one strip.
+// All rows are one block where they are one strip. Ends where draw(block) returns false.
 template <class Draw>
 HWY_INLINE void for_each_block(const SpanBatch& batch, int32_t strip_px, const Draw& draw) {
   constexpr int32_t kRows = 16;
   const bool is_one = batch.widest_px <= strip_px;
   const int32_t rows = is_one ? batch.rows : kRows;
   for (int32_t first = 0; first < batch.rows; first += rows) {
-    draw(is_one ? RowBlock{0, batch.rows, 0, batch.widest_px}
-                : block_of(batch, first, HWY_MIN(first + rows, batch.rows)));
+    const RowBlock block = is_one ? RowBlock{0, batch.rows, batch.widest_px}
+                                  : block_of(batch, first, HWY_MIN(first + rows, batch.rows));
+    if (!draw(block)) return;
   }
 }
 

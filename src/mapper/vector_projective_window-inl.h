@@ -65,6 +65,7 @@ struct ProjectiveFromWindow {
         changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
                                                     surface.target, block, px));
       }
+      return !any_bits(changed, ~0xFFFF);
     });
     return !any_bits(changed, ~0xFFFF);
   }
