@@ -14,22 +14,25 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_affine_as(const AffineSpans& spans, const Surface& surface) {
+  const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface);
+  if (in_one == InOneWindow::kDrawn) return;
+  const WindowShape shape = window_shape(spans.field.step_x, surface.texture);
+  if (in_one == InOneWindow::kManyNearTies && has_quotients(spans)) {
+    return draw_exactly<Pixel, Address>(spans, surface, 0, shape.rows);
+  }
+  if (shape.rows == 0 && spans.batch.widest_px <= kNarrow_px) {
+    if (draw_narrow<Address>(spans, surface)) return;
+    return draw_exactly<Pixel, Address>(spans, surface, 0, shape.rows);
+  }
+  draw_wide<Pixel, Address>(spans, surface, shape);
+}
+
 void draw_affine(const AffineSpans& spans, const Surface& surface) {
   with_address(surface, [&](auto address) {
     with_pixel(surface.target.format, [&](auto pixel) {
-      using Address = decltype(address);
-      using Pixel = decltype(pixel);
-      const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface);
-      if (in_one == InOneWindow::kDrawn) return;
-      const WindowShape shape = window_shape(spans.field.step_x, surface.texture);
-      if (in_one == InOneWindow::kManyNearTies && has_quotients(spans)) {
-        return draw_exactly<Pixel, Address>(spans, surface, 0, shape.rows);
-      }
-      if (shape.rows == 0 && spans.batch.widest_px <= kNarrow_px) {
-        if (draw_narrow<Address>(spans, surface)) return;
-        return draw_exactly<Pixel, Address>(spans, surface, 0, shape.rows);
-      }
-      draw_wide<Pixel, Address>(spans, surface, shape);
+      draw_affine_as<decltype(pixel), decltype(address)>(spans, surface);
     });
   });
 }

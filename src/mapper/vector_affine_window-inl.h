@@ -37,7 +37,7 @@ template <class Pixel, class Batch, class OneWindow>
   Lane at_row = batch.anchor(spans.field.at(0, spans.batch.first_row));
   char* row = static_cast<char*>(target.pixels) + spans.batch.first_row * pitch;
   V32 changed = hn::Zero(d);
-  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+  for (int32_t i = 0, rows = spans.batch.rows; i < rows; ++i) {
     const int32_t px = left_px[i], count_px = right_px[i] - px;
     const LaneVectors lanes = batch.lanes_from(plus(at_row, px, step_x));
     const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));

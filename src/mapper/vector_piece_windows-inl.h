@@ -19,7 +19,7 @@ namespace {
 // pixel.
 struct PieceWindows {
   int32_t u_fx16[kVectorsPerPiece][kMostPieces], v_fx16[kVectorsPerPiece][kMostPieces];
-  int32_t place[kVectorsPerPiece][kMostPieces], rows[kVectorsPerPiece][kMostPieces] = {};
+  int32_t place[kVectorsPerPiece][kMostPieces], rows[kVectorsPerPiece][kMostPieces];
 };
 inline constexpr int32_t kHalfWindow = -1, kNoWindow = -2;
 

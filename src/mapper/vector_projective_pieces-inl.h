@@ -55,20 +55,24 @@ HWY_NOINLINE void draw_left(const LeftOfPieces& left, const ProjectiveSpans& spa
 template <class Pixel, class Address>
 class PieceDraw {
  public:
-  HWY_INLINE PieceDraw(const AnchoredVectors& vectors, const Surface& surface)
+  HWY_INLINE PieceDraw(const AnchoredVectors& vectors, const Surface& surface, bool has_windows)
       : lanes_(vectors.lanes()),
         fixed_(surface.texture, vectors.lack_fx16()),
         texels_(static_cast<const Pixel*>(surface.texture.texels)),
-        pitch_texel_(pitch_texel_of(surface.texture)) {}
+        pitch_texel_(pitch_texel_of(surface.texture)),
+        has_windows_(has_windows) {}
 
   HWY_INLINE LaneVectors lanes(const PieceBlock& block, int32_t k, int32_t at) const {
     return lanes_.lanes(block.anchors, k, at);
+  }
+  HWY_INLINE int32_t window_rows(const PieceBlock& block, int32_t k, int32_t at) const {
+    return kHasWindows && has_windows_ ? block.windows.rows[at][k] : 0;
   }
   // False where a pixel may be a near-tie, or there is no window.
   template <class Fetch>
   HWY_INLINE bool draw(const PieceBlock& block, int32_t k, int32_t at, int32_t count_px,
                        Fetch* fetch, Pixel* to) const {
-    const int32_t rows = block.windows.rows[at][k];
+    const int32_t rows = window_rows(block, k, at);
     const LaneVectors walk = lanes_.walk(block.anchors, k, at);
     if (kHasWindows && HWY_LIKELY(rows == kHalfWindow)) {
       const LaneVectors lanes = from_window(block.windows, k, at, walk);
@@ -103,13 +107,14 @@ class PieceDraw {
   Fixed fixed_;
   const Pixel* texels_;
   ptrdiff_t pitch_texel_;
+  bool has_windows_;
 };
 
 // Until `left` may not hold the next ones; false where no piece is left.
 template <class Pixel, class Address, class Fetch>
 HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vectors,
                               bool has_windows, PieceQueue* queue, LeftOfPieces* left) {
-  const PieceDraw<Pixel, Address> by(vectors, surface);
+  const PieceDraw<Pixel, Address> by(vectors, surface, has_windows);
   const Extent extent = extent_of(surface.texture);
   Fetch fetch(surface.texture.texels);
   char* const pixels = static_cast<char*>(surface.target.pixels);
@@ -127,7 +132,7 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
       for (int32_t at = 0; at < kVectorsPerPiece && count_px > 0; ++at) {
         if (HWY_UNLIKELY(!by.draw(block, k, at, count_px, &fetch, to))) {
           left->put(left_count++, pieces.rest(k, at), by.lanes(block, k, at),
-                    block.windows.rows[at][k]);
+                    by.window_rows(block, k, at));
         }
         count_px -= kLanes;
         to += kLanes;
@@ -140,7 +145,7 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
 }
 
 template <class Pixel, class Address>
-void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
+HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
   const AnchoredVectors vectors(spans.field);
   if (draw_one_window<Pixel, Address>(spans, surface, vectors)) return;
   PieceQueue queue(spans.batch, surface.target, vectors);
