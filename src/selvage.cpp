@@ -83,7 +83,8 @@ namespace {
                                        const selvage_texture* texture, mapper::Polygon* polygon) {
   selvage_status status = check_call(options, target);
   if (status == SELVAGE_OK) status = check_source(options, *target, texture);
-  if (status == SELVAGE_OK) status = mapper::check_vertices(mapper::memory_of(*target), vertices, count);
+  if (status == SELVAGE_OK)
+    status = mapper::check_vertices(mapper::memory_of(*target), vertices, count);
   if (status == SELVAGE_OK) status = check_outline(options, {vertices, count}, polygon);
   return status;
 }
