@@ -81,9 +81,9 @@ class ExactMap {
   }
   [[nodiscard]] static ExactRow row_of_plane(const void* of, int32_t px, int32_t row) {
     const auto& plane = *static_cast<const Plane*>(of);
-    return {line(plane.u_numerator(px, row), plane.u_numerator_step()),
-            line(plane.v_numerator(px, row), plane.v_numerator_step()),
-            line(plane.denominator(), 0)};
+    const auto [u, u_step] = plane.u_numerator(px, row);
+    const auto [v, v_step] = plane.v_numerator(px, row);
+    return {line(u, u_step), line(v, v_step), line(plane.denominator(), 0)};
   }
   [[nodiscard]] static ExactRow row_of_projective_plane(const void* of, int32_t px, int32_t row) {
     const auto& plane = *static_cast<const ProjectivePlane*>(of);

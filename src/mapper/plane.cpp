@@ -15,13 +15,6 @@ Plane::Plane(const Polygon& polygon, const selvage_rect& visible)
   lanes_.margin_fx32 = kPlaneErrorPerStep_fx32 * static_cast<uint32_t>(steps);
 }
 
-int128 Plane::numerator(int32_t selvage_vertex::*of, int32_t px, int32_t row) const {
-  const selvage_vertex& origin = frame_.origin();
-  const auto [along_x, along_y] = frame_.gradient_of(of);
-  return int128{origin.*of} * frame_.doubled_area() + int128{centre_fx8(px) - origin.x} * along_x +
-         int128{centre_fx8(row) - origin.y} * along_y;
-}
-
 bool Plane::passes_through(const selvage_vertex& vertex) const {
   const selvage_vertex& origin = frame_.origin();
   const int64_t dx = int64_t{vertex.x} - origin.x, dy = int64_t{vertex.y} - origin.y;

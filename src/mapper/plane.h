@@ -29,15 +29,17 @@ class Plane {
   // Of all visible pixels of the polygon.
   [[nodiscard]] const AffineField& lanes() const { return lanes_; }
 
-  // u = u_numerator / denominator in texels, at the centre of a pixel; steps to the next pixel.
-  [[nodiscard]] int128 u_numerator(int32_t px, int32_t row) const {
+  // u or v in texels is the numerator over the denominator, at the centre of a pixel, and the step
+  // is to the next pixel.
+  struct Numerator {
+    int128 start, step;
+  };
+  [[nodiscard]] Numerator u_numerator(int32_t px, int32_t row) const {
     return numerator(&selvage_vertex::u, px, row);
   }
-  [[nodiscard]] int128 v_numerator(int32_t px, int32_t row) const {
+  [[nodiscard]] Numerator v_numerator(int32_t px, int32_t row) const {
     return numerator(&selvage_vertex::v, px, row);
   }
-  [[nodiscard]] int128 u_numerator_step() const { return step(&selvage_vertex::u); }
-  [[nodiscard]] int128 v_numerator_step() const { return step(&selvage_vertex::v); }
   [[nodiscard]] int128 denominator() const {
     return int128{frame_.doubled_area()} << kTexelFraction;
   }
@@ -46,9 +48,13 @@ class Plane {
   // Whether the frame has an area and all vertices lie on its plane.
   [[nodiscard]] bool is_of(std::span<const selvage_vertex> vertices) const;
   [[nodiscard]] bool passes_through(const selvage_vertex& vertex) const;
-  [[nodiscard]] int128 numerator(int32_t selvage_vertex::*of, int32_t px, int32_t row) const;
-  [[nodiscard]] int128 step(int32_t selvage_vertex::*of) const {
-    return int128{frame_.gradient_of(of).along_x} * kSubpixels;
+  [[nodiscard]] Numerator numerator(int32_t selvage_vertex::*of, int32_t px, int32_t row) const {
+    const selvage_vertex& origin = frame_.origin();
+    const auto [along_x, along_y] = frame_.gradient_of(of);
+    return {int128{origin.*of} * frame_.doubled_area() +
+                int128{centre_fx8(px) - origin.x} * along_x +
+                int128{centre_fx8(row) - origin.y} * along_y,
+            int128{along_x} * kSubpixels};
   }
 
   PlaneFrame frame_;
