@@ -36,7 +36,7 @@ struct WindowOrigin {
         HWY_MAX(HWY_MIN(anchor_fx24, (size_texel + kBeyond_texel) * kOneTexel_fx24),
                 -kBeyond_texel * kOneTexel_fx24);
     const int32_t texel = HWY_MAX(0, HWY_MIN(floor_texel(near_fx24), last));
-    return {texel, back_by(texel) + static_cast<int32_t>(near_fx24 - anchor_fx24)};
+    return {texel, back_by(texel, near_fx24 - anchor_fx24)};
   }
   // The same of a texture that repeats: the window does not lie in it if it begins after `last`.
   static HWY_INLINE WindowOrigin wrapped(int64_t anchor_fx24, int32_t size_texel) {
@@ -62,8 +62,10 @@ struct WindowOrigin {
   static HWY_INLINE int32_t floor_texel(int64_t lane_fx24) {
     return static_cast<int32_t>(lane_fx24 >> kWindowFraction);
   }
-  static HWY_INLINE int32_t back_by(int32_t texel) {
-    return static_cast<int32_t>(0 - (static_cast<uint32_t>(texel) << kWindowFraction));
+  // Modulo 2^32.
+  static HWY_INLINE int32_t back_by(int32_t texel, int64_t nearer_by_fx24 = 0) {
+    return static_cast<int32_t>(static_cast<uint32_t>(nearer_by_fx24) -
+                                (static_cast<uint32_t>(texel) << kWindowFraction));
   }
 };
 
