@@ -36,7 +36,8 @@ struct WindowOrigin {
         HWY_MAX(HWY_MIN(anchor_fx24, (size_texel + kBeyond_texel) * kOneTexel_fx24),
                 -kBeyond_texel * kOneTexel_fx24);
     const int32_t texel = HWY_MAX(0, HWY_MIN(floor_texel(near_fx24), last));
-    return {texel, back_by(texel) + static_cast<int32_t>(near_fx24 - anchor_fx24)};
+    const auto nearer_by = static_cast<uint32_t>(near_fx24 - anchor_fx24);
+    return {texel, static_cast<int32_t>(static_cast<uint32_t>(back_by(texel)) + nearer_by)};
   }
   // The same of a texture that repeats: the window does not lie in it if it begins after `last`.
   static HWY_INLINE WindowOrigin wrapped(int64_t anchor_fx24, int32_t size_texel) {
