@@ -38,8 +38,8 @@ struct Drawing {
 }
 
 [[nodiscard]] Texture any_texture(spec::Random& random) {
-  static constexpr int32_t kWidths[] = {1, 2, 7, 8, 9, 15, 16, 17, 31, 32, 64, 67, 100};
-  static constexpr int32_t kHeights[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 16, 23, 24, 32, 50};
+  static constexpr int32_t kWidths[] = {1, 2, 7, 8, 9, 15, 16, 17, 31, 32, 64, 67, 100, 120, 200};
+  static constexpr int32_t kHeights[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 16, 23, 24, 32, 50, 120};
   const int32_t width_texel = random.pick(kWidths);
   return {width_texel, random.pick(kHeights), width_texel + (random.percent(50) ? 0 : 3),
           random.percent(30)};

@@ -36,8 +36,8 @@ struct WayToStart {
 };
 
 // Sets the start and the steps of lanes of which the first pixel is set: floors, the same by
-// whichever function. The frame has an area. False where gradients are so steep that 64 bits do not
-// hold them.
+// whichever function sets them. The frame has an area. False, maybe not by each of them, where
+// gradients are so steep that 64 bits may not hold them.
 using FindLanes = bool (*)(const PlaneFrame& frame, AffineField* lanes);
 
 [[nodiscard]] bool find_lanes_scalar(const PlaneFrame& frame, AffineField* lanes);

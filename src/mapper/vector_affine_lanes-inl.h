@@ -58,8 +58,12 @@ class AffineBatch : public FixedLanes<Address> {
 
   // From the 32.32 lane of a vector's first pixel to the least one.
   [[nodiscard]] HWY_INLINE Lane to_anchor() const { return to_anchor_; }
+  // Modulo 2^64, as lanes are where nobody asks for them.
   HWY_INLINE Lane anchor(Lane first) const {
-    return {first.u_fx32 + to_anchor_.u_fx32, first.v_fx32 + to_anchor_.v_fx32};
+    const auto sum = [](int64_t a, int64_t b) {
+      return static_cast<int64_t>(static_cast<uint64_t>(a) + static_cast<uint64_t>(b));
+    };
+    return {sum(first.u_fx32, to_anchor_.u_fx32), sum(first.v_fx32, to_anchor_.v_fx32)};
   }
   HWY_INLINE LaneVectors lanes_from(Lane anchor) const {
     return lanes_from(floor_fx16(anchor.u_fx32), floor_fx16(anchor.v_fx32));

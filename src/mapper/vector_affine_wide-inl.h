@@ -6,8 +6,6 @@
 #define SELVAGE_VECTOR_AFFINE_WIDE_INL_H
 #endif
 
-#include <type_traits>
-
 #include "mapper/interior.h"
 #include "mapper/vector_affine_exact-inl.h"
 #include "mapper/vector_affine_windows-inl.h"
@@ -17,11 +15,8 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-using Whole = std::true_type;
-using Part = std::false_type;
-
-// Calls draw(row, px, count_px, anchor, Whole or Part) for each vector of pixels, from `at` on;
-// false from it leaves the vector to others. Returns at the end, or where no more can be left.
+// Calls draw(row, px, count_px, anchor) for each vector of pixels, from `at` on; false from it
+// leaves the vector to others. Returns at the end, or where no more can be left.
 template <class Draw>
 HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume* at, Left* left,
                                 const Draw& draw) {
@@ -36,9 +31,8 @@ HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume
     const Lane first = field.at(px, span.row);
     int64_t u = first.u_fx32 + to_anchor.u_fx32, v = first.v_fx32 + to_anchor.v_fx32;
     for (int32_t count_px = span.right_px - px; count_px > 0; count_px -= kLanes) {
-      const bool drawn = HWY_LIKELY(count_px >= kLanes)
-                             ? draw(span.row, px, kLanes, Lane{u, v}, Whole())
-                             : draw(span.row, px, count_px, Lane{u, v}, Part());
+      const bool drawn = HWY_LIKELY(count_px >= kLanes) ? draw(span.row, px, kLanes, Lane{u, v})
+                                                        : draw(span.row, px, count_px, Lane{u, v});
       if (HWY_UNLIKELY(!drawn)) {
         left->rest[static_cast<size_t>(left_count++)] = {span.row, px, span.right_px};
         if (left_count == Left::kMost) {
@@ -89,7 +83,7 @@ HWY_NOINLINE void draw_narrow_windows(const AffineSpans& spans, const Surface& s
   const ptrdiff_t pitch = surface.target.pitch;
   for_each_vector(
       spans, batch.to_anchor(), at, left,
-      [&](int32_t row, int32_t px, int32_t count_px, Lane anchor, auto /*whole*/) HWY_ATTR {
+      [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR {
         const Origin s =
             Address::origin(floor_texel(anchor.u_fx32), last_column, extent.width_texel);
         const Origin t = Address::origin(floor_texel(anchor.v_fx32), last_row, extent.height_texel);
@@ -115,14 +109,13 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
   for_each_vector(spans, batch.to_anchor(), at, left,
-                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor, auto /*whole*/)
-                      HWY_ATTR {
-                        const LaneVectors lanes = batch.lanes_from(anchor);
-                        if (batch.any_near(lanes)) return false;
-                        fetch.add(batch.places(lanes), count_px,
-                                  pixels + row * pitch + px * ptrdiff_t{sizeof(Pixel)});
-                        return true;
-                      });
+                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR {
+                    const LaneVectors lanes = batch.lanes_from(anchor);
+                    if (batch.any_near(lanes)) return false;
+                    fetch.add(batch.places(lanes), count_px,
+                              pixels + row * pitch + px * ptrdiff_t{sizeof(Pixel)});
+                    return true;
+                  });
   fetch.finish();
 }
 
