@@ -16,11 +16,12 @@ namespace {
 
 // Of vertices of which some number is out of range: of the first one's first.
 [[nodiscard]] selvage_status range_error(std::span<const selvage_vertex> vertices) {
-  for (const selvage_vertex& v : vertices) {
-    if (!position_in_range(v.x) || !position_in_range(v.y)) return SELVAGE_ERROR_VERTEX_POSITION;
-    if (!q_in_range(v.q)) break;
-  }
-  return SELVAGE_ERROR_VERTEX_Q;
+  const auto is_placed = [](const selvage_vertex& v) {
+    return position_in_range(v.x) && position_in_range(v.y);
+  };
+  const auto is_in_range = [&](const selvage_vertex& v) { return is_placed(v) && q_in_range(v.q); };
+  const auto first = std::ranges::find_if_not(vertices, is_in_range);
+  return is_placed(*first) ? SELVAGE_ERROR_VERTEX_Q : SELVAGE_ERROR_VERTEX_POSITION;
 }
 
 // The least and the most of each number of some vertices. x, y, u and v are side by side for
