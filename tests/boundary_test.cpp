@@ -97,11 +97,11 @@ TEST(Boundary, IsReachedByTies) {
   }
 }
 
-// u is whole along a diagonal. The terms there are longer than a double, and cancel to what tells
-// nothing.
+// u is whole along a diagonal, and greater to its right. The terms there are longer than a double,
+// and cancel to what tells nothing: of one pixel, of the last of some, and of one between them.
 TEST(Boundary, IsUncertainWhereRoundingsDecide) {
   spec::Random random(1);
-  int uncertain = 0;
+  int uncertain = 0, uncertain_last = 0, uncertain_between = 0;
   for (int i = 0; i < 200; ++i) {
     const int32_t side_fx8 = random.in(20000, 30000) * SELVAGE_SUBPIXELS;
     const int32_t rise_fx16 = random.in(1, 1 << 24), q = random.in(1 << 23, 1 << 24);
@@ -122,9 +122,18 @@ TEST(Boundary, IsUncertainWhereRoundingsDecide) {
       } else {
         ASSERT_TRUE(sides.left_beyond);
       }
+      const auto last = boundary.sides_of({at, at - 50, at + 1});
+      const auto between = boundary.sides_of({at, at - 50, at + 50});
+      for (const auto& known : {last, between}) {
+        if (known.left_px >= 0) ASSERT_TRUE(known.left_px == 50 && !known.left_beyond);
+      }
+      uncertain_last += last.left_px < 0 ? 1 : 0;
+      uncertain_between += between.left_px < 0 ? 1 : 0;
     }
   }
   EXPECT_GT(uncertain, 5000);
+  EXPECT_GT(uncertain_last, 1000);
+  EXPECT_GT(uncertain_between, 1000);
 }
 
 }  // namespace

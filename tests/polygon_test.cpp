@@ -54,6 +54,32 @@ TEST(Polygon, AcceptsLedgesAndRepeatedVerticesButNoSecondDescent) {
   EXPECT_EQ(examine(zigzag, &polygon), SELVAGE_ERROR_NOT_MONOTONE);
 }
 
+// Any number of any vertex; of several the first vertex's, and of it a place before q.
+TEST(Polygon, RefusesEachNumberOutOfRange) {
+  const std::vector<selvage_vertex> good = {{0, 0, 0, 0, 1}, {9, 0, 0, 0, 1}, {0, 9, 0, 0, 1}};
+  Polygon polygon;
+  ASSERT_EQ(examine(good, &polygon), SELVAGE_OK);
+  const auto refusal = [&](size_t at, int32_t selvage_vertex::*number, int32_t value) {
+    std::vector<selvage_vertex> bad = good;
+    bad[at].*number = value;
+    return examine(bad, &polygon);
+  };
+  for (size_t at = 0; at < good.size(); ++at) {
+    for (const auto place : {&selvage_vertex::x, &selvage_vertex::y}) {
+      EXPECT_EQ(refusal(at, place, SELVAGE_X_MIN - 1), SELVAGE_ERROR_VERTEX_POSITION);
+      EXPECT_EQ(refusal(at, place, SELVAGE_X_END), SELVAGE_ERROR_VERTEX_POSITION);
+    }
+    EXPECT_EQ(refusal(at, &selvage_vertex::q, 0), SELVAGE_ERROR_VERTEX_Q);
+    EXPECT_EQ(refusal(at, &selvage_vertex::q, SELVAGE_Q_MAX + 1), SELVAGE_ERROR_VERTEX_Q);
+  }
+  std::vector<selvage_vertex> bad = good;
+  bad[1].q = 0;
+  bad[2].y = SELVAGE_X_END;
+  EXPECT_EQ(examine(bad, &polygon), SELVAGE_ERROR_VERTEX_Q);
+  bad[1].x = SELVAGE_X_END;
+  EXPECT_EQ(examine(bad, &polygon), SELVAGE_ERROR_VERTEX_POSITION);
+}
+
 // Whichever vertex comes first.
 TEST(Polygon, TellsItsExtents) {
   std::vector<selvage_vertex> v = {

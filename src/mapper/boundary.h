@@ -45,19 +45,23 @@ class Boundary {
     const double first = start_ + right + down, last = first + last_px * right_;
     const double doubt =
         kDoubt * (std::abs(start_) + std::abs(right) + std::abs(down) + last_px * std::abs(right_));
-    const bool first_beyond = first >= doubt;
-    if (!first_beyond && first > -doubt) return {-1, false};
-    if (first_beyond ? last >= doubt : last <= -doubt) return {pixels.width_px(), first_beyond};
+    const int at_first = side(first, doubt), at_last = side(last, doubt);
+    if (at_first == 0 || at_last == 0) return {-1, false};
+    if (at_first == at_last) return {pixels.width_px(), at_first > 0};
+    // In [1, last_px], for its rounding is far below the doubt.
     const double crossed_px = std::ceil(first / -right_);
-    if (!(crossed_px >= 1 && crossed_px <= last_px)) return {-1, false};
     const double before = first + (crossed_px - 1) * right_, behind = first + crossed_px * right_;
-    const bool certain =
-        first_beyond ? before >= doubt && behind <= -doubt : before <= -doubt && behind >= doubt;
-    return {certain ? static_cast<int32_t>(crossed_px) : -1, first_beyond};
+    const bool certain = side(before, doubt) == at_first && side(behind, doubt) == at_last;
+    return {certain ? static_cast<int32_t>(crossed_px) : -1, at_first > 0};
   }
 
  private:
   static constexpr double kDoubt = 0x1p-50;
+  // 1 beyond the line, -1 before it, 0 where that is not certain.
+  [[nodiscard]] static int side(double value, double doubt) {
+    if (value >= doubt) return 1;
+    return value <= -doubt ? -1 : 0;
+  }
   [[nodiscard]] static double to_double(uint128 a) {
     return static_cast<double>(static_cast<int128>(a));
   }
