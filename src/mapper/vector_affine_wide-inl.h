@@ -16,10 +16,11 @@ namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
 // Calls draw(row, px, count_px, anchor) for each vector of pixels, from `at` on; false from it
-// leaves the vector to others. Returns at the end, or where no more can be left.
-template <class Draw>
-HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume* at, Left* left,
-                                const Draw& draw) {
+// leaves the vector to others. Returns at the end, or where no more can be left. Inlined twice: one
+// of them knows that the vector is whole.
+template <class Address, class Draw>
+HWY_INLINE void for_each_vector(const AffineSpans& spans, const AffineBatch<Address>& batch,
+                                Resume* at, Left* left, const Draw& draw) {
   const AffineField field = spans.field;
   const int64_t step_u = kLanes * field.step_x.u_fx32, step_v = kLanes * field.step_x.v_fx32;
   const int32_t rows = spans.batch.rows;
@@ -28,11 +29,10 @@ HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume
     const Span span = spans.batch.span(i);
     int32_t px = HWY_MAX(span.left_px, from_px);
     from_px = INT32_MIN;
-    const Lane first = field.at(px, span.row);
-    int64_t u = first.u_fx32 + to_anchor.u_fx32, v = first.v_fx32 + to_anchor.v_fx32;
+    Lane anchor = batch.anchor(field.at(px, span.row));
     for (int32_t count_px = span.right_px - px; count_px > 0; count_px -= kLanes) {
-      const bool drawn = HWY_LIKELY(count_px >= kLanes) ? draw(span.row, px, kLanes, Lane{u, v})
-                                                        : draw(span.row, px, count_px, Lane{u, v});
+      const bool drawn = HWY_LIKELY(count_px >= kLanes) ? draw(span.row, px, kLanes, anchor)
+                                                        : draw(span.row, px, count_px, anchor);
       if (HWY_UNLIKELY(!drawn)) {
         left->rest[static_cast<size_t>(left_count++)] = {span.row, px, span.right_px};
         if (left_count == Left::kMost) {
@@ -42,8 +42,8 @@ HWY_INLINE void for_each_vector(const AffineSpans& spans, Lane to_anchor, Resume
         }
       }
       px += kLanes;
-      u += step_u;
-      v += step_v;
+      anchor.u_fx32 += step_u;
+      anchor.v_fx32 += step_v;
     }
   }
   left->count = left_count;
@@ -82,8 +82,9 @@ HWY_NOINLINE void draw_narrow_windows(const AffineSpans& spans, const Surface& s
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
   for_each_vector(
-      spans, batch.to_anchor(), at, left,
-      [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR {
+      spans, batch, at, left,
+      [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR
+      __attribute__((always_inline)) {
         const Origin s =
             Address::origin(floor_texel(anchor.u_fx32), last_column, extent.width_texel);
         const Origin t = Address::origin(floor_texel(anchor.v_fx32), last_row, extent.height_texel);
@@ -108,14 +109,16 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
   Fetch fetch(surface.texture.texels);
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
-  for_each_vector(spans, batch.to_anchor(), at, left,
-                  [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR {
-                    const LaneVectors lanes = batch.lanes_from(anchor);
-                    if (batch.any_near(lanes)) return false;
-                    fetch.add(batch.places(lanes), count_px,
-                              pixels + row * pitch + px * ptrdiff_t{sizeof(Pixel)});
-                    return true;
-                  });
+  for_each_vector(
+      spans, batch, at, left,
+      [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR
+      __attribute__((always_inline)) {
+        const LaneVectors lanes = batch.lanes_from(anchor);
+        if (batch.any_near(lanes)) return false;
+        fetch.add(batch.places(lanes), count_px,
+                  pixels + row * pitch + px * ptrdiff_t{sizeof(Pixel)});
+        return true;
+      });
   fetch.finish();
 }
 
