@@ -19,15 +19,34 @@ constexpr std::string_view kLaw = "TOLERANCE";
 // Any tolerance may be asked for; beyond a few texels nothing new is drawn by it.
 inline constexpr int32_t kMostBits = 22;
 
-[[nodiscard]] Subject tolerating(const Subject& subject, int32_t tolerance_fx16) {
+// Kernels need not draw the same within a tolerance: a case is drawn by one of them, or by the
+// fastest where the subject has no such one.
+struct Tolerance {
+  int32_t fx16;
+  selvage_kernel kernel;
+};
+
+// Calls call(options), which draws nothing where it answers that there is no such kernel.
+template <class Call>
+[[nodiscard]] selvage_status by_some_kernel(selvage_options options, const Call& call) {
+  const selvage_status status = call(options);
+  if (status != SELVAGE_ERROR_KERNEL) return status;
+  options.kernel = SELVAGE_KERNEL_FASTEST;
+  return call(options);
+}
+
+[[nodiscard]] Subject tolerating(const Subject& subject, const Tolerance& tolerance) {
   Subject tolerant = subject;
-  tolerant.draw = [draw = subject.draw, tolerance_fx16](
+  tolerant.draw = [draw = subject.draw, tolerance](
                       const selvage_image* target, const selvage_rect* clip,
                       const selvage_vertex* vertices, size_t count, const selvage_texture* texture,
                       const selvage_options* options) {
     selvage_options changed = *options;
-    changed.tolerance = tolerance_fx16;
-    return draw(target, clip, vertices, count, texture, &changed);
+    changed.tolerance = tolerance.fx16;
+    changed.kernel = tolerance.kernel;
+    return by_some_kernel(changed, [&](const selvage_options& by) {
+      return draw(target, clip, vertices, count, texture, &by);
+    });
   };
   return tolerant;
 }
@@ -35,10 +54,10 @@ inline constexpr int32_t kMostBits = 22;
 // Asks a subject what it would draw a case by.
 class Asked {
  public:
-  Asked(const Subject& subject, const Case& c, int32_t tolerance_fx16)
+  Asked(const Subject& subject, const Case& c, const Tolerance& tolerance)
       : subject_(subject),
         case_(c),
-        options_{c.profile, c.filter, c.address, tolerance_fx16, SELVAGE_KERNEL_FASTEST},
+        options_{c.profile, c.filter, c.address, tolerance.fx16, tolerance.kernel},
         target_(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target, 0),
         texture_(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
                  c.flip_texture, 0) {}
@@ -57,8 +76,10 @@ class Asked {
     const selvage_image image = target_.image();
     const selvage_texture texture = texture_.texture();
     selvage_choice choice{-1, -1, -1};  // stays, where an error is returned
-    (void)subject_.choose(&image, clip, case_.vertices.data(), case_.vertices.size(), &texture,
-                          &options_, &choice);
+    (void)by_some_kernel(options_, [&](const selvage_options& by) {
+      return subject_.choose(&image, clip, case_.vertices.data(), case_.vertices.size(), &texture,
+                             &by, &choice);
+    });
     return choice;
   }
 
@@ -113,12 +134,12 @@ class Asked {
 // The rows of a case as they are drawn within a tolerance.
 class TolerantCase {
  public:
-  TolerantCase(const Subject& subject, const Case& c, int32_t tolerance_fx16)
+  TolerantCase(const Subject& subject, const Case& c, const Tolerance& tolerance)
       : subject_(subject),
         case_(c),
-        tolerance_fx16_(tolerance_fx16),
-        drawn_(draw(tolerating(subject, tolerance_fx16), c)),
-        asked_(subject, c, tolerance_fx16) {
+        tolerance_fx16_(tolerance.fx16),
+        drawn_(draw(tolerating(subject, tolerance), c)),
+        asked_(subject, c, tolerance) {
     for (int32_t y = 0; y < c.target_height_px; ++y) {
       lines_.push_back(scan_line(c.vertices, y));
       columns_.push_back(lines_.back() ? columns_of(*lines_.back()) : Columns{0, 0});
@@ -278,6 +299,12 @@ void fit(std::vector<selvage_vertex>* vertices, int32_t selvage_vertex::*axis, i
   return bound < (1 << kMostBits) ? std::max(floor(bound) + choices.pick(-2, 3), 1) : any;
 }
 
+[[nodiscard]] selvage_kernel some_kernel(const Case& c) {
+  constexpr uint32_t kOwnChoices = 0x9E3779B9;  // apart from those that make the case
+  Choices choices(c.choice ^ kOwnChoices);
+  return static_cast<selvage_kernel>(choices.pick(SELVAGE_KERNEL_FASTEST, SELVAGE_KERNEL_NEON + 1));
+}
+
 }  // namespace
 
 Judgement check_tolerance(const Subject& subject, const Case& any) {
@@ -287,8 +314,8 @@ Judgement check_tolerance(const Subject& subject, const Case& any) {
   Choices choices(c.choice);
   for (const Case& shown : {c, within(subject.claims, made_wide(c, choices))}) {
     if (!is_valid(shown)) continue;
-    const int32_t tolerance_fx16 = some_tolerance(shown, choices);
-    if (add(&judgement, TolerantCase(subject, shown, tolerance_fx16).judge())) break;
+    const Tolerance tolerance{some_tolerance(shown, choices), some_kernel(shown)};
+    if (add(&judgement, TolerantCase(subject, shown, tolerance).judge())) break;
   }
   return judgement;
 }

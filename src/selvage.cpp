@@ -120,7 +120,8 @@ selvage_status selvage_choose(const selvage_image* target, const selvage_rect* c
   if (status != SELVAGE_OK) return status;
   if (choice == nullptr) return SELVAGE_ERROR_CHOICE_NULL;
   *choice = chosen.profile == SELVAGE_PROFILE_EXACT
-                ? mapper::choose(mapper::visible_rect(*target, clip), polygon, chosen)
+                ? mapper::choose({*target, *texture, chosen.address},
+                                 mapper::visible_rect(*target, clip), polygon, chosen)
                 : selvage_choice{SELVAGE_METHOD_HISTORIC, 0, 0};
   return SELVAGE_OK;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mapper/kernel.h"
+#include "mapper/vector_kernel.h"
 #include "spec/canvas.h"
 #include "spec/case.h"
 #include "spec/texture_memory.h"
@@ -19,6 +20,16 @@ namespace selvage::mapper {
     if (is_usable(each)) usable.push_back(each);
   }
   return usable;
+}
+
+// Those of them that draw rows in segments within a tolerance; the others draw them exactly.
+[[nodiscard]] inline std::vector<selvage_kernel> stepping_kernels() {
+  std::vector<selvage_kernel> stepping = usable_kernels();
+  std::erase_if(stepping, [](selvage_kernel each) {
+    const Kernels* const vector = vector_kernels(each, SELVAGE_FILTER_NEAREST);
+    return vector != nullptr && vector->draw_stepped == nullptr;
+  });
+  return stepping;
 }
 
 [[nodiscard]] inline spec::Canvas drawing_of(const spec::Case& c, selvage_kernel kernel,

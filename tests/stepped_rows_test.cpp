@@ -61,13 +61,27 @@ class Coordinate {
   return static_cast<uint32_t>(texel) % uint32_t{kSide_texel};
 }
 
+[[nodiscard]] selvage_choice choice_of(const spec::Case& c, selvage_kernel kernel,
+                                       int32_t tolerance) {
+  spec::Canvas target(c.format, c.target_width_px, c.target_height_px, 0, false, 0);
+  const spec::Canvas texture(c.format, c.texture_width_texel, c.texture_height_texel, 0, false, 0);
+  const selvage_image image = target.image();
+  const selvage_texture view = texture.texture();
+  const selvage_options options{c.profile, c.filter, c.address, tolerance, kernel};
+  selvage_choice choice{-1, -1, -1};
+  EXPECT_EQ(selvage_choose(&image, nullptr, c.vertices.data(), c.vertices.size(), &view, &options,
+                           &choice),
+            SELVAGE_OK);
+  return choice;
+}
+
 class SteppedRows : public testing::Test {
  protected:
   SteppedRows() {
     for (uint32_t t = 0; t < kSide_texel; ++t) {
       for (uint32_t s = 0; s < kSide_texel; ++s) texels_.push_back(s | t << 16);
     }
-    for (const selvage_kernel kernel : usable_kernels()) {
+    for (const selvage_kernel kernel : stepping_kernels()) {
       draws_.push_back(kernel == SELVAGE_KERNEL_SCALAR
                            ? draw_stepped_scalar
                            : vector_kernels(kernel, SELVAGE_FILTER_NEAREST)->draw_stepped);
@@ -235,7 +249,7 @@ TEST(SteppedQuads, AreDrawnTheSameNextToABorder) {
                   {right_fx8, 256, right_fx16, 1, far},
                   {0, 256, 0, 1, q}};
     const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR, 2 * kTexel_fx16);
-    for (const selvage_kernel kernel : usable_kernels()) {
+    for (const selvage_kernel kernel : stepping_kernels()) {
       ASSERT_TRUE(drawing_of(c, kernel, 2 * kTexel_fx16) == scalar)
           << "kernel " << kernel << ", q " << q;
     }
@@ -251,13 +265,13 @@ TEST(SteppedTriangles, AreDrawnByTheirTipToo) {
   c.vertices = {{0, 0, 0, 0, 1 << 20},
                 {end_fx8, end_fx8, end_fx16, end_fx16, 3 << 19},
                 {0, end_fx8, 0, end_fx16, 1 << 20}};
-  const spec::Canvas whole = drawing_of(c, SELVAGE_KERNEL_FASTEST, kTexel_fx16);
-  EXPECT_FALSE(whole == drawing_of(c, SELVAGE_KERNEL_FASTEST)) << "all rows are exact";
+  const spec::Canvas whole = drawing_of(c, SELVAGE_KERNEL_SCALAR, kTexel_fx16);
+  EXPECT_FALSE(whole == drawing_of(c, SELVAGE_KERNEL_SCALAR)) << "all rows are exact";
   c.has_clip = true;
   for (const int32_t row : {0, 1, 2, 40, 90, 150, 220, 299}) {
     for (int32_t px = 0; px <= row; px += 1 + row / 8) {
       c.clip = {px, row, px + 1, row + 1};
-      const spec::Canvas pixel = drawing_of(c, SELVAGE_KERNEL_FASTEST, kTexel_fx16);
+      const spec::Canvas pixel = drawing_of(c, SELVAGE_KERNEL_SCALAR, kTexel_fx16);
       EXPECT_EQ(pixel.pixel(px, row), whole.pixel(px, row)) << px << ", " << row;
     }
   }
@@ -281,7 +295,7 @@ TEST(SteppedTriangles, AreDrawnTheSameByAllKernels) {
         c.clip = {clipped_px, clipped_px % 7, 800 - clipped_px, 150};
         const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR, tolerance_fx16);
         EXPECT_FALSE(scalar == drawing_of(c, SELVAGE_KERNEL_SCALAR)) << "all rows are exact";
-        for (const selvage_kernel kernel : usable_kernels()) {
+        for (const selvage_kernel kernel : stepping_kernels()) {
           EXPECT_TRUE(drawing_of(c, kernel, tolerance_fx16) == scalar)
               << "kernel " << kernel << ", tolerance " << tolerance_fx16 << ", clip " << clipped_px;
         }
@@ -300,8 +314,28 @@ TEST(SteppedTriangles, AreSteppedFarBelowTheirTop) {
   c.vertices = {{-400 * 256, top_fx8, 0, 0, 1 << 20},
                 {1200 * 256, top_fx8, 300 * kTexel_fx16, 0, 3 << 19},
                 {400 * 256, bottom_fx8, 30 * kTexel_fx16, 0, 3 << 20}};
-  for (const selvage_kernel kernel : usable_kernels()) {
+  for (const selvage_kernel kernel : stepping_kernels()) {
     EXPECT_FALSE(drawing_of(c, kernel, kTexel_fx16) == drawing_of(c, kernel)) << kernel;
+  }
+}
+
+// What costs a kernel less exactly, it draws so whatever the tolerance.
+TEST(KernelsWithoutSteppedRows, DrawExactlyAndSaySo) {
+  spec::Case c;
+  c.target_width_px = 800;
+  c.target_height_px = 20;
+  c.texture_width_texel = c.texture_height_texel = 64;
+  const int32_t right_fx8 = 800 * 256, bottom_fx8 = 20 * 256, end_fx16 = 300 * kTexel_fx16;
+  c.vertices = {{0, 0, 0, 0, 1 << 20},
+                {right_fx8, 0, end_fx16, 0, 3 << 19},
+                {right_fx8, bottom_fx8, end_fx16, kTexel_fx16, 3 << 19},
+                {0, bottom_fx8, 0, kTexel_fx16, 1 << 20}};
+  const std::vector<selvage_kernel> stepping = stepping_kernels();
+  for (const selvage_kernel kernel : usable_kernels()) {
+    const bool steps = std::ranges::find(stepping, kernel) != stepping.end();
+    EXPECT_EQ(drawing_of(c, kernel, kTexel_fx16) == drawing_of(c, kernel), !steps) << kernel;
+    EXPECT_EQ(choice_of(c, kernel, kTexel_fx16).method == SELVAGE_METHOD_EXACT_PERSPECTIVE, !steps)
+        << kernel;
   }
 }
 

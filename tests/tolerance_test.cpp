@@ -14,6 +14,7 @@
 #include "spec/random.h"
 #include "spec/subject.h"
 #include "spec/tolerance.h"
+#include "tests/kernel_support.h"
 
 namespace selvage {
 namespace {
@@ -21,12 +22,8 @@ namespace {
 using spec::Case;
 using spec::Picture;
 
-inline constexpr std::array kKernels = {SELVAGE_KERNEL_SCALAR, SELVAGE_KERNEL_SSE4,
-                                        SELVAGE_KERNEL_AVX2, SELVAGE_KERNEL_AVX512,
-                                        SELVAGE_KERNEL_NEON};
-
 [[nodiscard]] Picture drawn(const Case& c, int32_t tolerance,
-                            selvage_kernel kernel = SELVAGE_KERNEL_FASTEST) {
+                            selvage_kernel kernel = SELVAGE_KERNEL_SCALAR) {
   spec::Subject subject{
       "within a tolerance",
       [=](const selvage_image* target, const selvage_rect* clip, const selvage_vertex* vertices,
@@ -56,7 +53,7 @@ inline constexpr std::array kKernels = {SELVAGE_KERNEL_SCALAR, SELVAGE_KERNEL_SS
 }
 
 [[nodiscard]] selvage_choice chosen(const Case& c, int32_t tolerance,
-                                    selvage_kernel kernel = SELVAGE_KERNEL_FASTEST) {
+                                    selvage_kernel kernel = SELVAGE_KERNEL_SCALAR) {
   std::vector<uint32_t> pixels(static_cast<size_t>(c.target_width_px * c.target_height_px));
   std::vector<uint32_t> texels(1);
   const selvage_image target{pixels.data(), c.target_width_px, c.target_height_px,
@@ -201,8 +198,7 @@ TEST_P(Tolerant, AllKernelsDrawTheSame) {
   const Case c = scene();
   const Picture scalar = drawn(c, tolerance_, SELVAGE_KERNEL_SCALAR);
   ASSERT_EQ(scalar.memory_fault, "");
-  for (const selvage_kernel kernel : kKernels) {
-    if (selvage_has_kernel(kernel) == 0) continue;
+  for (const selvage_kernel kernel : mapper::stepping_kernels()) {
     EXPECT_EQ(drawn(c, tolerance_, kernel).pixels, scalar.pixels) << "kernel " << kernel;
     EXPECT_EQ(chosen(c, tolerance_, kernel).bound, chosen(c, tolerance_).bound);
   }
@@ -222,8 +218,7 @@ TEST(Stepped, AllKernelsDrawTheSameFromWhateverTexture) {
           ASSERT_GT(chosen(c, SELVAGE_SUBTEXELS).bound, 0);
           const Picture scalar = drawn(c, SELVAGE_SUBTEXELS, SELVAGE_KERNEL_SCALAR);
           ASSERT_EQ(scalar.status, SELVAGE_OK);
-          for (const selvage_kernel kernel : kKernels) {
-            if (selvage_has_kernel(kernel) == 0) continue;
+          for (const selvage_kernel kernel : mapper::stepping_kernels()) {
             EXPECT_EQ(drawn(c, SELVAGE_SUBTEXELS, kernel).pixels, scalar.pixels)
                 << "kernel " << kernel << ", format " << format;
           }
@@ -242,8 +237,7 @@ TEST(Stepped, AllKernelsDrawTheSameLastPixel) {
     if (choice.segment_px == 0 || (width_px - 1) % choice.segment_px != 0) continue;
     ++rows;
     const Picture scalar = drawn(c, SELVAGE_SUBTEXELS, SELVAGE_KERNEL_SCALAR);
-    for (const selvage_kernel kernel : kKernels) {
-      if (selvage_has_kernel(kernel) == 0) continue;
+    for (const selvage_kernel kernel : mapper::stepping_kernels()) {
       EXPECT_EQ(drawn(c, SELVAGE_SUBTEXELS, kernel).pixels, scalar.pixels) << width_px << " px";
     }
   }
@@ -257,8 +251,7 @@ TEST(Stepped, AllKernelsDrawTheSameOfManySegments) {
   ASSERT_EQ(choice.method, SELVAGE_METHOD_SUBDIVIDED);
   ASSERT_GT(c.target_width_px / choice.segment_px, 70) << choice.segment_px;
   const Picture scalar = drawn(c, kTolerance, SELVAGE_KERNEL_SCALAR);
-  for (const selvage_kernel kernel : kKernels) {
-    if (selvage_has_kernel(kernel) == 0) continue;
+  for (const selvage_kernel kernel : mapper::stepping_kernels()) {
     EXPECT_EQ(drawn(c, kTolerance, kernel).pixels, scalar.pixels) << "kernel " << kernel;
   }
 }

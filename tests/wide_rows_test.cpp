@@ -94,11 +94,14 @@ TEST_P(WideRows, EveryKernelDrawsWhatTheScalarOneDraws) {
   constexpr uint64_t kSeeds = 200;
   for (uint64_t seed = GetParam() * kSeeds; seed < (GetParam() + 1) * kSeeds; ++seed) {
     const WideCase wide = any_case(seed);
-    const spec::Canvas scalar = drawing_of(wide.c, SELVAGE_KERNEL_SCALAR, wide.tolerance);
-    for (const selvage_kernel kernel : usable_kernels()) {
-      ASSERT_TRUE(drawing_of(wide.c, kernel, wide.tolerance) == scalar)
-          << "kernel " << kernel << ", tolerance " << wide.tolerance << ", seed " << seed << "\n"
-          << spec::print(wide.c);
+    for (const int32_t tolerance : {0, wide.tolerance}) {
+      const spec::Canvas scalar = drawing_of(wide.c, SELVAGE_KERNEL_SCALAR, tolerance);
+      for (const selvage_kernel kernel : tolerance == 0 ? usable_kernels() : stepping_kernels()) {
+        ASSERT_TRUE(drawing_of(wide.c, kernel, tolerance) == scalar)
+            << "kernel " << kernel << ", tolerance " << tolerance << ", seed " << seed << "\n"
+            << spec::print(wide.c);
+      }
+      if (wide.tolerance == 0) break;
     }
   }
 }

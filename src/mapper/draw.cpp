@@ -62,9 +62,10 @@ void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surfa
 
 // Affine maps are drawn exactly in any case: their kernels were measured to be no slower than lanes
 // that leave near-ties undecided, for what bounds them is fetching texels. So is a polygon of which
-// every row is too narrow to be stepped.
-[[nodiscard]] bool is_tolerant(const Polygon& polygon, const selvage_options& options) {
-  return options.tolerance > 0 && options.filter == SELVAGE_FILTER_NEAREST && !polygon.affine &&
+// every row is too narrow to be stepped, and all that a kernel draws by which that costs more.
+[[nodiscard]] bool is_tolerant(const Polygon& polygon, const selvage_options& options,
+                               const Kernels& kernels) {
+  return options.tolerance > 0 && kernels.draw_stepped != nullptr && !polygon.affine &&
          polygon.right_px - polygon.left_px >= kLeastStepped_px && lanes_fit(polygon);
 }
 
@@ -79,7 +80,7 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
   if (is_copy(polygon, options.filter)) return draw_copies(polygon, visible, surface);
   const Kernels& kernels = kernels_for(options, surface, polygon);
   if (options.filter == SELVAGE_FILTER_AREA) return draw_area(surface, visible, polygon, kernels);
-  if (is_tolerant(polygon, options)) {
+  if (is_tolerant(polygon, options, kernels)) {
     return draw_tolerantly(surface, visible, polygon, kernels, options.tolerance);
   }
   if (polygon.affine) {
@@ -92,12 +93,12 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
   draw_ruled(polygon, visible, surface, kernels);
 }
 
-selvage_choice choose(const selvage_rect& visible, const Polygon& polygon,
+selvage_choice choose(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
                       const selvage_options& options) {
   if (!SpanWalk(polygon, visible).next()) return {SELVAGE_METHOD_NONE, 0, 0};
   if (is_copy(polygon, options.filter)) return {SELVAGE_METHOD_COPY, 0, 0};
   if (options.filter != SELVAGE_FILTER_NEAREST) return {SELVAGE_METHOD_FILTER, 0, 0};
-  if (is_tolerant(polygon, options)) {
+  if (is_tolerant(polygon, options, kernels_for(options, surface, polygon))) {
     const RowChoice choice = choose_tolerantly(visible, polygon, options.tolerance);
     return {choice.method, choice.segment_px, choice.bound_fx16};
   }

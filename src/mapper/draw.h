@@ -13,7 +13,7 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
           const selvage_options& options);
 
 // What draw() draws by.
-[[nodiscard]] selvage_choice choose(const selvage_rect& visible, const Polygon& polygon,
-                                    const selvage_options& options);
+[[nodiscard]] selvage_choice choose(const Surface& surface, const selvage_rect& visible,
+                                    const Polygon& polygon, const selvage_options& options);
 
 }  // namespace selvage::mapper

@@ -1,7 +1,7 @@
 // Tolerance: what a row in perspective is drawn by, where its texels need not be exact.
 //
 // spec/README.md derives the bounds. All that enters a choice is the polygon, the row and the
-// tolerance: no clip and no machine changes what is drawn.
+// tolerance: no clip changes what is drawn, and no kernel that has stepped rows.
 #pragma once
 
 #include <cstdint>

@@ -61,7 +61,8 @@ TEST(Plan, MeasuredIsWithinItsBoundAndThatWithinTheTolerance) {
     const ScreenFace face = random_face(random);
     const double tolerance = random.pick(kTolerances);
     SCOPED_TRACE("seed " + std::to_string(seed) + ", tolerance " + std::to_string(tolerance));
-    const Plan chosen = plan(scene, face, {tolerance, SELVAGE_FILTER_NEAREST});
+    Plan chosen = plan(scene, face, {tolerance, SELVAGE_FILTER_NEAREST});
+    chosen.options.kernel = SELVAGE_KERNEL_SCALAR;  // has a choice; not every kernel has
     const Drawn drawn = draw(scene, face, chosen);
     const double bound = chosen.affine ? chosen.bound_texel : drawn.choice.bound / kSubtexels;
     const double found = measured(face, drawn, pixels);
