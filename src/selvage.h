@@ -59,10 +59,11 @@ SELVAGE_API selvage_status selvage_draw(const selvage_image* target, const selva
  * checked in the same order, then `choice`. On an error *choice is left as it was.
  *
  * It depends on the vertices, the tolerance, filter and profile, and on the rows that are visible.
- * Where less was measured to cost more, a tolerance changes nothing: SELVAGE_KERNEL_AVX512 draws
- * all exactly, and every kernel does what is affine, rows in perspective narrower than 160 px, and
- * those that would be divided more often than every 64 px. All else that is drawn within a
- * tolerance is the same by every other kernel and under every clip. */
+ * Where less was measured to cost more, a tolerance changes nothing: what is affine, rows in
+ * perspective narrower than 160 px, and those that would be divided more often than every 64 px are
+ * drawn exactly; by SELVAGE_KERNEL_AVX512, rows narrower than 256 px, and those that would be
+ * divided within the row more often than every 1024 px. All else that is drawn within a tolerance
+ * is the same by every kernel, and all of it under every clip. */
 SELVAGE_API selvage_status selvage_choose(const selvage_image* target, const selvage_rect* clip,
                                           const selvage_vertex* vertices, size_t count,
                                           const selvage_texture* texture,

@@ -201,5 +201,11 @@ TEST(ChooseRow, RowsBelow160PixelsAreExact) {
   }
 }
 
+// The least distance between two divisions: of a segment, or from end to end of a narrow row.
+TEST(Stepping, IsShortestByASegmentOrByARow) {
+  EXPECT_EQ(kUsualStepping.shortest_px(), 64);
+  EXPECT_EQ(kWideStepping.shortest_px(), 255);
+}
+
 }  // namespace
 }  // namespace selvage::mapper

@@ -22,12 +22,12 @@ namespace selvage::mapper {
   return usable;
 }
 
-// Those of them that draw rows in segments within a tolerance; the others draw them exactly.
+// Those of them that step the same rows as the scalar one; the others step fewer.
 [[nodiscard]] inline std::vector<selvage_kernel> stepping_kernels() {
   std::vector<selvage_kernel> stepping = usable_kernels();
   std::erase_if(stepping, [](selvage_kernel each) {
     const Kernels* const vector = vector_kernels(each, SELVAGE_FILTER_NEAREST);
-    return vector != nullptr && vector->draw_stepped == nullptr;
+    return vector != nullptr && vector->stepping.least_row_px != kUsualStepping.least_row_px;
   });
   return stepping;
 }

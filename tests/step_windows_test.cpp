@@ -54,7 +54,7 @@ void expect_alike(Lane start, Lane step, selvage_format format) {
       return drawn<Pixel>(kernels, start, step, format, address);
     };
     const std::vector<Pixel> scalar = by(scalar_kernels(SELVAGE_FILTER_NEAREST));
-    for (const selvage_kernel kernel : stepping_kernels()) {
+    for (const selvage_kernel kernel : usable_kernels()) {
       if (kernel == SELVAGE_KERNEL_SCALAR) continue;
       ASSERT_EQ(by(*vector_kernels(kernel, SELVAGE_FILTER_NEAREST)), scalar)
           << "kernel " << kernel << ", u " << start.u_fx32 << " + i " << step.u_fx32 << ", v "

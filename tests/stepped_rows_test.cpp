@@ -81,7 +81,7 @@ class SteppedRows : public testing::Test {
     for (uint32_t t = 0; t < kSide_texel; ++t) {
       for (uint32_t s = 0; s < kSide_texel; ++s) texels_.push_back(s | t << 16);
     }
-    for (const selvage_kernel kernel : stepping_kernels()) {
+    for (const selvage_kernel kernel : usable_kernels()) {
       draws_.push_back(kernel == SELVAGE_KERNEL_SCALAR
                            ? draw_stepped_scalar
                            : vector_kernels(kernel, SELVAGE_FILTER_NEAREST)->draw_stepped);
@@ -319,8 +319,9 @@ TEST(SteppedTriangles, AreSteppedFarBelowTheirTop) {
   }
 }
 
-// What costs a kernel less exactly, it draws so whatever the tolerance.
-TEST(KernelsWithoutSteppedRows, DrawExactlyAndSaySo) {
+// Where short segments cost a kernel more than exact rows do, it draws exactly, and says so; where
+// one does for all of the row, as the scalar one.
+TEST(KernelsOfWideSteps, TakeNoShortOnes) {
   spec::Case c;
   c.target_width_px = 800;
   c.target_height_px = 20;
@@ -330,11 +331,17 @@ TEST(KernelsWithoutSteppedRows, DrawExactlyAndSaySo) {
                 {right_fx8, 0, end_fx16, 0, 3 << 19},
                 {right_fx8, bottom_fx8, end_fx16, kTexel_fx16, 3 << 19},
                 {0, bottom_fx8, 0, kTexel_fx16, 1 << 20}};
+  constexpr int32_t kWhole_fx16 = 64 * kTexel_fx16;
+  const spec::Canvas of_one_segment = drawing_of(c, SELVAGE_KERNEL_SCALAR, kWhole_fx16);
   const std::vector<selvage_kernel> stepping = stepping_kernels();
   for (const selvage_kernel kernel : usable_kernels()) {
     const bool steps = std::ranges::find(stepping, kernel) != stepping.end();
     EXPECT_EQ(drawing_of(c, kernel, kTexel_fx16) == drawing_of(c, kernel), !steps) << kernel;
-    EXPECT_EQ(choice_of(c, kernel, kTexel_fx16).method == SELVAGE_METHOD_EXACT_PERSPECTIVE, !steps)
+    EXPECT_EQ(choice_of(c, kernel, kTexel_fx16).method,
+              steps ? SELVAGE_METHOD_SUBDIVIDED : SELVAGE_METHOD_EXACT_PERSPECTIVE)
+        << kernel;
+    EXPECT_TRUE(drawing_of(c, kernel, kWhole_fx16) == of_one_segment) << kernel;
+    EXPECT_EQ(choice_of(c, kernel, kWhole_fx16).method, SELVAGE_METHOD_AFFINE_FOR_PERSPECTIVE)
         << kernel;
   }
 }

@@ -62,11 +62,11 @@ void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surfa
 
 // Affine maps are drawn exactly in any case: their kernels were measured to be no slower than lanes
 // that leave near-ties undecided, for what bounds them is fetching texels. So is a polygon of which
-// every row is too narrow to be stepped, and all that a kernel draws by which that costs more.
+// every row is too narrow to be stepped.
 [[nodiscard]] bool is_tolerant(const Polygon& polygon, const selvage_options& options,
                                const Kernels& kernels) {
-  return options.tolerance > 0 && kernels.draw_stepped != nullptr && !polygon.affine &&
-         polygon.right_px - polygon.left_px >= kLeastStepped_px && lanes_fit(polygon);
+  return options.tolerance > 0 && options.filter == SELVAGE_FILTER_NEAREST && !polygon.affine &&
+         polygon.right_px - polygon.left_px >= kernels.stepping.least_row_px && lanes_fit(polygon);
 }
 
 }  // namespace
@@ -98,8 +98,10 @@ selvage_choice choose(const Surface& surface, const selvage_rect& visible, const
   if (!SpanWalk(polygon, visible).next()) return {SELVAGE_METHOD_NONE, 0, 0};
   if (is_copy(polygon, options.filter)) return {SELVAGE_METHOD_COPY, 0, 0};
   if (options.filter != SELVAGE_FILTER_NEAREST) return {SELVAGE_METHOD_FILTER, 0, 0};
-  if (is_tolerant(polygon, options, kernels_for(options, surface, polygon))) {
-    const RowChoice choice = choose_tolerantly(visible, polygon, options.tolerance);
+  const Kernels& kernels = kernels_for(options, surface, polygon);
+  if (is_tolerant(polygon, options, kernels)) {
+    const RowChoice choice =
+        choose_tolerantly(visible, polygon, options.tolerance, kernels.stepping);
     return {choice.method, choice.segment_px, choice.bound_fx16};
   }
   return {polygon.affine ? SELVAGE_METHOD_EXACT_AFFINE : SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0};

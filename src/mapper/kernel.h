@@ -44,9 +44,8 @@ struct ProjectiveSpans {
 };
 
 // Each draw_... writes all pixels of the spans by its filter, exactly; draw_stepped, which only
-// nearest may have, shows the texels of its lanes: a kernel has none where exact rows cost it less.
-// Those of the area filter draw boxes of any sides, and its other two, which are the bilinear ones,
-// the least boxes.
+// nearest has, shows the texels of its lanes. Those of the area filter draw boxes of any sides, and
+// its other two, which are the bilinear ones, the least boxes.
 struct Kernels {
   FindSpans find_spans;
   FindLanes find_lanes;
@@ -58,6 +57,7 @@ struct Kernels {
   void (*draw_boxes_projective)(const ProjectiveSpans& spans, const PlaneFootprint& footprint,
                                 const Surface& surface) = nullptr;
   void (*draw_boxes)(const BoxRow& boxes, const Span& piece, const Surface& surface) = nullptr;
+  Stepping stepping = kUsualStepping;
 };
 
 void draw_stepped_scalar(const SteppedSpans& spans, const Surface& surface);

@@ -17,6 +17,18 @@
 namespace selvage::mapper {
 
 inline constexpr int32_t kStepGroup_px = 16;
+// What was measured to cost a kernel no more than a division a pixel: rows that are so wide, of
+// segments that are so long or reach all along the row.
+struct Stepping {
+  int32_t least_row_px, least_segment_px;  // the latter a power of two
+
+  [[nodiscard]] constexpr int32_t shortest_px() const {
+    return least_row_px < least_segment_px ? least_row_px - 1 : least_segment_px;
+  }
+};
+inline constexpr Stepping kUsualStepping{160, 64};
+inline constexpr Stepping kWideStepping{256, 1024};  // AVX-512, to which divisions cost little
+
 inline constexpr int kStepShift = kLaneFraction - kTexelFraction;
 // Floors that cost less than a unit each: of a segment's start, of a group's first lane, and of the
 // steps from there.

@@ -1,7 +1,7 @@
 // Tolerance: what a row in perspective is drawn by, where its texels need not be exact.
 //
 // spec/README.md derives the bounds. All that enters a choice is the polygon, the row and the
-// tolerance: no clip changes what is drawn, and no kernel that has stepped rows.
+// tolerance, and what is too short for a kernel to be stepped: no clip changes what is drawn.
 #pragma once
 
 #include <cstdint>
@@ -19,10 +19,6 @@ inline constexpr int32_t kStepRounding_fx16 = kStepTruncations_fx16 + 1;
 // of what the tolerance leaves to that.
 inline constexpr double kBendSlack = 1 + 0x1p-23;
 inline constexpr double kBudgetSlack = 1 - 0x1p-30;
-// Narrower rows and shorter segments were measured to cost more than a division a pixel, by some
-// kernel at least.
-inline constexpr int32_t kLeastStepped_px = 160;
-inline constexpr int32_t kLeastSegment_px = 4 * kStepGroup_px;
 
 // Lanes of a plane that are further off cost too much of a tolerance: 1/8 unit at their two ends.
 inline constexpr int64_t kMostSteppedError_fx32 = 1 << 12;
@@ -52,16 +48,18 @@ struct Chords {
 };
 
 // Whether a row that bends so much at least, however wide it is, is exact.
-[[nodiscard]] inline bool bends_too_much(const RowBend& row, int32_t tolerance_fx16) {
+[[nodiscard]] inline bool bends_too_much(const RowBend& row, int32_t tolerance_fx16,
+                                         const Stepping& stepping = kUsualStepping) {
   const Chords chords(row);
-  return chords.off_fx16(kLeastSegment_px) > chords.room_fx16(tolerance_fx16);
+  return chords.off_fx16(stepping.shortest_px()) > chords.room_fx16(tolerance_fx16);
 }
 
 // How far the segments of a stepped row reach: a multiple of kStepGroup_px, or, where one does for
 // all of the row, its width. 0: the row is exact. Width and margin are those of the row's lanes,
 // clipped or not.
 [[nodiscard]] int32_t choose_segment_px(const RowBend& row, int64_t margin_fx32, int32_t width_px,
-                                        int32_t tolerance_fx16);
+                                        int32_t tolerance_fx16,
+                                        const Stepping& stepping = kUsualStepping);
 
 struct RowChoice {
   selvage_method method;
@@ -71,6 +69,7 @@ struct RowChoice {
 
 // The same choice, as it is told.
 [[nodiscard]] RowChoice choose_row(const RowBend& row, int64_t margin_fx32, int32_t width_px,
-                                   int32_t tolerance_fx16);
+                                   int32_t tolerance_fx16,
+                                   const Stepping& stepping = kUsualStepping);
 
 }  // namespace selvage::mapper

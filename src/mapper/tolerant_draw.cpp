@@ -17,7 +17,8 @@ namespace {
 class PlaneRows {
  public:
   PlaneRows(const ProjectivePlane& plane, const PlaneBend& bend, const Polygon& polygon,
-            const selvage_rect& visible, FindSpans find_spans, int32_t tolerance_fx16)
+            const selvage_rect& visible, FindSpans find_spans, int32_t tolerance_fx16,
+            const Stepping& stepping)
       : plane_(plane),
         bend_(bend),
         texels_(polygon.texels),
@@ -25,7 +26,8 @@ class PlaneRows {
         walk_(polygon, {polygon.left_px, visible.top, polygon.right_px, visible.bottom},
               find_spans),
         margin_fx32_(2 * plane.lanes().error_fx32),
-        tolerance_fx16_(tolerance_fx16) {}
+        tolerance_fx16_(tolerance_fx16),
+        stepping_(stepping) {}
 
   // The next rows, clipped by nothing; false where none is left.
   [[nodiscard]] bool next() { return walk_.next(&whole_); }
@@ -61,7 +63,7 @@ class PlaneRows {
     for (int32_t i = 0; i < whole_.rows; ++i) {
       if (visible_part(i).empty()) continue;
       const Span row = whole_.span(i);
-      visit(choose_row(bend_.of(row), margin_fx32_, row.width_px(), tolerance_fx16_));
+      visit(choose_row(bend_.of(row), margin_fx32_, row.width_px(), tolerance_fx16_, stepping_));
     }
   }
 
@@ -73,7 +75,8 @@ class PlaneRows {
   }
   [[nodiscard]] int32_t choose(int32_t i) const {
     const Span row = whole_.span(i);
-    return choose_segment_px(bend_.of(row), margin_fx32_, row.width_px(), tolerance_fx16_);
+    return choose_segment_px(bend_.of(row), margin_fx32_, row.width_px(), tolerance_fx16_,
+                             stepping_);
   }
 
   const ProjectivePlane& plane_;
@@ -83,6 +86,7 @@ class PlaneRows {
   BatchWalk walk_;
   int64_t margin_fx32_;
   int32_t tolerance_fx16_;
+  Stepping stepping_;
   SpanBatch whole_;
 };
 
@@ -101,8 +105,8 @@ struct RuledRow {
 void draw_row(const RuledRow& row, const Span& span, const TexelBox& texels, const Surface& surface,
               const Kernels& kernels, int32_t tolerance_fx16) {
   const int32_t width_px = row.whole.width_px();
-  const int32_t segment_px =
-      choose_segment_px(row.bend(), row.lanes.margin_fx32(), width_px, tolerance_fx16);
+  const int32_t segment_px = choose_segment_px(row.bend(), row.lanes.margin_fx32(), width_px,
+                                               tolerance_fx16, kernels.stepping);
   if (segment_px != 0) {
     return kernels.draw_stepped(
         {one_span(span), one_span(row.whole), row.lanes.field(row.whole), &segment_px}, surface);
@@ -124,12 +128,13 @@ void draw_row(const RuledRow& row, const Span& span, const TexelBox& texels, con
 }
 
 // Whether some row may be stepped.
-[[nodiscard]] bool may_step(const PlaneBend& bend, const Polygon& polygon, int32_t tolerance_fx16) {
+[[nodiscard]] bool may_step(const PlaneBend& bend, const Polygon& polygon, int32_t tolerance_fx16,
+                            const Stepping& stepping) {
   const auto [near, far] = std::ranges::minmax(polygon.vertices, {}, &selvage_vertex::q);
   // In units of the least one, as the plane's are. Roundings are far below the units of a tolerance
   // that are kept for those of lanes.
   const double most_denominator = static_cast<double>(far.q) / near.q;
-  return !bends_too_much(bend.least(most_denominator), tolerance_fx16);
+  return !bends_too_much(bend.least(most_denominator), tolerance_fx16, stepping);
 }
 
 }  // namespace
@@ -138,10 +143,11 @@ void draw_tolerantly(const Surface& surface, const selvage_rect& visible, const 
                      const Kernels& kernels, int32_t tolerance_fx16) {
   if (const auto plane = plane_of(polygon)) {
     const PlaneBend bend = bend_of(*plane, polygon);
-    if (!may_step(bend, polygon, tolerance_fx16)) {
+    if (!may_step(bend, polygon, tolerance_fx16, kernels.stepping)) {
       return draw_in_perspective(*plane, polygon, visible, surface, kernels);
     }
-    PlaneRows rows(*plane, bend, polygon, visible, kernels.find_spans, tolerance_fx16);
+    PlaneRows rows(*plane, bend, polygon, visible, kernels.find_spans, tolerance_fx16,
+                   kernels.stepping);
     while (rows.next()) rows.draw(surface, kernels);
     return;
   }
@@ -152,7 +158,7 @@ void draw_tolerantly(const Surface& surface, const selvage_rect& visible, const 
 }
 
 RowChoice choose_tolerantly(const selvage_rect& visible, const Polygon& polygon,
-                            int32_t tolerance_fx16) {
+                            int32_t tolerance_fx16, const Stepping& stepping) {
   RowChoice all{SELVAGE_METHOD_NONE, 0, 0};
   const auto add = [&](const RowChoice& row) {
     const bool shorter = all.segment_px == 0 || row.segment_px < all.segment_px;
@@ -162,15 +168,17 @@ RowChoice choose_tolerantly(const selvage_rect& visible, const Polygon& polygon,
   };
   if (const auto plane = plane_of(polygon)) {
     const PlaneBend bend = bend_of(*plane, polygon);
-    if (!may_step(bend, polygon, tolerance_fx16)) return {SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0};
-    PlaneRows rows(*plane, bend, polygon, visible, find_spans_scalar, tolerance_fx16);
+    if (!may_step(bend, polygon, tolerance_fx16, stepping))
+      return {SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0};
+    PlaneRows rows(*plane, bend, polygon, visible, find_spans_scalar, tolerance_fx16, stepping);
     while (rows.next()) rows.for_each_choice(add);
     return all;
   }
   SpanWalk walk(polygon, visible);
   while (walk.next()) {
     const RuledRow row(walk);
-    add(choose_row(row.bend(), row.lanes.margin_fx32(), row.whole.width_px(), tolerance_fx16));
+    add(choose_row(row.bend(), row.lanes.margin_fx32(), row.whole.width_px(), tolerance_fx16,
+                   stepping));
   }
   return all;
 }

@@ -14,6 +14,7 @@ void draw_tolerantly(const Surface& surface, const selvage_rect& visible, const 
 
 // Over all visible rows: the method that costs most, the shortest segment, the greatest bound.
 [[nodiscard]] RowChoice choose_tolerantly(const selvage_rect& visible, const Polygon& polygon,
-                                          int32_t tolerance_fx16);
+                                          int32_t tolerance_fx16,
+                                          const Stepping& stepping = kUsualStepping);
 
 }  // namespace selvage::mapper

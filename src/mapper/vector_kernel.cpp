@@ -21,18 +21,18 @@
 #include "mapper/vector_projective_pieces-inl.h"
 #include "mapper/vector_projective_wide-inl.h"
 #include "mapper/vector_row_kernel-inl.h"
-#if HWY_TARGET != HWY_AVX3
 #include "mapper/vector_stepped_kernel-inl.h"
-#endif
 
 namespace selvage::mapper::HWY_NAMESPACE {
 
-#if HWY_TARGET == HWY_AVX3
-// Stepped rows were measured to cost up to 1.7 times what exact ones do.
-constexpr auto draw_stepped = nullptr;
-#endif
-
-constexpr Kernels kNearest = {find_spans, find_lanes, draw_affine, draw_projective, draw_stepped};
+constexpr Kernels kNearest = {
+    .find_spans = find_spans,
+    .find_lanes = find_lanes,
+    .draw_affine = draw_affine,
+    .draw_projective = draw_projective,
+    .draw_stepped = draw_stepped,
+    .stepping = HWY_TARGET == HWY_AVX3 ? kWideStepping : kUsualStepping,
+};
 constexpr Kernels kFour = {find_spans, find_lanes, draw_blended_affine<true>,
                            draw_blended_projective<true>};
 constexpr Kernels kBilinear = {find_spans, find_lanes, draw_blended_affine<false>,
