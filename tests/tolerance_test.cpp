@@ -1,5 +1,5 @@
-// Drawing within a tolerance: what is chosen, and that neither kernel nor clip nor place changes
-// it.
+// Drawing within a tolerance: what is chosen, and that neither clip nor place changes it, nor any
+// kernel that steps the same rows.
 #include <gtest/gtest.h>
 
 #include <algorithm>
