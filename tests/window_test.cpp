@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "mapper/image.h"
 #include "spec/random.h"
 #include "tests/kernel_support.h"
 
@@ -144,6 +145,35 @@ struct Slope {
   return c;
 }
 
+// A tall polygon of few texels, at most four times as wide as the widest vector, affine or not;
+// rows of the target as far apart as makes blocks of them of every size.
+[[nodiscard]] spec::Case drawn_in_blocks(uint64_t seed) {
+  static constexpr int32_t kPitches_bytes[] = {1024, 2048, 4096, 8192, 4096 + 64, 12288};
+  constexpr int32_t kWidest_px = 64, kTexel = SELVAGE_SUBTEXELS, kPixel = SELVAGE_SUBPIXELS;
+  spec::Case c = any_case(seed);
+  spec::Random random(seed);
+  const auto pixel_bytes = static_cast<int32_t>(bytes_per_pixel(c.format));
+  c.target_width_px = kWidest_px + 16;
+  c.target_height_px = 150;
+  c.padding_px = random.pick(kPitches_bytes) / pixel_bytes - c.target_width_px;
+  const double angle = any_slope(random).angle, scale = random.in(1, 60) / 1000.0;
+  const int32_t s = random.in(0, c.texture_width_texel), t = random.in(0, c.texture_height_texel);
+  const int32_t left_px = random.in(0, 16), q = random.in(50, 200);
+  const bool affine = random.percent(50);
+  c.vertices.clear();
+  for (int corner = 0; corner < 3; ++corner) {
+    const int32_t x = random.in(left_px * kPixel, (left_px + kWidest_px) * kPixel + 1);
+    const int32_t y = random.in(0, c.target_height_px * kPixel + 1);
+    const auto turned = [&](double a, double b) {
+      return static_cast<int32_t>(std::lround((a * x + b * y) * scale * (kTexel / kPixel)));
+    };
+    c.vertices.push_back({x, y, s * kTexel + turned(std::cos(angle), -std::sin(angle)),
+                          t * kTexel + turned(std::sin(angle), std::cos(angle)),
+                          affine ? q : q + random.in(0, 10)});
+  }
+  return c;
+}
+
 // Every kernel draws what the scalar one draws.
 void expect_alike(const spec::Case& c, uint64_t seed) {
   const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR);
@@ -181,6 +211,13 @@ TEST_P(Window, EveryKernelDrawsWhatFillsIt) {
   constexpr uint64_t kSeeds = 200;
   for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
     ASSERT_NO_FATAL_FAILURE(expect_alike(that_fills_a_window(seed), seed));
+  }
+}
+
+TEST_P(Window, EveryKernelDrawsItInBlocksOfRows) {
+  constexpr uint64_t kSeeds = 25;
+  for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
+    ASSERT_NO_FATAL_FAILURE(expect_alike(drawn_in_blocks(seed), seed));
   }
 }
 

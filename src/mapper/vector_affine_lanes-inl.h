@@ -19,16 +19,6 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-inline constexpr int kAnchorShift = kLaneFraction - kTexelFraction;
-
-[[nodiscard]] HWY_INLINE int32_t floor_fx16(int64_t lane_fx32) {
-  return static_cast<int32_t>(lane_fx32 >> kAnchorShift);
-}
-
-[[nodiscard]] HWY_INLINE int32_t floor_texel(int64_t lane_fx32) {
-  return static_cast<int32_t>(lane_fx32 >> kLaneFraction);
-}
-
 // The lane of a vector that has the least value, and from which the others are counted.
 [[nodiscard]] HWY_INLINE int32_t anchor_lane(int64_t step_fx32) {
   return step_fx32 < 0 ? kLanes - 1 : 0;

@@ -209,6 +209,18 @@ HWY_INLINE void with_pixel(selvage_format format, const Draw& draw) {
 #endif
 }
 
+// A bit for each lane, the first one lowest.
+[[nodiscard]] HWY_INLINE uint64_t bits_of(hn::Mask<D32> mask) {
+#if HWY_TARGET == HWY_AVX3
+  return mask.raw;
+#else
+  static_assert(kLanes <= 8);
+  uint8_t bits[8];  // up to so many may be stored
+  hn::StoreMaskBits(D32(), mask, bits);
+  return bits[0];
+#endif
+}
+
 // ---- Texels to pixels --------------------------------------------------------------------------
 
 [[nodiscard]] HWY_INLINE Extent extent_of(const selvage_texture& texture) {

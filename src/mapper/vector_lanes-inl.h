@@ -16,6 +16,16 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
+inline constexpr int kAnchorShift = kLaneFraction - kTexelFraction;
+
+[[nodiscard]] HWY_INLINE int32_t floor_fx16(int64_t lane_fx32) {
+  return static_cast<int32_t>(lane_fx32 >> kAnchorShift);
+}
+
+[[nodiscard]] HWY_INLINE int32_t floor_texel(int64_t lane_fx32) {
+  return static_cast<int32_t>(lane_fx32 >> kLaneFraction);
+}
+
 // kLanes lanes of both coordinates, 16.16 modulo 2^32.
 struct LaneVectors {
   V32 u, v;

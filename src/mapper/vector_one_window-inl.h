@@ -9,6 +9,8 @@
 #define SELVAGE_VECTOR_ONE_WINDOW_INL_H
 #endif
 
+#include <bit>
+
 #include "mapper/vector_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -22,8 +24,9 @@ inline constexpr int32_t kMostOneWindow_px = 64;
 }
 
 // Some rows of a batch. They have few vectors, and where they end is seldom foreseen: they are
-// drawn a strip at a time, a vector or two of every row, and few rows at once, lest their lines, a
-// pitch apart, throw each other out of the cache before the next strip.
+// drawn a strip at a time, a vector or two of every row, and no more rows at once than the cache
+// has room for: lines of one set of it, a pitch apart, would throw each other out before the next
+// strip.
 struct RowBlock {
   int32_t first, end;
   int32_t widest_px;
@@ -43,12 +46,23 @@ struct RowBlock {
   return {first, end, hn::GetLane(hn::MaxOfLanes(d, widest))};
 }
 
+// How many rows to draw at once; at least 16, for blocks cost something too. A cache's sets are
+// told by addresses modulo 4096 bytes or more, and hold 8 lines or more: 32 KB are the least of
+// today.
+[[nodiscard]] HWY_INLINE int32_t rows_per_block(ptrdiff_t pitch_bytes) {
+  constexpr uint64_t kSets_bytes = 4096;
+  constexpr int32_t kWays = 8, kLeast = 2 * kWays;
+  const int apart_bits = std::countr_zero(static_cast<uint64_t>(pitch_bytes) | kSets_bytes);
+  const auto rows_apart = static_cast<int32_t>(kSets_bytes >> apart_bits);
+  return HWY_MIN(HWY_MAX(kWays * rows_apart, kLeast), kRowsPerBatch);
+}
+
 // All rows are one block where they are one strip. Ends where draw(block) returns false.
 template <class Draw>
-HWY_INLINE void for_each_block(const SpanBatch& batch, int32_t strip_px, const Draw& draw) {
-  constexpr int32_t kRows = 16;
-  const bool is_one = batch.widest_px <= strip_px;
-  const int32_t rows = is_one ? batch.rows : kRows;
+HWY_INLINE void for_each_block(const SpanBatch& batch, int32_t strip_px, int32_t most_rows,
+                               const Draw& draw) {
+  const bool is_one = batch.widest_px <= strip_px || batch.rows <= most_rows;
+  const int32_t rows = is_one ? batch.rows : most_rows;
   for (int32_t first = 0; first < batch.rows; first += rows) {
     const RowBlock block = is_one ? RowBlock{0, batch.rows, batch.widest_px}
                                   : block_of(batch, first, HWY_MIN(first + rows, batch.rows));
@@ -103,9 +117,7 @@ template <class Pixel, class Address, int kColumnBits, int32_t kVectors>
 class Window {
  public:
   HWY_INLINE Window(const selvage_texture& texture, const WindowPlace& place)
-      : origin_(hn::Set(D32(), (place.t.texel << kColumnBits) + place.s.texel)),
-        width_texel_(texture.width),
-        height_texel_(texture.height) {
+      : origin_{int64_t{place.s.texel} << kLaneFraction, int64_t{place.t.texel} << kLaneFraction} {
     const ptrdiff_t pitch_texel = pitch_texel_of(texture);
     const Pixel* texels =
         static_cast<const Pixel*>(texture.texels) + place.t.index * pitch_texel + place.s.index;
@@ -116,10 +128,13 @@ class Window {
     }
   }
 
+  // The texel whose lanes are 0.
+  [[nodiscard]] HWY_INLINE Lane origin() const { return origin_; }
+
+  // By lanes that are counted from the origin.
   [[nodiscard]] HWY_INLINE V32 texels(const LaneVectors& lanes) const {
-    const V32 s = Address::window_texel(hn::ShiftRight<kTexelFraction>(lanes.u), width_texel_);
-    const V32 t = Address::window_texel(hn::ShiftRight<kTexelFraction>(lanes.v), height_texel_);
-    const V32 index = hn::Sub(hn::Add(hn::ShiftLeft<kColumnBits>(t), s), origin_);
+    constexpr int32_t kRows = kVectors * kRowsPerVector<kColumnBits>;
+    const V32 index = FixedLanes<Address>::template window_index<kColumnBits>(lanes, kRows);
     V32 picked = permute(0, index);
 #pragma GCC unroll 16
     for (int32_t i = kVectorsPerPermute; i < kVectors; i += kVectorsPerPermute) {
@@ -150,8 +165,7 @@ class Window {
   }
 
   V32 vectors_[kVectors];
-  V32 origin_;
-  int32_t width_texel_, height_texel_;
+  Lane origin_;
 };
 
 // Calls draw(window) with a window of so many vectors, or of fewer.

@@ -114,13 +114,15 @@ class AnchoredVectors {
     return static_cast<int32_t>(2 * lowered_fx16_) + kAnchoredTruncations_fx16;
   }
 
-  // Of kDoubles pieces from k on.
-  HWY_INLINE void find(const Pieces& pieces, int32_t k, Anchors* anchors) const {
+  // Of kDoubles pieces from k on, counted from a texel.
+  HWY_INLINE void find(const Pieces& pieces, int32_t k, Lane origin, Anchors* anchors) const {
     const DHalf d;
     const DHalfFloat df;
     const HalfAnchors half = half_from(pieces, k);
-    hn::StoreU(half.u_fx16, d, anchors->u_fx16 + k);
-    hn::StoreU(half.v_fx16, d, anchors->v_fx16 + k);
+    const auto u_fx16 = hn::Sub(half.u_fx16, hn::Set(d, floor_fx16(origin.u_fx32)));
+    const auto v_fx16 = hn::Sub(half.v_fx16, hn::Set(d, floor_fx16(origin.v_fx32)));
+    hn::StoreU(u_fx16, d, anchors->u_fx16 + k);
+    hn::StoreU(v_fx16, d, anchors->v_fx16 + k);
     hn::StoreU(half.turn, df, anchors->turn + k);
     hn::StoreU(half.u_rise, df, anchors->u_rise + k);
     hn::StoreU(half.v_rise, df, anchors->v_rise + k);

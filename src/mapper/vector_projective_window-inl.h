@@ -29,7 +29,9 @@ template <class Pixel, class Fixed, class OneWindow>
   Anchors anchors;
   for (int32_t first = block.first; first < block.end; first += kMostPieces) {
     pieces.put_rows(batch, first, HWY_MIN(block.end - first, kMostPieces), right_by_px);
-    for (int32_t k = 0; k < pieces.count; k += kDoubles) vectors.find(pieces, k, &anchors);
+    for (int32_t k = 0; k < pieces.count; k += kDoubles) {
+      vectors.find(pieces, k, window.origin(), &anchors);
+    }
     for (int32_t k = 0; k < pieces.count; ++k) {
       int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
       Pixel* to = reinterpret_cast<Pixel*>(row) + pieces.left_px[k];
@@ -60,13 +62,15 @@ struct ProjectiveFromWindow {
     // for what its lanes lack alone
     const FixedLanes<Addressed<InsideVector>> fixed(surface.texture, vectors.lack_fx16());
     V32 changed = hn::Zero(D32());
-    for_each_block(spans.batch, kPiece_px, [&](const RowBlock& block) HWY_ATTR {
-      for (int32_t px = 0; px < block.widest_px; px += kPiece_px) {
-        changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
-                                                    surface.target, block, px));
-      }
-      return !any_bits(changed, ~0xFFFF);
-    });
+    for_each_block(spans.batch, kPiece_px, rows_per_block(surface.target.pitch),
+                   [&](const RowBlock& block) HWY_ATTR {
+                     for (int32_t px = 0; px < block.widest_px; px += kPiece_px) {
+                       changed =
+                           hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
+                                                             surface.target, block, px));
+                     }
+                     return !any_bits(changed, ~0xFFFF);
+                   });
     return !any_bits(changed, ~0xFFFF);
   }
 };
