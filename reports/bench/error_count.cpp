@@ -46,11 +46,22 @@ void count_colour(ErrorCount& count, uint32_t expected, uint32_t drawn, uint32_t
   count.largest_level = std::max(count.largest_level, worst_level);
 }
 
+uint64_t count_drawn_in_padding(const Target& target) {
+  ptrdiff_t count = 0;
+  for (int32_t y = 0; y < target.height_px; ++y) {
+    const uint32_t* row = target.row(y);
+    count += std::count_if(row + target.width_px, row + target.pitch_px,
+                           [](uint32_t pixel) { return pixel != kUntouched; });
+  }
+  return static_cast<uint64_t>(count);
+}
+
 }  // namespace
 
 ErrorCount count_errors(const ModelRows& model, const Target& drawn, bool textures,
                         selvage_filter filter, uint32_t carried_bits) {
   ErrorCount count;
+  count.extra_px = count.extra_in_padding_px = count_drawn_in_padding(drawn);
   for (size_t r = 0; r < model.rows_px.size(); ++r) {
     const uint32_t* row = drawn.row(model.rows_px[r]);
     for (size_t x = 0; x < model.pixels[r].size(); ++x) {

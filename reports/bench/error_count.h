@@ -13,6 +13,7 @@ struct ErrorCount {
   uint64_t judged_px = 0;   // pixels of the sampled rows
   uint64_t covered_px = 0;  // of these, covered by the model
   uint64_t missing_px = 0, extra_px = 0;
+  uint64_t extra_in_padding_px = 0;   // of the extra ones; looked for behind every row
   std::optional<uint64_t> double_px;  // drawn by two polygons; nothing where there is only one
 
   uint64_t compared_px = 0;  // that both draw

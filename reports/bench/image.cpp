@@ -18,21 +18,22 @@ uint32_t mixed(uint32_t bits) {
 
 }  // namespace
 
-Target::Target(int32_t width, int32_t height)
+Target::Target(int32_t width, int32_t height, int32_t padding)
     : width_px(width),
       height_px(height),
-      pixels(static_cast<size_t>(width) * static_cast<size_t>(height), kUntouched) {}
+      pitch_px(width + padding),
+      pixels(static_cast<size_t>(pitch_px) * static_cast<size_t>(height), kUntouched) {}
 
 uint32_t* Target::row(int32_t y_px) {
-  return pixels.data() + static_cast<ptrdiff_t>(y_px) * width_px;
+  return pixels.data() + static_cast<ptrdiff_t>(y_px) * pitch_px;
 }
 
 const uint32_t* Target::row(int32_t y_px) const {
-  return pixels.data() + static_cast<ptrdiff_t>(y_px) * width_px;
+  return pixels.data() + static_cast<ptrdiff_t>(y_px) * pitch_px;
 }
 
 selvage_image Target::image() {
-  return {pixels.data(), width_px, height_px, static_cast<ptrdiff_t>(width_px) * kPixelBytes,
+  return {pixels.data(), width_px, height_px, static_cast<ptrdiff_t>(pitch_px) * kPixelBytes,
           SELVAGE_RGBA8888};
 }
 

@@ -8,11 +8,16 @@
 
 namespace selvage::reports {
 
+// One cache line of pixels. A pitch that is a power of two maps a walk down a column onto few cache
+// sets, which would measure the cache and not the mapper.
+inline constexpr int32_t kPadding_px = 16, kMostPadding_px = 1024;
+
 struct Target {
   int32_t width_px = 0, height_px = 0;
-  std::vector<uint32_t> pixels;  // row by row, RGBA8888
+  int32_t pitch_px = 0;          // from row to row: the width and its padding, which nobody draws
+  std::vector<uint32_t> pixels;  // row by row, RGBA8888, the last row padded, too
 
-  Target(int32_t width, int32_t height);
+  Target(int32_t width, int32_t height, int32_t padding = kPadding_px);
   [[nodiscard]] uint32_t* row(int32_t y_px);
   [[nodiscard]] const uint32_t* row(int32_t y_px) const;
   [[nodiscard]] selvage_image image();
@@ -26,8 +31,7 @@ enum class Texels { kPlaces, kNoise };
   return filter == SELVAGE_FILTER_NEAREST ? Texels::kPlaces : Texels::kNoise;
 }
 
-// Square, a power of two a side. Rows are padded by 16 texels: a pitch that is a power of two maps
-// a walk down a column onto few cache sets, which would measure the cache and not the mapper.
+// Square, a power of two a side. Rows are padded by a cache line, as a target's are.
 struct Texture {
   int32_t side_texel = 0;
   int32_t pitch_texel = 0;

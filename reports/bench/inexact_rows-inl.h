@@ -222,7 +222,7 @@ HWY_INLINE void draw_rows(const InexactPolygon& polygon, const Texture& texture,
     const int32_t right = HWY_MIN(HWY_MAX(at_a, at_b), target.width_px);
     if (left < right) {
       auto* const out = reinterpret_cast<int32_t*>(target.pixels.data()) +
-                        ptrdiff_t{row} * target.width_px + left;
+                        ptrdiff_t{row} * target.pitch_px + left;
       spans.draw({row, left, right - left}, texels, out);
     }
     a.x_fx32 += a.step_fx32;

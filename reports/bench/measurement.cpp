@@ -16,11 +16,12 @@ constexpr double kRounding_texel = 1.0 / (1 << 30);
 // Images by their sides: workloads share them. They stay where they are, for drawings point to
 // them.
 struct Images {
-  std::map<int32_t, Target> targets;
-  std::map<std::pair<int32_t, Texels>, Texture> textures;
+  int32_t padding_px;  // of the targets
+  std::map<int32_t, Target> targets{};
+  std::map<std::pair<int32_t, Texels>, Texture> textures{};
 
   Target& target(int32_t side_px) {
-    return targets.try_emplace(side_px, side_px, side_px).first->second;
+    return targets.try_emplace(side_px, side_px, side_px, padding_px).first->second;
   }
   const Texture& texture(const Workload& load) {
     const int32_t side = load.texture_side_texel;
@@ -56,12 +57,13 @@ void demand_right(const Workload& load, const Subject& subject, const ErrorCount
                 std::to_string(errors.largest_coordinate_texel) + " texel at most; "
           : std::to_string(errors.unequal_colours) + " colours differ from the exact model's, by " +
                 std::to_string(errors.largest_level) + " of 255 at most; ";
-  throw WrongAnswer(load.id + ": '" + subject.id + "' is not what it must be, on " +
-                    std::to_string(errors.judged_px) + " pixels judged: " + difference +
-                    std::to_string(errors.missing_px) + " missing, " +
-                    std::to_string(errors.extra_px) + " extra, " +
-                    std::to_string(errors.double_px.value_or(0)) +
-                    " drawn twice. Nothing was timed.");
+  throw WrongAnswer(
+      load.id + ": '" + subject.id + "' is not what it must be, on " +
+      std::to_string(errors.judged_px) + " pixels judged: " + difference +
+      std::to_string(errors.missing_px) + " missing, " + std::to_string(errors.extra_px) +
+      " extra, " + std::to_string(errors.extra_in_padding_px) +
+      " of these in the padding of rows, " + std::to_string(errors.double_px.value_or(0)) +
+      " drawn twice. Nothing was timed.");
 }
 
 // What the cells of one item are judged by.
@@ -142,7 +144,7 @@ std::optional<double> ratio(const Cell* a, const Cell* b) {
 
 std::vector<ItemResult> measure(const Plan& plan, const BenchSettings& settings,
                                 const Progress& progress) {
-  Images images;
+  Images images{settings.padding_px};
   std::vector<ItemResult> results(plan.items.size());
   std::vector<Drawing> drawings;
   uint64_t total = 0, done = 0;

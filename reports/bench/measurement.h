@@ -18,7 +18,8 @@ namespace selvage::reports {
 
 struct BenchSettings {
   uint64_t seed = 1;
-  int32_t rows = 64;  // sampled of each target
+  int32_t rows = 64;                 // sampled of each target
+  int32_t padding_px = kPadding_px;  // of each row of the targets
   TimingOptions timing;
 };
 

@@ -86,7 +86,10 @@ std::string introduction(const json& bench) {
           "of them, or "
           "one with a tolerance by more than that (of nearest: filtered, it is exact too), nothing "
           "would have been timed. All mappers read "
-          "the same RGBA texture, its rows padded by 16 texels, and draw into the same memory. The "
+          "the same RGBA texture, its rows padded by 16 texels, and draw into the same memory; "
+          "behind each of its rows are " +
+          bench.at("padding_px").dump() +
+          " px of padding, where every pixel drawn counts as extra. The "
           "limits are a solid fill of the same pixels, alone or with one load from each cache line "
           "of the texture that they need, and a memcpy of as many "
           "bytes. Where there is a dash, the item's table tells why.");

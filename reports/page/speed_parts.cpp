@@ -44,6 +44,12 @@ std::map<std::string, std::map<std::string, double>> ratios_of(const json& compa
   return ratios;
 }
 
+std::string other_padding(const json& then_px, const json& now_px) {
+  if (then_px == now_px) return {};
+  return " The rows of its targets were padded by " + then_px.dump() + " px, now by " +
+         now_px.dump() + " px, which changes times.";
+}
+
 }  // namespace
 
 bool is_adversarial(const json& bench, const json& work) {
@@ -124,7 +130,8 @@ std::string comparison_part(const json& bench) {
                             escaped(comparison.at("date").get<std::string>()) + ", " +
                             escaped(comparison.at("cpu").get<std::string>()) + ", " +
                             escaped(comparison.at("compiler").get<std::string>()) +
-                            "): below 1 is faster now. On another machine they compare machines.";
+                            "): below 1 is faster now. On another machine they compare machines." +
+                            other_padding(comparison.at("padding_px"), bench.at("padding_px"));
   return element("details", element("summary", "Against the recorded baseline") +
                                 element("p", about) +
                                 element("div", element("table", rows), "class=wide"));

@@ -35,6 +35,7 @@ namespace {
   if (!seconds || *seconds < 0.001 || *seconds > 10)
     throw UserError("--min-time: '" + options.min_time + "' is no time from 0.001 to 10 s");
   settings.timing.min_time_s = *seconds;
+  settings.padding_px = whole_number("--padding", options.padding, 0, reports::kMostPadding_px);
   return settings;
 }
 
@@ -111,7 +112,8 @@ int run_plan(const reports::Plan& plan, const BenchOptions& options, const Conso
     console.err << "selvage: " << error.what() << '\n';
     return kExitLawFailed;
   }
-  if (baseline) report.comparison = compare(report.results, cpu_of(report), std::move(*baseline));
+  const Conditions conditions{cpu_of(report), report.settings.padding_px};
+  if (baseline) report.comparison = compare(report.results, conditions, std::move(*baseline));
   put_out(options, report, console);
   return kExitFine;
 }

@@ -20,6 +20,7 @@ struct BenchOptions {
   std::string rows = "64";
   std::string repetitions = "15";
   std::string min_time = "0.03";
+  std::string padding = "16";
   bool curves = false;
   bool kernels = false;
   bool json = false;

@@ -126,9 +126,10 @@ Baseline parse_baseline(const std::string& source, const std::string& text) {
     try {
       const json document = json::parse(text);
       const json machine = document.at("machine");
-      baseline.cpu = machine.value("cpu", "unknown");
+      baseline.conditions.cpu = machine.value("cpu", "unknown");
       baseline.date = machine.value("date", "unknown");
       baseline.compiler = machine.value("compiler", "unknown");
+      baseline.conditions.padding_px = document.value("padding_px", 0);
       if (document.contains("medians_ns_per_px"))
         read_brief(baseline, document["medians_ns_per_px"]);
       else
@@ -142,10 +143,10 @@ Baseline parse_baseline(const std::string& source, const std::string& text) {
   });
 }
 
-Comparison compare(const std::vector<reports::ItemResult>& results, const std::string& cpu,
+Comparison compare(const std::vector<reports::ItemResult>& results, const Conditions& conditions,
                    Baseline baseline) {
   Comparison comparison;
-  comparison.cpu = cpu;
+  comparison.conditions = conditions;
   for (const reports::ItemResult& result : results) {
     const auto item = baseline.ns.find(result.load->id);
     for (const reports::Cell& cell : result.cells) {
@@ -165,11 +166,16 @@ Comparison compare(const std::vector<reports::ItemResult>& results, const std::s
 
 std::string comparison_table(const Comparison& comparison) {
   const Baseline& then = comparison.baseline;
+  const Conditions& now = comparison.conditions;
   std::string text = wrapped("Against " + then.source + " (" + then.date + ", " + then.compiler +
                              "): time now / time then; below 1 is faster.");
-  if (then.cpu != comparison.cpu)
-    text += wrapped("It was measured on another machine: " + then.cpu + "; this one is " +
-                    comparison.cpu + ".");
+  if (then.conditions.cpu != now.cpu)
+    text += wrapped("It was measured on another machine: " + then.conditions.cpu +
+                    "; this one is " + now.cpu + ".");
+  if (then.conditions.padding_px != now.padding_px)
+    text += wrapped("It was measured on targets whose rows were padded by " +
+                    std::to_string(then.conditions.padding_px) + " px, this run by " +
+                    std::to_string(now.padding_px) + " px, which changes times.");
   if (comparison.only_now > 0)
     text +=
         std::to_string(comparison.only_now) + " measurements are new: it has no time of them.\n";

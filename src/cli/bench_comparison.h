@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <vector>
@@ -10,9 +11,16 @@
 
 namespace selvage::cli {
 
+// What times depend on beside the subjects.
+struct Conditions {
+  std::string cpu;         // "unknown" where a baseline does not say
+  int32_t padding_px = 0;  // of the targets' rows; without any where it does not say
+};
+
 struct Baseline {
-  std::string source;                                       // the file
-  std::string cpu, date, compiler;                          // "unknown" where it does not say
+  std::string source;          // the file
+  std::string date, compiler;  // "unknown" where it does not say
+  Conditions conditions;
   std::map<std::string, std::map<std::string, double>> ns;  // by item and subject: the medians
 };
 
@@ -27,13 +35,13 @@ struct ComparedTime {
 
 struct Comparison {
   Baseline baseline;
-  std::string cpu;                  // of this run
+  Conditions conditions;            // of this run
   std::vector<ComparedTime> times;  // what both have, in the order of this run
   size_t only_now = 0;              // measured here, absent from the baseline
 };
 
 [[nodiscard]] Comparison compare(const std::vector<reports::ItemResult>& results,
-                                 const std::string& cpu, Baseline baseline);
+                                 const Conditions& conditions, Baseline baseline);
 
 // A row a subject, a column an item, the ratios now / baseline; at most 100 columns.
 [[nodiscard]] std::string comparison_table(const Comparison& comparison);

@@ -33,6 +33,7 @@ void add_errors(ordered_json& values, const std::optional<ErrorCount>& judged, b
   add("unequal_colours", colours, errors.unequal_colours);
   add("missing_px", any, errors.missing_px);
   add("extra_px", any, errors.extra_px);
+  add("extra_in_padding_px", any, errors.extra_in_padding_px);
   add("double_px", any, maybe(errors.double_px));
   add("largest_texel", texels, errors.largest_texel);
   add("mean_texel", texels, errors.mean_texel());
@@ -120,7 +121,8 @@ void add_errors(ordered_json& values, const std::optional<ErrorCount>& judged, b
   }
   return {{"baseline", comparison.baseline.source},
           {"date", comparison.baseline.date},
-          {"cpu", comparison.baseline.cpu},
+          {"cpu", comparison.baseline.conditions.cpu},
+          {"padding_px", comparison.baseline.conditions.padding_px},
           {"compiler", comparison.baseline.compiler},
           {"new", comparison.only_now},
           {"times", std::move(times)}};
@@ -133,7 +135,8 @@ void add_errors(ordered_json& values, const std::optional<ErrorCount>& judged, b
           {"seed", report.settings.seed},
           {"rows", report.settings.rows},
           {"repetitions", report.settings.timing.repetitions},
-          {"min_time_s", report.settings.timing.min_time_s}};
+          {"min_time_s", report.settings.timing.min_time_s},
+          {"padding_px", report.settings.padding_px}};
 }
 
 [[nodiscard]] std::string text_of(const ordered_json& values) {

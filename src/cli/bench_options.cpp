@@ -12,6 +12,7 @@ constexpr const char* kFooter = R"(Examples:
   selvage bench --filter '^W[1-6]/'             the work items, without the adversarial ones
   selvage bench --filter '/(exact|fill)$'       two subjects on everything
   selvage bench --kernels --filter '/(kernel|exact$)'    kernel against kernel
+  selvage bench --padding 0 --filter '^W3/'     a mesh on rows at a pitch of 4096 bytes
   selvage bench --compare reports/baseline.json
   selvage bench --curves --json --output bench.json
   selvage bench --brief --output reports/baseline.json    records that baseline
@@ -49,6 +50,12 @@ CLI::App* add_bench(CLI::App& program, BenchOptions& options) {
       ->capture_default_str();
   bench->add_option("--min-time", options.min_time, "Seconds of one timing")
       ->type_name("T")
+      ->capture_default_str();
+  bench
+      ->add_option("--padding", options.padding,
+                   "Pixels behind each row of the targets; with 0, rows of 1024 px are 4096 bytes "
+                   "apart, so that a column shares one set of the first cache and stores cost more")
+      ->type_name("PX")
       ->capture_default_str();
   bench->add_flag(
       "--curves", options.curves,

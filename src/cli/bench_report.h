@@ -33,12 +33,12 @@ int run_plan(const reports::Plan& plan, const BenchOptions& options, const Conso
 // The items and the subjects of a plan, with their descriptions.
 [[nodiscard]] std::string bench_list(const reports::Plan& plan);
 
-// { machine, seed, rows, repetitions, min_time_s, fastest_kernels, filter, subjects, workloads,
-// curves, unavailable, build_information, comparison }; what was not measured is null.
+// { machine, seed, rows, repetitions, min_time_s, padding_px, fastest_kernels, filter, subjects,
+// workloads, curves, unavailable, build_information, comparison }; what was not measured is null.
 [[nodiscard]] std::string bench_json(const BenchReport& report);
 
-// { machine, seed, rows, repetitions, min_time_s, medians_ns_per_px: { item: { subject: ns } } },
-// without the curves.
+// { machine, seed, rows, repetitions, min_time_s, padding_px,
+// medians_ns_per_px: { item: { subject: ns } } }, without the curves.
 [[nodiscard]] std::string bench_brief_json(const BenchReport& report);
 
 }  // namespace selvage::cli

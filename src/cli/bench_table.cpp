@@ -148,6 +148,11 @@ constexpr const char* kNotes =
     "the mean distance of a texel from the right one in whole texels. abrash56, abrash57 and dkit "
     "draw the item with its vertices rounded to whole pixels, and their errors include that.";
 
+[[nodiscard]] std::string padding_note(int32_t padding_px) {
+  return wrapped("Behind each row of a target: " + std::to_string(padding_px) +
+                 " px of padding (--padding); what is drawn there counts as extra.");
+}
+
 }  // namespace
 
 std::string bench_table(const BenchReport& report) {
@@ -157,7 +162,7 @@ std::string bench_table(const BenchReport& report) {
   text += adversarial(report);
   for (const reports::PlannedCurve& planned : report.plan->curves)
     text += curve_block(report, planned);
-  text += wrapped(kNotes) + kernel_notes(report);
+  text += wrapped(kNotes) + padding_note(report.settings.padding_px) + kernel_notes(report);
   for (const std::string& sentence : report.plan->unavailable)
     text += wrapped("Not there: " + sentence + ".", 2);
   return text;

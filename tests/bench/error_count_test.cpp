@@ -47,6 +47,24 @@ TEST(ErrorCount, AnUntouchedPixelIsMissingInAnyBits) {
   EXPECT_EQ(judge(kUntouched, 0xFFFFFFFF).missing_px, 1u);
 }
 
+TEST(ErrorCount, APixelInThePaddingIsExtraBehindAnyRow) {
+  constexpr int32_t width_px = 3, height_px = 4, padding_px = 5;
+  ModelRows model;
+  model.rows_px = {2};
+  model.pixels = {std::vector<ModelPixel>(width_px)};
+  for (int32_t y = 0; y < height_px; ++y) {
+    for (int32_t x = width_px; x < width_px + padding_px; ++x) {
+      Target target(width_px, height_px, padding_px);
+      target.row(y)[x] = place_of(1, 1);
+      const ErrorCount errors = count_errors(model, target, true, SELVAGE_FILTER_NEAREST);
+      EXPECT_EQ(errors.extra_in_padding_px, 1u) << x << ", " << y;
+      EXPECT_EQ(errors.extra_px, 1u);
+      EXPECT_EQ(errors.total(), 1u);
+      EXPECT_EQ(errors.judged_px, 3u);
+    }
+  }
+}
+
 // One filtered pixel of the colour 0xFF203040.
 ErrorCount judge_filtered(uint32_t drawn, uint32_t carried_bits = 0xFFFFFFFF) {
   ModelRows model;

@@ -36,6 +36,7 @@ TEST(Peers, DrawTheWorkItemsWhereTheyAre) {
       SCOPED_TRACE(load.id + " " + subject.id);
       const ErrorCount errors = judge(subject, load, model);
       ASSERT_GT(errors.covered_px, 0u);
+      EXPECT_EQ(errors.extra_in_padding_px, 0u);
       EXPECT_LE((errors.missing_px + errors.extra_px) * 100, errors.covered_px);
       EXPECT_LE(errors.mean_texel(), 1.5);
       EXPECT_LE(errors.largest_texel, 4);

@@ -47,6 +47,7 @@ TEST_F(Bench, ReportsInJson) {
   EXPECT_EQ(values["rows"], 2);
   EXPECT_EQ(values["repetitions"], 3);
   EXPECT_EQ(values["min_time_s"], 0.001);
+  EXPECT_EQ(values["padding_px"], reports::kPadding_px);
   EXPECT_EQ(values["filter"], options_.filter);
   EXPECT_EQ(values["comparison"], nullptr);
   EXPECT_EQ(values["curves"].size(), 0u);
@@ -61,7 +62,8 @@ TEST_F(Bench, ReportsInJson) {
   const nlohmann::json& exact = work["results"][0];
   EXPECT_EQ(exact["id"], "exact");
   EXPECT_EQ(exact["ratio_to_exact"], 1.0);
-  for (const char* key : {"wrong_texels", "missing_px", "extra_px", "largest_texel", "mean_texel"})
+  for (const char* key : {"wrong_texels", "missing_px", "extra_px", "extra_in_padding_px",
+                          "largest_texel", "mean_texel"})
     EXPECT_EQ(exact[key], 0) << key;
   EXPECT_EQ(exact["double_px"], nullptr) << "one polygon";
   EXPECT_EQ(exact["judged_px"], 2048);
@@ -118,6 +120,37 @@ TEST_F(Bench, WritesAFileBesideItsTables) {
   EXPECT_EQ(nlohmann::json::parse(get("bench.json"))["workloads"][0]["id"], "W1");
 }
 
+// Tells the pitch that it drew at.
+[[nodiscard]] reports::Subject pitch_subject(ptrdiff_t& pitch) {
+  reports::Subject subject = box_subject("mine", 0, 0);
+  subject.prepare = [&pitch, draw = subject.prepare](const reports::Workload& load,
+                                                     const reports::Texture& texture,
+                                                     reports::Target& target) {
+    pitch = target.image().pitch;
+    return draw(load, texture, target);
+  };
+  return subject;
+}
+
+TEST_F(Bench, PadsTheRowsOfTargetsAsToldAndSaysSo) {
+  ptrdiff_t pitch = 0;
+  const auto plan =
+      reports::test::plan_of(small_workload({rectangle(2, 3, 10, 12)}), {pitch_subject(pitch)});
+  EXPECT_EQ(run(plan), kExitFine);
+  EXPECT_EQ(pitch, (32 + 16) * 4);
+  expect_contains(out(), "Behind each row of a target: 16 px of padding (--padding);");
+  for (const int32_t padding_px : {0, 1, 1024}) {
+    options_.padding = std::to_string(padding_px);
+    for (const bool brief : {false, true}) {
+      options_.json = true;
+      options_.brief = brief;
+      EXPECT_EQ(run(plan), kExitFine);
+      EXPECT_EQ(pitch, (32 + padding_px) * 4);
+      EXPECT_EQ(json()["padding_px"], padding_px);
+    }
+  }
+}
+
 TEST_F(Bench, ExitsWithOneWhereAReferenceErrs) {
   reports::Subject wrong = box_subject("mine", 0, 1);
   wrong.reference = true;
@@ -150,6 +183,12 @@ TEST_F(Bench, RefusesWrongUse) {
                   "--rows: '0' is no number from 1 to 4096");
   expect_contains(refused([](BenchOptions& o) { o.repetitions = "2"; }),
                   "--repetitions: '2' is no number from 3 to 1000");
+  for (const char* padding : {"-1", "1025", "a line", ""})
+    expect_contains(refused([&](BenchOptions& o) {
+                      o.padding = padding;
+                      o.list = true;  // nothing is measured, were it taken
+                    }),
+                    std::string("--padding: '") + padding + "' is no number from 0 to 1024");
   for (const char* time : {"0", "11", "long", "nan"})
     expect_contains(refused([&](BenchOptions& o) { o.min_time = time; }),
                     std::string("--min-time: '") + time + "' is no time from 0.001 to 10 s");
@@ -174,18 +213,20 @@ TEST_F(Bench, CountsToATerminalOnly) {
 TEST_F(Bench, IsACommandWithHelp) {
   std::ostringstream text, errors;
   EXPECT_EQ(run_program({"bench", "--help"}, spec::built_in(), {text, errors}), kExitFine);
-  for (const char* part : {"Examples:", "Exit codes:", "--filter", "--compare", "--curves"})
+  for (const char* part :
+       {"Examples:", "Exit codes:", "--filter", "--compare", "--curves", "--padding"})
     expect_contains(text.str(), part);
 }
 
 TEST_F(Bench, RunsFromTheCommandLine) {
   std::ostringstream text, errors;
   EXPECT_EQ(run_program({"bench", "--filter", "^W1/fill$", "--rows", "2", "--repetitions", "3",
-                         "--min-time", "0.001", "--brief", "--json"},
+                         "--min-time", "0.001", "--padding", "0", "--brief", "--json"},
                         spec::built_in(), {text, errors}),
             kExitFine);
   const auto values = nlohmann::json::parse(text.str());
   EXPECT_TRUE(values["medians_ns_per_px"]["W1"]["fill"].is_number());
+  EXPECT_EQ(values["padding_px"], 0);
   EXPECT_EQ(values.count("workloads"), 0u);
 }
 

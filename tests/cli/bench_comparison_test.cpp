@@ -19,12 +19,14 @@ TEST_F(Bench, ComparesWithWhatItWroteWholeOrBrief) {
     expect_contains(out(), "time now / time then; below 1 is faster.");
     expect_contains(out(), "Geometric mean of all items:");
     EXPECT_EQ(out().find("another machine"), std::string::npos);
+    EXPECT_EQ(out().find("were padded by"), std::string::npos);
     options_.brief = false;
     options_.json = true;
     ASSERT_EQ(run(), kExitFine);
     const nlohmann::json comparison = json()["comparison"];
     EXPECT_EQ(comparison["baseline"], "before.json");
     EXPECT_EQ(comparison["new"], 0);
+    EXPECT_EQ(comparison["padding_px"], reports::kPadding_px);
     ASSERT_EQ(comparison["times"].size(), 4u);
     const nlohmann::json& time = comparison["times"][0];
     EXPECT_EQ(time["item"], "W1");
@@ -43,6 +45,33 @@ TEST_F(Bench, TellsWhatTheBaselineLacks) {
   expect_contains(out(), "It has no time of what was measured here.");
 }
 
+TEST_F(Bench, TellsOfABaselineWhoseTargetsWerePaddedOtherwise) {
+  options_.filter = "^W1/fill$";
+  options_.compare = "other.json";
+  const std::string told = "It was measured on targets whose rows were padded by ";
+  put("other.json",
+      R"({"machine": {}, "padding_px": 4, "medians_ns_per_px": {"W1": {"fill": 1}}})");
+  EXPECT_EQ(run(), kExitFine);
+  expect_contains(out(), told + "4 px, this run by 16 px, which changes times.");
+  options_.padding = "4";
+  EXPECT_EQ(run(), kExitFine);
+  EXPECT_EQ(out().find(told), std::string::npos);
+}
+
+TEST_F(Bench, TakesABaselineThatSaysNothingOfPaddingAsOneWithout) {
+  put("old.json", R"({"machine": {}, "medians_ns_per_px": {"W1": {"fill": 1}}})");
+  options_.filter = "^W1/fill$";
+  options_.compare = "old.json";
+  EXPECT_EQ(run(), kExitFine);
+  expect_contains(out(), "rows were padded by 0 px, this run by 16 px");
+  options_.padding = "0";
+  EXPECT_EQ(run(), kExitFine);
+  EXPECT_EQ(out().find("were padded by"), std::string::npos);
+  options_.json = true;
+  EXPECT_EQ(run(), kExitFine);
+  EXPECT_EQ(json()["comparison"]["padding_px"], 0);
+}
+
 TEST_F(Bench, ReadsTheRatiosOfAKnownBaseline) {
   const Baseline baseline = parse_baseline("b", R"({"machine": {"cpu": "c", "date": "d"},
       "workloads": [{"id": "W1", "results": [{"id": "exact", "ns_per_px": {"median": 2.5}},
@@ -53,7 +82,7 @@ TEST_F(Bench, ReadsTheRatiosOfAKnownBaseline) {
   EXPECT_EQ(baseline.ns.at("W1").count("dkit"), 0u);
   EXPECT_EQ(baseline.ns.at("scale=2").at("fill"), 0.5);
   EXPECT_EQ(baseline.compiler, "unknown");
-  Comparison comparison{baseline, "c", {{"W1", "exact", 5, 2.5}}, 0};
+  Comparison comparison{baseline, {"c", 0}, {{"W1", "exact", 5, 2.5}}, 0};
   const std::string table = comparison_table(comparison);
   expect_contains(table, "\nexact               2.00\n");
   expect_contains(table, "\n  exact 2.00\n");
@@ -68,6 +97,8 @@ TEST_F(Bench, RefusesWhatIsNoBaseline) {
   expect_contains(refused("{"), "b.json: not JSON: ");
   expect_contains(refused("[]"), "b.json: not the JSON of `selvage bench`: ");
   expect_contains(refused(R"({"machine": {}})"), "b.json: not the JSON of `selvage bench`: ");
+  expect_contains(refused(R"({"machine": {}, "padding_px": "some", "medians_ns_per_px": {}})"),
+                  "b.json: not the JSON of `selvage bench`: ");
   expect_contains(refused(R"({"machine": {}, "medians_ns_per_px": {"W1": {"exact": "fast"}}})"),
                   "b.json: the median of W1/exact is no time in ns");
   expect_contains(refused(R"({"machine": {}, "medians_ns_per_px": {"W1": {"exact": 0}}})"),
