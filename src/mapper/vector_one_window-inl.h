@@ -46,15 +46,17 @@ struct RowBlock {
   return {first, end, hn::GetLane(hn::MaxOfLanes(d, widest))};
 }
 
-// How many rows to draw at once; at least 16, for blocks cost something too. A cache's sets are
-// told by addresses modulo 4096 bytes or more, and hold 8 lines or more: 32 KB are the least of
-// today.
+// A block costs something by itself.
+inline constexpr int32_t kLeastBlockRows = 16;
+
+// As many rows as the cache has room for. Its sets are told by addresses modulo 4096 bytes or more,
+// and hold 8 lines or more: 32 KB are the least of today.
 [[nodiscard]] HWY_INLINE int32_t rows_per_block(ptrdiff_t pitch_bytes) {
   constexpr uint64_t kSets_bytes = 4096;
-  constexpr int32_t kWays = 8, kLeast = 2 * kWays;
+  constexpr int32_t kWays = 8;
   const int apart_bits = std::countr_zero(static_cast<uint64_t>(pitch_bytes) | kSets_bytes);
   const auto rows_apart = static_cast<int32_t>(kSets_bytes >> apart_bits);
-  return HWY_MIN(HWY_MAX(kWays * rows_apart, kLeast), kRowsPerBatch);
+  return HWY_MIN(HWY_MAX(kWays * rows_apart, kLeastBlockRows), kRowsPerBatch);
 }
 
 // All rows are one block where they are one strip. Ends where draw(block) returns false.

@@ -62,15 +62,15 @@ struct ProjectiveFromWindow {
     // for what its lanes lack alone
     const FixedLanes<Addressed<InsideVector>> fixed(surface.texture, vectors.lack_fx16());
     V32 changed = hn::Zero(D32());
-    for_each_block(spans.batch, kPiece_px, rows_per_block(surface.target.pitch),
-                   [&](const RowBlock& block) HWY_ATTR {
-                     for (int32_t px = 0; px < block.widest_px; px += kPiece_px) {
-                       changed =
-                           hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
-                                                             surface.target, block, px));
-                     }
-                     return !any_bits(changed, ~0xFFFF);
-                   });
+    const auto draw_block = [&](const RowBlock& block) HWY_ATTR {
+      for (int32_t px = 0; px < block.widest_px; px += kPiece_px) {
+        changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
+                                                    surface.target, block, px));
+      }
+      return !any_bits(changed, ~0xFFFF);
+    };
+    // few rows at once, for behind a near-tie all were drawn in vain
+    for_each_block(spans.batch, kPiece_px, kLeastBlockRows, draw_block);
     return !any_bits(changed, ~0xFFFF);
   }
 };
