@@ -127,7 +127,7 @@ class FixedLanes {
   }
 
   template <class Ties>
-  HWY_NOINLINE TexelVectors decided(Ties& ties, int32_t first, const LaneVectors& lanes) const {
+  HWY_INLINE TexelVectors decided(Ties& ties, int32_t first, const LaneVectors& lanes) const {
     TexelVectors texels{texel_of(lanes.u), texel_of(lanes.v)};
     ties.decide(first, {near(lanes.u), near(lanes.v)}, &texels.s, &texels.t);
     return texels;
