@@ -84,6 +84,7 @@ struct StripVectors {
 
   // Those of the rows of a block that have pixels, and maybe some between that have none.
   [[nodiscard]] HWY_INLINE RowBlock with_pixels(const RowBlock& block) const {
+    static_assert(kLeastBlockRows % kLanes == 0 && kRowsPerBatch % kLanes == 0);
     uint64_t rows = 0;
     for (int32_t row = block.first; row < block.end; row += kLanes) {
       const V32 count = hn::LoadU(D32(), count_px + row);

@@ -49,8 +49,8 @@ struct RowBlock {
 // A block costs something by itself.
 inline constexpr int32_t kLeastBlockRows = 16;
 
-// As many rows as the cache has room for. Its sets are told by addresses modulo 4096 bytes or more,
-// and hold 8 lines or more: 32 KB are the least of today.
+// As many rows as the cache has room for, a multiple of the least. Its sets are told by addresses
+// modulo 4096 bytes or more, and hold 8 lines or more: 32 KB are the least of today.
 [[nodiscard]] HWY_INLINE int32_t rows_per_block(ptrdiff_t pitch_bytes) {
   constexpr uint64_t kSets_bytes = 4096;
   constexpr int32_t kWays = 8;
