@@ -4,10 +4,10 @@
 #include "draw_call.h"
 #include "historic/classroom.h"
 #include "historic/two_stage.h"
-#include "historic/whole_px.h"
 #include "mapper/draw.h"
 #include "mapper/image.h"
 #include "mapper/kernel.h"
+#include "mapper/kernel_choice.h"
 #include "mapper/polygon.h"
 
 namespace selvage {
@@ -51,27 +51,21 @@ selvage_status check_source(const selvage_options& options, const selvage_image&
              : SELVAGE_OK;
 }
 
-selvage_status check_outline(const selvage_options& options,
-                             std::span<const selvage_vertex> vertices, mapper::Polygon* polygon) {
-  const selvage_status status = mapper::examine(vertices, polygon);
-  if (status != SELVAGE_OK || options.profile == SELVAGE_PROFILE_EXACT) return status;
-  return historic::check_whole_px(*polygon);
-}
-
-void draw_checked(const selvage_image& target, const selvage_rect& visible,
-                  const mapper::Polygon& polygon, const selvage_texture& texture,
-                  const selvage_options& options) {
+void draw_checked(const mapper::Surface& surface, const selvage_rect& visible,
+                  const mapper::Polygon& polygon, const selvage_options& options,
+                  const mapper::Kernels& kernels) {
+  const auto& [target, texture, address] = surface;
   switch (options.profile) {
     case SELVAGE_PROFILE_ABRASH56:
-      return historic::draw_two_stage(target, visible, polygon, texture, options.address,
+      return historic::draw_two_stage(target, visible, polygon, texture, address,
                                       historic::Prestep::kNone);
     case SELVAGE_PROFILE_ABRASH57:
-      return historic::draw_two_stage(target, visible, polygon, texture, options.address,
+      return historic::draw_two_stage(target, visible, polygon, texture, address,
                                       historic::Prestep::kHalf);
     case SELVAGE_PROFILE_DKIT:
-      return historic::draw_classroom(target, visible, polygon, texture, options.address);
+      return historic::draw_classroom(target, visible, polygon, texture, address);
     default:
-      return mapper::draw({target, texture, options.address}, visible, polygon, options);
+      return mapper::draw(surface, visible, polygon, options, kernels);
   }
 }
 
@@ -103,9 +97,9 @@ selvage_status selvage_draw(const selvage_image* target, const selvage_rect* cli
   if (status != SELVAGE_OK) return status;
 
   // By value: descriptors that lie inside the target must not change while it is drawn on.
-  const selvage_image image = *target;
-  const selvage_texture texels = *texture;
-  draw_checked(image, mapper::visible_rect(image, clip), polygon, texels, chosen);
+  const mapper::Surface surface{*target, *texture, chosen.address};
+  draw_checked(surface, mapper::visible_rect(surface.target, clip), polygon, chosen,
+               mapper::kernels_for(chosen, surface.texture, polygon));
   return SELVAGE_OK;
 }
 

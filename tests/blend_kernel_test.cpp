@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "mapper/kernel.h"
+#include "mapper/kernel_choice.h"
 #include "mapper/layout.h"
 
 namespace selvage::mapper {

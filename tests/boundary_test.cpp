@@ -69,7 +69,7 @@ TEST(Boundary, HasPixelsOnTheSideThatItSays) {
     if (rows.empty()) continue;
     const selvage_rect visible{-2, 0, c.target_width_px + 2, c.target_height_px};
     if (polygon.affine) {
-      const auto plane = Plane::of(polygon, visible);
+      const auto plane = Plane::of(polygon, part_of(polygon, visible));
       if (plane) check_rows(ExactMap(*plane), rows, random, &seen);
     } else if (const auto plane = ProjectivePlane::of(polygon, visible)) {
       check_rows(ExactMap(*plane), rows, random, &seen);

@@ -42,7 +42,7 @@ using spec::Case;
   EXPECT_EQ(examine(c.vertices, &polygon), SELVAGE_OK);
   if (!lanes_fit(polygon)) return false;
   const selvage_rect visible{0, 0, c.target_width_px, c.target_height_px};
-  return polygon.affine ? Plane::of(polygon, visible).has_value()
+  return polygon.affine ? Plane::of(polygon, part_of(polygon, visible)).has_value()
                         : ProjectivePlane::of(polygon, visible).has_value();
 }
 

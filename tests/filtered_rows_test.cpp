@@ -5,7 +5,7 @@
 #include <array>
 #include <tuple>
 
-#include "mapper/kernel.h"
+#include "mapper/kernel_choice.h"
 #include "spec/picture.h"
 
 namespace selvage {

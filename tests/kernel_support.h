@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mapper/kernel.h"
+#include "mapper/kernel_choice.h"
 #include "mapper/vector_kernel.h"
 #include "spec/canvas.h"
 #include "spec/case.h"

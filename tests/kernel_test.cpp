@@ -1,4 +1,5 @@
 #include "mapper/kernel.h"
+#include "mapper/kernel_choice.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +44,7 @@ template <class Pixel>
                         address};
   const SpanMap map = one_to_one(first_texel);
   const Span span{0, 1, 5};
-  const Kernels& kernels = kernels_for(nearest_by(kernel), surface, {});
+  const Kernels& kernels = kernels_for(nearest_by(kernel), surface.texture, {});
   if (affine) {
     const AffineField lanes = AffineLanes(map, span).field(span);
     kernels.draw_affine({one_span(span), lanes, kFarApart, ExactMap(map)}, surface);
@@ -160,16 +161,16 @@ TEST(Kernel, AddressesATextureOfAnyPitch) {
   for (const ptrdiff_t pitch : {ptrdiff_t{1} << 30, -(ptrdiff_t{1} << 30), -(ptrdiff_t{1} << 40)}) {
     const Surface tall{
         far.target, {texels.data(), 3, 3, pitch, SELVAGE_INDEX8, 0, nullptr}, far.address};
-    EXPECT_EQ(&kernels_for(nearest_by(SELVAGE_KERNEL_FASTEST), tall, {}), scalar) << pitch;
+    EXPECT_EQ(&kernels_for(nearest_by(SELVAGE_KERNEL_FASTEST), tall.texture, {}), scalar) << pitch;
   }
   Polygon at_the_end;
   at_the_end.texels.least_v_fx16 = INT32_MIN + 65535;
-  EXPECT_EQ(&kernels_for(nearest_by(SELVAGE_KERNEL_FASTEST), far, {}), scalar);
+  EXPECT_EQ(&kernels_for(nearest_by(SELVAGE_KERNEL_FASTEST), far.texture, {}), scalar);
   for (const selvage_kernel kernel : usable_kernels()) {
-    EXPECT_EQ(&kernels_for(nearest_by(kernel), far, {}), scalar);
-    EXPECT_EQ(&kernels_for(nearest_by(kernel), near, {}) == scalar,
+    EXPECT_EQ(&kernels_for(nearest_by(kernel), far.texture, {}), scalar);
+    EXPECT_EQ(&kernels_for(nearest_by(kernel), near.texture, {}) == scalar,
               kernel == SELVAGE_KERNEL_SCALAR);
-    EXPECT_EQ(&kernels_for(nearest_by(kernel), near, at_the_end), scalar);
+    EXPECT_EQ(&kernels_for(nearest_by(kernel), near.texture, at_the_end), scalar);
   }
 }
 
@@ -192,11 +193,51 @@ TEST(Kernel, IsTheOneAskedForOrThePreferredOne) {
       const KernelOrder& order = kernel_order(filter, work_of(polygon, 0));
       const auto first = std::ranges::find_if(order, is_usable);
       ASSERT_NE(first, order.end());
-      EXPECT_EQ(&kernels_for(options, surface, polygon), by(*first, filter));
+      EXPECT_EQ(&kernels_for(options, surface.texture, polygon), by(*first, filter));
     }
     for (const selvage_kernel kernel : usable_kernels()) {
       options.kernel = kernel;
-      EXPECT_EQ(&kernels_for(options, surface, {}), by(kernel, filter)) << kernel;
+      EXPECT_EQ(&kernels_for(options, surface.texture, {}), by(kernel, filter)) << kernel;
+    }
+  }
+}
+
+// Of every work, and what does not fit vectors.
+[[nodiscard]] std::vector<Polygon> polygons_of_every_work() {
+  std::vector<Polygon> polygons;
+  for (const bool affine : {false, true}) {
+    for (const int32_t width_px : {kNarrow_px, kNarrow_px + 1}) {
+      for (const int32_t least_fx16 : {0, INT32_MIN + 65535}) {
+        Polygon polygon;
+        polygon.affine = affine;
+        polygon.right_px = width_px;
+        polygon.texels.least_v_fx16 = least_fx16;
+        polygons.push_back(polygon);
+      }
+    }
+  }
+  return polygons;
+}
+
+TEST(Kernel, IsTheSameChosenForAllPolygonsOfATextureAsForEach) {
+  const std::vector<uint32_t> texels = {10, 11, 12};
+  const std::vector<Polygon> polygons = polygons_of_every_work();
+  std::vector<selvage_kernel> kernels = usable_kernels();
+  kernels.push_back(SELVAGE_KERNEL_FASTEST);
+  for (const ptrdiff_t pitch : {ptrdiff_t{12}, ptrdiff_t{1} << 40}) {
+    const selvage_texture texture{texels.data(), 3, 1, pitch, SELVAGE_RGBA8888, 0, nullptr};
+    for (const selvage_filter filter : {SELVAGE_FILTER_NEAREST, SELVAGE_FILTER_AREA}) {
+      for (const selvage_kernel kernel : kernels) {
+        for (const int32_t tolerance : {0, 1}) {
+          selvage_options options = nearest_by(kernel);
+          options.filter = filter;
+          options.tolerance = tolerance;
+          const KernelChoice choice(options, texture);
+          for (const Polygon& polygon : polygons) {
+            EXPECT_EQ(&choice.of(polygon), &kernels_for(options, texture, polygon));
+          }
+        }
+      }
     }
   }
 }

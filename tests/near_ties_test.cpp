@@ -8,6 +8,7 @@
 
 #include "mapper/gentle_pieces.h"
 #include "mapper/kernel.h"
+#include "mapper/kernel_choice.h"
 #include "spec/canvas.h"
 #include "spec/random.h"
 #include "tests/span_support.h"
@@ -178,7 +179,8 @@ void expect_alike_over_a_steep_span(int32_t least_q) {
           {row.data(), kWidth_px, 1, kWidth_px * 4, SELVAGE_RGBA8888},
           {texels.data(), 64, 64, 64 * 4, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr},
           SELVAGE_ADDRESS_WRAP};
-      kernels_for({SELVAGE_PROFILE_EXACT, filter, SELVAGE_ADDRESS_WRAP, 0, kernel}, surface, {})
+      kernels_for({SELVAGE_PROFILE_EXACT, filter, SELVAGE_ADDRESS_WRAP, 0, kernel}, surface.texture,
+                  {})
           .draw_projective({one_span(whole), lanes.field(whole), kFarApart, ExactMap(map)},
                            surface);
       EXPECT_EQ(row, rows.front()) << "kernel " << kernel << ", least q " << least_q;

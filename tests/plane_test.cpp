@@ -25,7 +25,7 @@ using spec::Rational;
                                             const selvage_rect& visible = {0, 0, 4096, 4096}) {
   Polygon polygon;
   EXPECT_EQ(examine(vertices, &polygon), SELVAGE_OK);
-  return Plane::of(polygon, visible);
+  return Plane::of(polygon, part_of(polygon, visible));
 }
 
 // The law of the filter, and the exact decision, at one pixel.
@@ -55,7 +55,7 @@ TEST(Plane, LanesAreLowByLessThanTheirMargin) {
     const selvage_rect visible{-2, 0, c.target_width_px + 2, c.target_height_px};
     Polygon polygon;
     if (examine(c.vertices, &polygon) != SELVAGE_OK) continue;
-    const std::optional<Plane> plane = Plane::of(polygon, visible);
+    const std::optional<Plane> plane = Plane::of(polygon, part_of(polygon, visible));
     bool covers = false;
     for_each_span(c, [&](const spec::Case&, const Polygon&, const SpanMap&, const Span& span) {
       covers = true;
@@ -194,7 +194,8 @@ TEST(Plane, MarginHasAUnitForTheStartAndForEachStep) {
                                                FindLanes find_lanes) {
   Polygon polygon;
   if (examine(triangle, &polygon) != SELVAGE_OK) return std::nullopt;
-  const auto plane = Plane::of(polygon, {-32768, -32768, 32768, 32768}, find_lanes);
+  const selvage_rect everywhere{-32768, -32768, 32768, 32768};
+  const auto plane = Plane::of(polygon, part_of(polygon, everywhere), find_lanes);
   if (!plane) return std::nullopt;
   const PlaneFrame frame = PlaneFrame::of(triangle);
   const selvage_vertex& origin = frame.origin();

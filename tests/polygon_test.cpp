@@ -155,5 +155,26 @@ TEST(Polygon, AgreesWithTheSpecificationOnWhatIsMonotone) {
   EXPECT_GT(refused, 100);
 }
 
+// Half-open: of equal ends there is nothing between.
+TEST(Polygon, HasAPartThatIsVisibleOrNone) {
+  Polygon polygon;
+  polygon.left_px = 2, polygon.top_row = 3, polygon.right_px = 7, polygon.bottom_row = 9;
+  const auto expect_part = [&](const selvage_rect& visible, const selvage_rect& want) {
+    const selvage_rect part = part_of(polygon, visible);
+    EXPECT_EQ(part.left, want.left);
+    EXPECT_EQ(part.top, want.top);
+    EXPECT_EQ(part.right, want.right);
+    EXPECT_EQ(part.bottom, want.bottom);
+    return is_empty(part);
+  };
+  EXPECT_FALSE(expect_part({0, 0, 20, 20}, {2, 3, 7, 9}));
+  EXPECT_FALSE(expect_part({3, 4, 5, 6}, {3, 4, 5, 6}));
+  EXPECT_FALSE(expect_part({6, 8, 20, 20}, {6, 8, 7, 9}));
+  EXPECT_TRUE(expect_part({7, 0, 20, 20}, {7, 3, 7, 9}));
+  EXPECT_TRUE(expect_part({0, 0, 1, 20}, {2, 3, 1, 9}));
+  EXPECT_TRUE(expect_part({0, 9, 20, 20}, {2, 9, 7, 9}));
+  EXPECT_TRUE(expect_part({0, 0, 20, 1}, {2, 3, 7, 1}));
+}
+
 }  // namespace
 }  // namespace selvage::mapper

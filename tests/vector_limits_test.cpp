@@ -61,22 +61,15 @@ TEST(VectorLimits, LanesMayBeLowByATexel) {
 TEST(VectorLimits, PlacesFit32Bits) {
   constexpr int32_t kRows = 1000;
   constexpr ptrdiff_t kMost_texel = INT32_MAX / kRows;
-  Surface surface{};
-  surface.texture = {nullptr, 4, kRows, 4 * kMost_texel, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS,
-                     nullptr};
-  const Polygon polygon{};
-  EXPECT_TRUE(fits_vectors(surface, polygon));
-  surface.texture.pitch = -surface.texture.pitch;
-  EXPECT_TRUE(fits_vectors(surface, polygon));
-  surface.texture.pitch -= 4;
-  EXPECT_FALSE(fits_vectors(surface, polygon));
-  surface.texture.pitch = -surface.texture.pitch;
-  EXPECT_FALSE(fits_vectors(surface, polygon));
-  Polygon too_low{};
-  too_low.texels.least_u_fx16 = std::numeric_limits<int32_t>::min();
-  surface.texture.pitch = 16;
-  EXPECT_TRUE(fits_vectors(surface, polygon));
-  EXPECT_FALSE(fits_vectors(surface, too_low));
+  selvage_texture texture = {
+      nullptr, 4, kRows, 4 * kMost_texel, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr};
+  EXPECT_TRUE(places_fit(texture));
+  texture.pitch = -texture.pitch;
+  EXPECT_TRUE(places_fit(texture));
+  texture.pitch -= 4;
+  EXPECT_FALSE(places_fit(texture));
+  texture.pitch = -texture.pitch;
+  EXPECT_FALSE(places_fit(texture));
 }
 
 // Who asks for a kernel gets it, and not another that draws the same.

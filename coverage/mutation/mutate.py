@@ -24,6 +24,7 @@ ROUND = 128
 # Debian names its file so.
 clang.Config.set_library_file("/usr/lib/llvm-19/lib/libclang-19.so.1")
 TEMPLATE_CALL = re.compile(r"\b[A-Za-z_]\w*<([^<>;(){}]*)>\(")
+SHUFFLE = re.compile(r"\b__builtin_shufflevector\(([^;(){}]*)\)")
 OTHER_TARGETS = re.compile(r"^#if HWY_TARGET == HWY_(?:SSE4|AVX2|AVX3)\b(?:(?!^#endif).)*?^#else\n"
                            r"(.*?)^#endif", re.MULTILINE | re.DOTALL)
 MACROS = re.compile(r"\bHWY_(MIN|MAX|LIKELY|UNLIKELY)\b(?=\()")
@@ -67,16 +68,26 @@ def in_shifts(sites):
                 site.fixed = "a template's argument"
 
 
-def in_template_arguments(sites):
-    """Of functions whose templates the syntax tree does not resolve: it shows no arguments there."""
+def fix_where(sites, pattern, why):
+    """Those within the first group of a match are not switched."""
     ranges = {}
     for site in sites:
         path = site.source.path
         if path not in ranges:
-            ranges[path] = [m.span(1) for m in TEMPLATE_CALL.finditer(site.source.text)]
+            ranges[path] = [m.span(1) for m in pattern.finditer(site.source.text)]
         inside = any(start <= site.start and site.end <= end for start, end in ranges[path])
         if inside and not site.fixed:
-            site.fixed = "a template's argument"
+            site.fixed = why
+
+
+def in_template_arguments(sites):
+    """Of functions whose templates the syntax tree does not resolve: it shows no arguments there."""
+    fix_where(sites, TEMPLATE_CALL, "a template's argument")
+
+
+def in_shuffles(sites):
+    """The compiler takes nothing but constants for the places of a shuffled vector's elements."""
+    fix_where(sites, SHUFFLE, "the place of an element in a shuffle")
 
 
 def of_other_processors(sites):
@@ -173,6 +184,7 @@ def main(build, sample, seed):
     sites = find(sources)
     in_shifts(sites)
     in_template_arguments(sites)
+    in_shuffles(sites)
     of_other_processors(sites)
     sites.sort(key=lambda s: (s.source.path, s.start, -s.end, s.kind))
     mutants, fixed, per_file, number = [], [], {path: [] for path in sources}, 1

@@ -7,7 +7,7 @@ import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-from mutate import (count_occurrences, find, in_shifts, in_template_arguments,
+from mutate import (count_occurrences, find, in_shifts, in_shuffles, in_template_arguments,
                     of_other_processors, sampled)
 from rewrite import rewritten
 from sites import Site
@@ -87,6 +87,14 @@ class Mutate(unittest.TestCase):
                  for c in "+-*"]
         of_other_processors(sites)
         self.assertEqual([bool(s.fixed) for s in sites], [False, True, False])
+
+    def test_places_in_a_shuffle_are_listed(self):
+        text = "V f(V a) { return __builtin_shufflevector(a, a, 1, 2) + 3; }\n"
+        source = Source("small.cpp", text)
+        sites = [Site(source, "constant", text.index(c), text.index(c) + 1, None, [], "")
+                 for c in "123"]
+        in_shuffles(sites)
+        self.assertEqual([bool(s.fixed) for s in sites], [True, True, False])
 
     def test_a_sample_is_of_the_texts(self):
         def mutants(first):

@@ -11,8 +11,7 @@ namespace selvage::cli {
 
 // "scalar", "avx2", ...; "none" where no kernel is in it: rows that are copied.
 // The arguments are such that selvage_choose takes them, and this is its choice for them.
-[[nodiscard]] std::string drawn_kernel(const selvage_image& target,
-                                       std::span<const selvage_vertex> vertices,
+[[nodiscard]] std::string drawn_kernel(std::span<const selvage_vertex> vertices,
                                        const selvage_texture& texture,
                                        const selvage_options& options, selvage_method method);
 

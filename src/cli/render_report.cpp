@@ -56,7 +56,7 @@ FaceChoice choice_of(const scene::Scene& scene, const scene::Drawing& drawing, s
   const selvage_status status = selvage_choose(&image, nullptr, vertices.data(), vertices.size(),
                                                &texture, &plan.options, &choice);
   if (status != SELVAGE_OK) throw UserError(selvage_status_text(status));
-  const std::string kernel = drawn_kernel(image, vertices, texture, plan.options, choice.method);
+  const std::string kernel = drawn_kernel(vertices, texture, plan.options, choice.method);
   if (choice.method == SELVAGE_METHOD_FILTER) {
     const bool is_affine = plan.affine || plan.depth_ratio == 1;
     choice.method = is_affine ? SELVAGE_METHOD_EXACT_AFFINE : SELVAGE_METHOD_EXACT_PERSPECTIVE;

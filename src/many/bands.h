@@ -1,25 +1,15 @@
-// Bands: rows cut into strips of equal height that are drawn apart, and the index of which polygons
-// reach which of them.
-//
-// The index is a binary tree over the bands. A polygon is listed at the fewest nodes whose bands
-// together are those that it reaches: at one if it reaches one band, never at more than kMostNodes.
-// The polygons of a band are the lists on the way from its leaf to the root, merged.
+// Bands: rows cut into strips of equal height.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
-
-#include "many/runs.h"
 
 namespace selvage::many {
 
-inline constexpr size_t kMostBands = 64;  // a power of two
-inline constexpr size_t kLevels = 7;      // of the tree: 1, 2, .. 64 nodes
-inline constexpr size_t kMostNodes = 2 * (kLevels - 2);
-static_assert(size_t{1} << (kLevels - 1) == kMostBands);
+inline constexpr size_t kMostBands = 128;
+inline constexpr int kLeastBandBits = 3;
+inline constexpr int32_t kLeastBandRows = 1 << kLeastBandBits;
 
 // Half-open.
 struct Rows {
@@ -32,74 +22,44 @@ struct Rows {
   }
 };
 
-// Strips of 2^k rows, the last one maybe lower.
-class Bands {
- public:
-  // From `wanted` to twice as many, or fewer where they would be lower than `least_rows`. The rows
-  // must not be empty; `wanted` lies in [1, kMostBands / 2].
-  Bands(Rows rows, size_t wanted, int32_t least_rows);
+// Numbers of bands, half-open.
+struct BandRange {
+  size_t first, end;
 
-  [[nodiscard]] size_t count() const { return count_; }
-  [[nodiscard]] Rows rows(size_t band) const;
-  // The band of a row, which must lie in the rows.
-  [[nodiscard]] size_t band_of(int32_t row) const {
-    return static_cast<size_t>((row - rows_.first) >> shift_);
-  }
-
-  // Calls take(node) for the nodes of the tree at which a polygon of these rows is listed.
-  template <class Take>
-  void for_each_node(Rows reach, const Take& take) const {
-    const Rows seen = reach.within(rows_);
-    if (seen.empty()) return;
-    size_t first = kMostBands + band_of(seen.first), end = kMostBands + band_of(seen.end - 1) + 1;
-    if (end - first == 1) return take(first);  // most often, and with nothing to be guessed wrong
-    for (; first < end; first /= 2, end /= 2) {
-      if (first % 2 != 0) take(first++);
-      if (end % 2 != 0) take(--end);
-    }
-  }
-
- private:
-  Rows rows_;
-  int shift_ = 0;
-  size_t count_ = 1;
+  [[nodiscard]] size_t count() const { return end - first; }
 };
 
-// First add() what each polygon reaches, then end_adding(), then list() each, then read. Polygons
-// come in runs: a run adds and lists in order, while others may do the same.
-class BandIndex {
+// Strips of 2^k rows, kLeastBandRows or more, the last one maybe lower: as many as can be, up to
+// kMostBands.
+class Bands {
  public:
-  // `entries` must hold kMostNodes a polygon, of which there are fewer than 2^32 / kMostNodes.
-  BandIndex(const Bands& bands, std::span<uint32_t> entries) : bands_(bands), entries_(entries) {}
-
-  void add(size_t run, Rows reach) {
-    bands_.for_each_node(reach, [&](size_t node) { ++end_[node][run]; });
-  }
-  void end_adding();
-  void list(size_t run, uint32_t polygon, Rows reach) {
-    bands_.for_each_node(reach, [&](size_t node) { entries_[end_[node][run]++] = polygon; });
+  explicit Bands(Rows rows) : rows_(rows) {
+    while ((kMostBands << shift_) < static_cast<size_t>(rows.count())) ++shift_;
   }
 
-  // The polygons of a band in their order.
-  class Reader {
-   public:
-    Reader(const BandIndex& index, size_t band);
-    // False if there is none left.
-    [[nodiscard]] bool next(uint32_t* polygon);
-
-   private:
-    std::array<std::span<const uint32_t>, kLevels> lists_{};
-    size_t count_ = 0;
-  };
+  [[nodiscard]] size_t count() const { return reached_by(rows_).end; }
+  // Of each but the last.
+  [[nodiscard]] int32_t height() const { return int32_t{1} << shift_; }
+  // Those with one of these rows in them.
+  [[nodiscard]] BandRange reached_by(Rows rows) const {
+    const Rows seen = rows.within(rows_);
+    return seen.empty() ? BandRange{0, 0} : BandRange{of(seen.first), of(seen.end - 1) + 1};
+  }
+  [[nodiscard]] Rows rows(BandRange bands) const {
+    return Rows{first_row(bands.first), first_row(bands.end)}.within(rows_);
+  }
 
  private:
-  // A node's list is that of its first run, then of its second, and so on; the lists of all nodes
-  // lie one after another.
-  using Ends = std::array<uint32_t, kMostRuns>;
+  [[nodiscard]] size_t of(int32_t row) const {
+    return static_cast<size_t>(row - rows_.first) >> shift_;
+  }
+  [[nodiscard]] int32_t first_row(size_t band) const {
+    const int64_t row = rows_.first + (static_cast<int64_t>(band) << shift_);
+    return static_cast<int32_t>(std::min<int64_t>(row, rows_.end));
+  }
 
-  Bands bands_;
-  std::span<uint32_t> entries_;
-  std::array<Ends, 2 * kMostBands> end_{};  // of each part; how much of it is listed, until it is
+  Rows rows_;
+  int shift_ = kLeastBandBits;
 };
 
 }  // namespace selvage::many

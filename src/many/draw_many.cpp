@@ -3,10 +3,14 @@
 // pixel, whatever their number and whoever draws them.
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 
 #include "draw_call.h"
+#include "many/band_index.h"
+#include "many/band_work.h"
 #include "many/bands.h"
+#include "many/painter.h"
 #include "many/prepare.h"
 #include "many/runs.h"
 #include "many/share_out.h"
@@ -17,17 +21,19 @@
 namespace selvage::many {
 namespace {
 
-// A polygon's share of the scratch memory, which holds first all that is Prepared, then the entries
-// of the index.
-inline constexpr size_t kBytesPerPolygon = sizeof(Prepared) + kMostNodes * sizeof(uint32_t);
+// The scratch memory holds first all that is Prepared, then the words of the index.
 inline constexpr size_t kMostPolygons =
-    std::min<size_t>(SIZE_MAX / kBytesPerPolygon, UINT32_MAX / kMostNodes);
+    std::min<size_t>(400'000'000, SIZE_MAX / (2 * sizeof(Prepared)));
 static_assert(alignof(Prepared) <= alignof(std::max_align_t));
-static_assert(alignof(Prepared) % alignof(uint32_t) == 0);
+static_assert(alignof(Prepared) % alignof(uint64_t) == 0);
 
-// More bands balance the threads better, and cost more set-up: a polygon's once in each.
-inline constexpr int32_t kBandsPerWorker = 3;
-inline constexpr int32_t kLeastBandRows = 8;
+[[nodiscard]] constexpr size_t bytes_of(size_t polygons) {
+  return polygons * sizeof(Prepared) + BandIndex::words(polygons) * sizeof(uint64_t);
+}
+static_assert(bytes_of(kMostPolygons) / sizeof(Prepared) >= kMostPolygons, "no overflow");
+
+// More tasks balance the threads better, and cost more set-up: a polygon's once in each.
+inline constexpr size_t kTasksPerWorker = 2;
 // Below so many rows of polygons, waking another thread takes longer than drawing them.
 inline constexpr int64_t kLeastRowsToShare = 128;
 
@@ -53,46 +59,41 @@ inline constexpr int64_t kLeastRowsToShare = 128;
   return meet ? SELVAGE_ERROR_SCRATCH_OVERLAP : SELVAGE_OK;
 }
 
-void draw_one(const Request& request, const selvage_rect& visible, const Prepared& one) {
-  draw_checked(request.target, visible, one.polygon, *one.texture, request.options);
-}
-
-void draw_in_bands(const Request& request, const Bands& bands, std::span<uint32_t> entries,
-                   const Runs& runs, int32_t workers) {
-  BandIndex index(bands, entries);
-  const auto reach = [&](size_t i) {
-    return reach_of(request.prepared[i].polygon, request.options.profile);
-  };
-  runs.for_each([&](size_t run, size_t first, size_t end) {
-    for (size_t i = first; i < end; ++i) index.add(run, reach(i));
-  });
-  index.end_adding();
-  runs.for_each([&](size_t run, size_t first, size_t end) {
-    for (size_t i = first; i < end; ++i) index.list(run, static_cast<uint32_t>(i), reach(i));
-  });
-
-  share_out(bands.count(), workers, [&](size_t band) {
-    const Rows rows = bands.rows(band);
-    const selvage_rect strip{request.visible.left, rows.first, request.visible.right, rows.end};
-    BandIndex::Reader reader(index, band);
-    for (uint32_t i; reader.next(&i);) draw_one(request, strip, request.prepared[i]);
+void draw_in_bands(const Request& request, const BandPlan& plan, Rows reach, int32_t workers) {
+  const Bands& all = plan.index.bands();
+  const BandRange bands = all.reached_by(reach);
+  BandWork work;
+  for (const BandWork& of_run : plan.work) work.add(of_run);
+  const size_t tasks = std::min(bands.count(), static_cast<size_t>(workers) * kTasksPerWorker);
+  share_out(tasks, workers, [&](size_t task) {
+    const BandRange part = work.part(bands, task, tasks);
+    const Rows rows = all.rows(part);
+    Painter painter(request, {request.visible.left, rows.first, request.visible.right, rows.end});
+    plan.index.for_each(part, [&](size_t i) { painter.draw(request.prepared[i]); });
   });
 }
 
-void draw_all(const Request& request, const Preparation& preparation, const Runs& runs,
-              int32_t workers) {
-  const Rows rows = preparation.reach.within({request.visible.top, request.visible.bottom});
-  if (rows.empty()) return;
-  constexpr auto kMostWanted = static_cast<int32_t>(kMostBands / 2);
-  const int32_t wanted = std::min(workers, kMostWanted) * kBandsPerWorker;
-  const Bands bands(rows, static_cast<size_t>(std::min(wanted, kMostWanted)), kLeastBandRows);
-  if (workers == 1 || bands.count() == 1 || preparation.row_count < kLeastRowsToShare) {
-    for (const Prepared& one : request.prepared) draw_one(request, request.visible, one);
-    return;
-  }
+void draw_in_order(const Request& request) {
+  Painter painter(request, request.visible);
+  for (const Prepared& one : request.prepared) painter.draw(one);
+}
+
+// Nothing is drawn unless all polygons pass their checks.
+[[nodiscard]] Preparation draw_all(const Request& request, int32_t workers) {
   const size_t count = request.prepared.size();
-  auto* const entries = reinterpret_cast<uint32_t*>(request.prepared.data() + count);
-  draw_in_bands(request, bands, {entries, count * kMostNodes}, runs, workers);
+  auto* const words = reinterpret_cast<uint64_t*>(request.prepared.data() + count);
+  const Bands bands({request.visible.top, request.visible.bottom});
+  std::optional<BandPlan> plan;
+  if (workers > 1) plan.emplace(BandIndex(bands, {words, BandIndex::words(count)}));
+
+  const Preparation preparation = prepare(request, Runs(count, workers), plan ? &*plan : nullptr);
+  if (preparation.status != SELVAGE_OK) return preparation;
+  if (plan && preparation.row_count >= kLeastRowsToShare) {
+    draw_in_bands(request, *plan, preparation.reach, workers);
+  } else {
+    draw_in_order(request);
+  }
+  return preparation;
 }
 
 }  // namespace
@@ -100,7 +101,7 @@ void draw_all(const Request& request, const Preparation& preparation, const Runs
 
 size_t selvage_draw_many_bytes(size_t polygon_count) {
   using namespace selvage::many;
-  return polygon_count <= kMostPolygons ? polygon_count * kBytesPerPolygon : SIZE_MAX;
+  return polygon_count <= kMostPolygons ? bytes_of(polygon_count) : SIZE_MAX;
 }
 
 selvage_status selvage_draw_many(const selvage_image* target, const selvage_rect* clip,
@@ -125,13 +126,7 @@ selvage_status selvage_draw_many(const selvage_image* target, const selvage_rect
       .polygons = list,
       .prepared = {static_cast<many::Prepared*>(scratch), polygon_count},
       .scratch = mapper::memory_of(scratch, selvage_draw_many_bytes(polygon_count), 1)};
-  const int32_t workers = many::worker_count(threads);
-  const many::Runs runs(polygon_count, workers);
-  const many::Preparation preparation = many::prepare(request, runs);
-  if (preparation.status == SELVAGE_OK) {
-    many::draw_all(request, preparation, runs, workers);
-  } else if (failed != nullptr) {
-    *failed = preparation.failed;
-  }
+  const many::Preparation preparation = many::draw_all(request, many::worker_count(threads));
+  if (preparation.status != SELVAGE_OK && failed != nullptr) *failed = preparation.failed;
   return preparation.status;
 }

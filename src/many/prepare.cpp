@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "draw_call.h"
 
@@ -55,7 +56,40 @@ class Checks {
   const selvage_texture* known_ = nullptr;
 };
 
-[[nodiscard]] Preparation prepare_run(const Request& request, size_t first, size_t end) {
+// What drawing a polygon costs in a band of so many rows, about.
+[[nodiscard]] double cost_px(const mapper::Polygon& polygon, const selvage_rect& visible,
+                             int32_t rows) {
+  constexpr double kSetUp_px = 300;
+  const selvage_rect part = mapper::part_of(polygon, visible);
+  return kSetUp_px + 0.5 * rows * (std::max(part.left, part.right) - part.left);
+}
+
+// Puts down what a run has in which bands.
+class Planner {
+ public:
+  Planner(const selvage_rect& visible, BandPlan* plan, size_t run, size_t first)
+      : visible_(visible),
+        bands_(plan->index.bands()),
+        writer_(plan->index, first),
+        work_(&plan->work[run]) {}
+
+  void add(const mapper::Polygon& polygon, Rows reach) {
+    const BandRange bands = bands_.reached_by(reach);
+    writer_.add(bands);
+    work_->add(bands, cost_px(polygon, visible_, bands_.height()));
+  }
+  void end() { writer_.end(); }
+
+ private:
+  selvage_rect visible_;
+  Bands bands_;
+  BandIndex::Writer writer_;
+  BandWork* work_;
+};
+
+// The polygons are [first, end).
+[[nodiscard]] Preparation prepare_run(const Request& request, size_t first, size_t end,
+                                      Planner* planner) {
   Preparation run;
   Checks checks(request);
   const Rows visible{request.visible.top, request.visible.bottom};
@@ -73,7 +107,9 @@ class Checks {
     const Rows reach = reach_of(polygon, request.options.profile);
     run.reach = {std::min(run.reach.first, reach.first), std::max(run.reach.end, reach.end)};
     run.row_count += reach.within(visible).count();
+    if (planner != nullptr) planner->add(polygon, reach);
   }
+  if (planner != nullptr) planner->end();
   return run;
 }
 
@@ -84,10 +120,13 @@ Rows reach_of(const mapper::Polygon& polygon, selvage_profile profile) {
   return {polygon.top_row, polygon.bottom_row + last_row};
 }
 
-Preparation prepare(const Request& request, const Runs& runs) {
+Preparation prepare(const Request& request, const Runs& runs, BandPlan* plan) {
   std::array<Preparation, kMostRuns> parts{};
-  runs.for_each(
-      [&](size_t run, size_t first, size_t end) { parts[run] = prepare_run(request, first, end); });
+  runs.for_each([&](size_t run, size_t first, size_t end) {
+    std::optional<Planner> planner;
+    if (plan != nullptr) planner.emplace(request.visible, plan, run, first);
+    parts[run] = prepare_run(request, first, end, planner ? &*planner : nullptr);
+  });
 
   Preparation all;
   for (size_t run = 0; run < runs.count() && all.status == SELVAGE_OK; ++run) {

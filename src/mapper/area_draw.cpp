@@ -30,9 +30,9 @@ void draw_row(const SpanMap& map, const Lanes& lanes, const Span& span, const Fo
   });
 }
 
-void draw_ruled(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
+void draw_ruled(const Surface& surface, const selvage_rect& part, const Polygon& polygon,
                 const Kernels& kernels) {
-  SpanWalk walk(polygon, visible);
+  SpanWalk walk(polygon, part);
   while (walk.next()) {
     const Span& span = walk.span();
     const Edge &left = walk.left(), &right = walk.right();
@@ -48,29 +48,29 @@ void draw_ruled(const Surface& surface, const selvage_rect& visible, const Polyg
 
 // Calls draw(spans) for all spans of a polygon under one map.
 template <class Spans, class Plane, class Draw>
-void for_each_batch(const Plane& plane, const Polygon& polygon, const selvage_rect& visible,
+void for_each_batch(const Plane& plane, const Polygon& polygon, const selvage_rect& part,
                     FindSpans find_spans, const Draw& draw) {
-  BatchWalk walk(polygon, visible, find_spans);
+  BatchWalk walk(polygon, part, find_spans);
   SpanBatch batch;
   while (walk.next(&batch)) draw(Spans{batch, plane.lanes(), polygon.texels, ExactMap(plane)});
 }
 
-void draw_affine(const Plane& plane, const Surface& surface, const selvage_rect& visible,
+void draw_affine(const Plane& plane, const Surface& surface, const selvage_rect& part,
                  const Polygon& polygon, const Kernels& kernels) {
   const BoxSides sides = affine_sides(PlaneFrame::of(polygon.vertices));
   const bool is_least = sides == BoxSides{kLeastSide_fx8, kLeastSide_fx8};
-  for_each_batch<AffineSpans>(plane, polygon, visible, kernels.find_spans,
+  for_each_batch<AffineSpans>(plane, polygon, part, kernels.find_spans,
                               [&](const AffineSpans& spans) {
                                 if (is_least) return kernels.draw_affine(spans, surface);
                                 kernels.draw_boxes_affine(spans, sides, surface);
                               });
 }
 
-void draw_projective(const ProjectivePlane& plane, const Surface& surface,
-                     const selvage_rect& visible, const Polygon& polygon, const Kernels& kernels) {
-  const PlaneFootprint footprint(polygon, visible, plane.lanes());
+void draw_projective(const ProjectivePlane& plane, const Surface& surface, const selvage_rect& part,
+                     const Polygon& polygon, const Kernels& kernels) {
+  const PlaneFootprint footprint(polygon, part, plane.lanes());
   const bool is_least = footprint.is_least();
-  for_each_batch<ProjectiveSpans>(plane, polygon, visible, kernels.find_spans,
+  for_each_batch<ProjectiveSpans>(plane, polygon, part, kernels.find_spans,
                                   [&](const ProjectiveSpans& spans) {
                                     if (is_least) return kernels.draw_projective(spans, surface);
                                     kernels.draw_boxes_projective(spans, footprint, surface);
@@ -79,16 +79,16 @@ void draw_projective(const ProjectivePlane& plane, const Surface& surface,
 
 }  // namespace
 
-void draw_area(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
+void draw_area(const Surface& surface, const selvage_rect& part, const Polygon& polygon,
                const Kernels& kernels) {
   if (polygon.affine) {
-    if (const auto plane = Plane::of(polygon, visible, kernels.find_lanes)) {
-      return draw_affine(*plane, surface, visible, polygon, kernels);
+    if (const auto plane = Plane::of(polygon, part, kernels.find_lanes)) {
+      return draw_affine(*plane, surface, part, polygon, kernels);
     }
-  } else if (const auto plane = ProjectivePlane::of(polygon, visible)) {
-    return draw_projective(*plane, surface, visible, polygon, kernels);
+  } else if (const auto plane = ProjectivePlane::of(polygon, part)) {
+    return draw_projective(*plane, surface, part, polygon, kernels);
   }
-  draw_ruled(surface, visible, polygon, kernels);
+  draw_ruled(surface, part, polygon, kernels);
 }
 
 }  // namespace selvage::mapper

@@ -7,8 +7,9 @@
 
 namespace selvage::mapper {
 
-// As draw(), for RGBA8888 images and by the area filter's kernels; something is visible.
-void draw_area(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
+// As draw(), for RGBA8888 images and by the area filter's kernels, a part_of() the polygon that is
+// not empty.
+void draw_area(const Surface& surface, const selvage_rect& part, const Polygon& polygon,
                const Kernels& kernels);
 
 }  // namespace selvage::mapper

@@ -1,18 +1,16 @@
 #include "mapper/draw.h"
 
-#include <algorithm>
 #include <optional>
 
 #include "mapper/area_draw.h"
 #include "mapper/copy_row.h"
 #include "mapper/image.h"
-#include "mapper/kernel.h"
+#include "mapper/kernel_choice.h"
 #include "mapper/perspective_draw.h"
 #include "mapper/plane.h"
 #include "mapper/projective_plane.h"
 #include "mapper/span_walk.h"
 #include "mapper/tolerant_draw.h"
-#include "mapper/vector_kernel.h"
 
 namespace selvage::mapper {
 namespace {
@@ -23,8 +21,8 @@ namespace {
 }
 
 // u = x + ds and v = y + dt: rows of the texture, byte by byte.
-void draw_copies(const Polygon& polygon, const selvage_rect& visible, const Surface& surface) {
-  SpanWalk walk(polygon, visible);
+void draw_copies(const Polygon& polygon, const selvage_rect& part, const Surface& surface) {
+  SpanWalk walk(polygon, part);
   while (walk.next()) {
     const Span& span = walk.span();
     char* const row = static_cast<char*>(surface.target.pixels) + span.row * surface.target.pitch;
@@ -33,10 +31,10 @@ void draw_copies(const Polygon& polygon, const selvage_rect& visible, const Surf
   }
 }
 
-// All visible rows by one map.
-void draw_affine(const Plane& plane, const Polygon& polygon, const selvage_rect& visible,
+// All rows of a part_of() the polygon by one map.
+void draw_affine(const Plane& plane, const Polygon& polygon, const selvage_rect& part,
                  const Surface& surface, const Kernels& kernels) {
-  BatchWalk walk(polygon, visible, kernels.find_spans);
+  BatchWalk walk(polygon, part, kernels.find_spans);
   SpanBatch batch;
   while (walk.next(&batch)) {
     kernels.draw_affine({batch, plane.lanes(), polygon.texels, ExactMap(plane)}, surface);
@@ -44,9 +42,9 @@ void draw_affine(const Plane& plane, const Polygon& polygon, const selvage_rect&
 }
 
 // Each span by the map between its own two edges.
-void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surface& surface,
+void draw_ruled(const Polygon& polygon, const selvage_rect& part, const Surface& surface,
                 const Kernels& kernels) {
-  SpanWalk walk(polygon, visible);
+  SpanWalk walk(polygon, part);
   while (walk.next()) {
     const SpanMap map = walk.map();
     const Span& span = walk.span();
@@ -72,36 +70,33 @@ void draw_ruled(const Polygon& polygon, const selvage_rect& visible, const Surfa
 }  // namespace
 
 void draw(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
-          const selvage_options& options) {
-  if (visible.left >= visible.right ||
-      std::max(visible.top, polygon.top_row) >= std::min(visible.bottom, polygon.bottom_row)) {
-    return;
-  }
-  if (is_copy(polygon, options.filter)) return draw_copies(polygon, visible, surface);
-  const Kernels& kernels = kernels_for(options, surface, polygon);
-  if (options.filter == SELVAGE_FILTER_AREA) return draw_area(surface, visible, polygon, kernels);
+          const selvage_options& options, const Kernels& kernels) {
+  const selvage_rect part = part_of(polygon, visible);
+  if (is_empty(part)) return;
+  if (is_copy(polygon, options.filter)) return draw_copies(polygon, part, surface);
+  if (options.filter == SELVAGE_FILTER_AREA) return draw_area(surface, part, polygon, kernels);
   if (is_tolerant(polygon, options, kernels)) {
-    return draw_tolerantly(surface, visible, polygon, kernels, options.tolerance);
+    return draw_tolerantly(surface, part, polygon, kernels, options.tolerance);
   }
   if (polygon.affine) {
-    if (const std::optional<Plane> plane = Plane::of(polygon, visible, kernels.find_lanes)) {
-      return draw_affine(*plane, polygon, visible, surface, kernels);
+    if (const std::optional<Plane> plane = Plane::of(polygon, part, kernels.find_lanes)) {
+      return draw_affine(*plane, polygon, part, surface, kernels);
     }
-  } else if (const auto plane = ProjectivePlane::of(polygon, visible)) {
-    return draw_in_perspective(*plane, polygon, visible, surface, kernels);
+  } else if (const auto plane = ProjectivePlane::of(polygon, part)) {
+    return draw_in_perspective(*plane, polygon, part, surface, kernels);
   }
-  draw_ruled(polygon, visible, surface, kernels);
+  draw_ruled(polygon, part, surface, kernels);
 }
 
 selvage_choice choose(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
                       const selvage_options& options) {
-  if (!SpanWalk(polygon, visible).next()) return {SELVAGE_METHOD_NONE, 0, 0};
+  const selvage_rect part = part_of(polygon, visible);
+  if (!SpanWalk(polygon, part).next()) return {SELVAGE_METHOD_NONE, 0, 0};
   if (is_copy(polygon, options.filter)) return {SELVAGE_METHOD_COPY, 0, 0};
   if (options.filter != SELVAGE_FILTER_NEAREST) return {SELVAGE_METHOD_FILTER, 0, 0};
-  const Kernels& kernels = kernels_for(options, surface, polygon);
+  const Kernels& kernels = kernels_for(options, surface.texture, polygon);
   if (is_tolerant(polygon, options, kernels)) {
-    const RowChoice choice =
-        choose_tolerantly(visible, polygon, options.tolerance, kernels.stepping);
+    const RowChoice choice = choose_tolerantly(part, polygon, options.tolerance, kernels.stepping);
     return {choice.method, choice.segment_px, choice.bound_fx16};
   }
   return {polygon.affine ? SELVAGE_METHOD_EXACT_AFFINE : SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0};

@@ -7,10 +7,10 @@
 
 namespace selvage::mapper {
 
-// All arguments have passed their checks; `visible` lies within the target or is empty, and this
-// machine can run the kernel.
+// All arguments have passed their checks; `visible` lies within the target or is empty. The kernels
+// are those that are chosen for the polygon.
 void draw(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
-          const selvage_options& options);
+          const selvage_options& options, const Kernels& kernels);
 
 // What draw() draws by.
 [[nodiscard]] selvage_choice choose(const Surface& surface, const selvage_rect& visible,

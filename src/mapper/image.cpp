@@ -83,12 +83,6 @@ struct Footprint {
 
 }  // namespace
 
-Memory memory_of(const void* values, size_t count, size_t bytes_per_value) {
-  const auto begin = reinterpret_cast<uintptr_t>(values);
-  const uintptr_t most = (UINTPTR_MAX - begin) / bytes_per_value;
-  return {begin, begin + std::min(uintptr_t{count}, most) * bytes_per_value};
-}
-
 Memory memory_of(const selvage_image& image) { return footprint(image).memory(); }
 
 Memory memory_of(const selvage_texture& texture) {
@@ -135,13 +129,6 @@ selvage_status check_pair(const selvage_image& target, const selvage_texture& te
   if (a.memory().meets(b.memory()) && !interleave(a, b)) return SELVAGE_ERROR_OVERLAP;
   const bool sums_meet = texture.prepared != nullptr && a.memory().meets(memory_of_sums(texture));
   return sums_meet ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
-}
-
-selvage_status check_vertices(const Memory& target, const selvage_vertex* vertices, size_t count) {
-  if (vertices == nullptr) return SELVAGE_ERROR_VERTICES_NULL;
-  if (count < 3) return SELVAGE_ERROR_VERTEX_COUNT;
-  const Memory bytes = memory_of(vertices, count, sizeof(selvage_vertex));
-  return target.meets(bytes) ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
 }
 
 selvage_rect visible_rect(const selvage_image& target, const selvage_rect* clip) {

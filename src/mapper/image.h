@@ -1,6 +1,7 @@
 // Images and textures: what makes one valid, and where its bytes are.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -25,7 +26,11 @@ struct Memory {
   }
 };
 // Of so many values; where they would reach beyond the last address, up to there.
-[[nodiscard]] Memory memory_of(const void* values, size_t count, size_t bytes_per_value);
+[[nodiscard]] inline Memory memory_of(const void* values, size_t count, size_t bytes_per_value) {
+  const auto begin = reinterpret_cast<uintptr_t>(values);
+  const uintptr_t most = (UINTPTR_MAX - begin) / bytes_per_value;
+  return {begin, begin + std::min(uintptr_t{count}, most) * bytes_per_value};
+}
 // From the first pixel's byte to the last's; of a texture, to the end of its sums. The image must
 // have passed its checks.
 [[nodiscard]] Memory memory_of(const selvage_image& image);
@@ -65,8 +70,13 @@ struct RowsOfBytes {
 // Both images must have passed the checks above.
 [[nodiscard]] selvage_status check_pair(const selvage_image& target,
                                         const selvage_texture& texture);
-[[nodiscard]] selvage_status check_vertices(const Memory& target, const selvage_vertex* vertices,
-                                            size_t count);
+[[nodiscard]] inline selvage_status check_vertices(const Memory& target,
+                                                   const selvage_vertex* vertices, size_t count) {
+  if (vertices == nullptr) return SELVAGE_ERROR_VERTICES_NULL;
+  if (count < 3) return SELVAGE_ERROR_VERTEX_COUNT;
+  const Memory bytes = memory_of(vertices, count, sizeof(selvage_vertex));
+  return target.meets(bytes) ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
+}
 
 // The clip rectangle within the target; NULL is all of it.
 [[nodiscard]] selvage_rect visible_rect(const selvage_image& target, const selvage_rect* clip);

@@ -64,10 +64,4 @@ void draw_stepped_scalar(const SteppedSpans& spans, const Surface& surface);
 
 [[nodiscard]] const Kernels& scalar_kernels(selvage_filter filter);
 
-// Those of options.kernel, which this machine can run, or the scalar ones for what a vector kernel
-// cannot hold.
-[[nodiscard]] const Kernels& kernels_for(const selvage_options& options, const Surface& surface,
-                                         const Polygon& polygon);
-[[nodiscard]] bool is_usable(selvage_kernel kernel);
-
 }  // namespace selvage::mapper

@@ -1,7 +1,5 @@
 #include "mapper/kernel_preference.h"
 
-#include "mapper/vector_kernel.h"
-
 namespace selvage::mapper {
 namespace {
 
@@ -15,18 +13,13 @@ inline constexpr KernelOrder kWidestFirst = {kAvx512, kAvx2, kSse4, kNeon, kScal
 inline constexpr KernelOrder kAvx2First = {kAvx2, kAvx512, kSse4, kNeon, kScalar};
 
 // By selvage_work: large, mesh, perspective.
-inline constexpr KernelOrder kUsual[] = {kWidestFirst, kWidestFirst, kWidestFirst};
-inline constexpr KernelOrder kByArea[] = {kWidestFirst, kAvx2First, kWidestFirst};
+inline constexpr KernelOrder kUsual[kWorks] = {kWidestFirst, kWidestFirst, kWidestFirst};
+inline constexpr KernelOrder kByArea[kWorks] = {kWidestFirst, kAvx2First, kWidestFirst};
 
 }  // namespace
 
 const KernelOrder& kernel_order(selvage_filter filter, selvage_work work) {
   return (filter == SELVAGE_FILTER_AREA ? kByArea : kUsual)[work];
-}
-
-selvage_work work_of(const Polygon& polygon, int32_t tolerance) {
-  if (!polygon.affine && tolerance == 0) return SELVAGE_WORK_PERSPECTIVE;
-  return polygon.right_px - polygon.left_px > kNarrow_px ? SELVAGE_WORK_LARGE : SELVAGE_WORK_MESH;
 }
 
 }  // namespace selvage::mapper

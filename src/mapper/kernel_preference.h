@@ -2,12 +2,16 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "mapper/polygon.h"
+#include "mapper/vector_kernel.h"
 #include "selvage.h"
 
 namespace selvage::mapper {
+
+inline constexpr size_t kWorks = 3;  // kinds of selvage_work
 
 // Every kernel but SELVAGE_KERNEL_FASTEST, the fastest first. The scalar one runs everywhere: what
 // follows it is slower.
@@ -16,6 +20,9 @@ using KernelOrder = std::array<selvage_kernel, 5>;
 [[nodiscard]] const KernelOrder& kernel_order(selvage_filter filter, selvage_work work);
 
 // What drawing a polygon is like: within a tolerance, perspective is as affine maps are.
-[[nodiscard]] selvage_work work_of(const Polygon& polygon, int32_t tolerance);
+[[nodiscard]] inline selvage_work work_of(const Polygon& polygon, int32_t tolerance) {
+  if (!polygon.affine && tolerance == 0) return SELVAGE_WORK_PERSPECTIVE;
+  return polygon.right_px - polygon.left_px > kNarrow_px ? SELVAGE_WORK_LARGE : SELVAGE_WORK_MESH;
+}
 
 }  // namespace selvage::mapper

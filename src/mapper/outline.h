@@ -34,12 +34,14 @@ class Outline {
   }
 
   [[nodiscard]] bool is_triangle() const { return polygon_->vertices.size() == 3; }
+  // Found without a guess: of the lower two, either is as often in the middle.
   [[nodiscard]] TriangleCorners corners() const {
     const selvage_vertex* const v = polygon_->vertices.data();
     const size_t first = polygon_->top, second = first == 2 ? 0 : first + 1,
                  third = 3 - first - second;
-    const bool in_order = v[second].y <= v[third].y;
-    return {v[first], v[in_order ? second : third], v[in_order ? third : second]};
+    const size_t is_second_last = v[second].y > v[third].y;
+    const size_t middle = second + is_second_last * (third - second);
+    return {v[first], v[middle], v[second + third - middle]};
   }
 
  private:

@@ -14,11 +14,11 @@ namespace selvage::mapper {
 
 static_assert(kGentleRatio <= kMostReach, "kernels count on lanes that lack no more");
 
-// All visible rows by one map.
+// All rows of a part_of() the polygon by one map.
 inline void draw_in_perspective(const ProjectivePlane& plane, const Polygon& polygon,
-                                const selvage_rect& visible, const Surface& surface,
+                                const selvage_rect& part, const Surface& surface,
                                 const Kernels& kernels) {
-  BatchWalk walk(polygon, visible, kernels.find_spans);
+  BatchWalk walk(polygon, part, kernels.find_spans);
   SpanBatch batch;
   while (walk.next(&batch)) {
     kernels.draw_projective({batch, plane.lanes(), polygon.texels, ExactMap(plane)}, surface);

@@ -4,9 +4,11 @@
 // from three vertices. Spans start from gradients that are divided once a polygon.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "mapper/number.h"
 #include "mapper/plane_frame.h"
@@ -18,13 +20,28 @@ namespace selvage::mapper {
 class Plane {
  public:
   // Empty where the polygon is not affine, where some vertex lies off the plane of the others,
-  // where it has no area, or where find_lanes finds none. `visible` is not empty: spans lie within
-  // it. Refers to the polygon's vertices.
-  [[nodiscard]] static std::optional<Plane> of(const Polygon& polygon, const selvage_rect& visible,
-                                               FindLanes find_lanes = find_lanes_scalar);
+  // where it has no area, or where find_lanes finds none. Spans lie within `part`, a part_of()
+  // the polygon that is not empty. Refers to the polygon's vertices.
+  //
+  // The plane is made in its place: a copy would load by sixteens of bytes what was just stored by
+  // eights, and wait for it.
+  [[nodiscard]] static std::optional<Plane> of(const Polygon& polygon, const selvage_rect& part,
+                                               FindLanes find_lanes = find_lanes_scalar) {
+    std::optional<Plane> plane(std::in_place, polygon, part);
+    const bool is_plane = polygon.affine && plane->frame_.doubled_area() != 0 &&
+                          (polygon.vertices.size() == 3 || plane->holds(polygon.vertices));
+    if (!is_plane || !find_lanes(plane->frame_, &plane->lanes_)) plane.reset();
+    return plane;
+  }
 
-  // Without lanes yet.
-  Plane(const Polygon& polygon, const selvage_rect& visible);
+  // Without lanes yet: the pixels that they are of, and what they lack at most.
+  Plane(const Polygon& polygon, const selvage_rect& part)
+      : frame_(PlaneFrame::of(polygon.vertices)) {
+    lanes_.first_px = part.left;
+    lanes_.first_row = part.top;
+    const int32_t steps = part.right - part.left + part.bottom - part.top + 1;
+    lanes_.margin_fx32 = kPlaneErrorPerStep_fx32 * static_cast<uint32_t>(steps);
+  }
 
   // Of all visible pixels of the polygon.
   [[nodiscard]] const AffineField& lanes() const { return lanes_; }
@@ -45,8 +62,7 @@ class Plane {
   }
 
  private:
-  // Whether the frame has an area and all vertices lie on its plane.
-  [[nodiscard]] bool is_of(std::span<const selvage_vertex> vertices) const;
+  [[nodiscard]] bool holds(std::span<const selvage_vertex> vertices) const;
   [[nodiscard]] bool passes_through(const selvage_vertex& vertex) const;
   [[nodiscard]] Numerator numerator(int32_t selvage_vertex::*of, int32_t px, int32_t row) const {
     const selvage_vertex& origin = frame_.origin();

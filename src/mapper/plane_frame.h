@@ -8,10 +8,7 @@
 // integers.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <span>
 #include <utility>
 
@@ -31,37 +28,15 @@ class PlaneFrame {
     Integer along_x, along_y;  // A and B
   };
 
-  // Of no area where all vertices are on one line. The three run so that it is positive.
+  // Of no area where all vertices are on one line. The three run so that it is not negative.
   [[nodiscard]] static PlaneFrame of(std::span<const selvage_vertex> vertices) {
-    const selvage_vertex& origin = vertices[0];
-    size_t second = 1;
-    while (second + 1 < vertices.size() && vertices[second].x == origin.x &&
-           vertices[second].y == origin.y) {
-      ++second;
-    }
-    for (size_t third = second + 1; third < vertices.size(); ++third) {
-      const int64_t area = doubled_area(origin, vertices[second], vertices[third]);
-      if (area > 0) return PlaneFrame(origin, vertices[second], vertices[third]);
-      if (area < 0) return PlaneFrame(origin, vertices[third], vertices[second]);
-    }
-    return PlaneFrame(origin, origin, origin);
+    return vertices.size() == 3 ? PlaneFrame(vertices[0], vertices[1], vertices[2]).turned()
+                                : of_outline(vertices);
   }
 
   // The same however the vertices are ordered, but for those in one place: the first and the last
   // of them by y and x, and the one furthest from the line through both.
-  [[nodiscard]] static PlaneFrame canonical(std::span<const selvage_vertex> vertices) {
-    const auto before = [](const selvage_vertex& a, const selvage_vertex& b) {
-      return std::pair(a.y, a.x) < std::pair(b.y, b.x);
-    };
-    const auto [first, last] = std::ranges::minmax_element(vertices, before);
-    PlaneFrame best(*first, *last, *first);  // of no area
-    for (const selvage_vertex& third : vertices) {
-      const PlaneFrame frame(*first, *last, third);
-      const int64_t area = std::abs(frame.doubled_area_), most = std::abs(best.doubled_area_);
-      if (area > most || (area == most && before(third, *best.third_))) best = frame;
-    }
-    return best.doubled_area_ >= 0 ? best : PlaneFrame(*first, *best.third_, *last);
-  }
+  [[nodiscard]] static PlaneFrame canonical(std::span<const selvage_vertex> vertices);
 
   [[nodiscard]] const selvage_vertex& origin() const { return *origin_; }
   [[nodiscard]] const selvage_vertex& second() const { return *second_; }
@@ -96,6 +71,17 @@ class PlaneFrame {
         second_(&second),
         third_(&third),
         doubled_area_(doubled_area(origin, second, third)) {}
+
+  [[nodiscard]] static PlaneFrame of_outline(std::span<const selvage_vertex> vertices);
+  // So that the area is not negative.
+  [[nodiscard]] PlaneFrame turned() const {
+    PlaneFrame frame = *this;
+    if (doubled_area_ < 0) {
+      std::swap(frame.second_, frame.third_);
+      frame.doubled_area_ = -doubled_area_;
+    }
+    return frame;
+  }
 
   const selvage_vertex *origin_, *second_, *third_;
   int64_t doubled_area_;

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
 
 #include "mapper/number.h"
 
@@ -24,37 +27,51 @@ namespace {
   return is_placed(*first) ? SELVAGE_ERROR_VERTEX_Q : SELVAGE_ERROR_VERTEX_POSITION;
 }
 
-// The least and the most of each number of some vertices. x, y, u and v are side by side for
-// compilers to make a vector of them.
-struct VertexBox {
-  enum { kX, kY, kU, kV };
-  using Numbers = std::array<int32_t, 4>;
+// x, y, u and v of a vertex side by side, in a vector of any machine.
+using Numbers [[gnu::vector_size(16)]] = int32_t;
+using Bits [[gnu::vector_size(16)]] = uint32_t;
+static_assert(offsetof(selvage_vertex, v) + sizeof(int32_t) == sizeof(Numbers));
 
+[[nodiscard]] Numbers numbers_of(const selvage_vertex& vertex) {
+  Numbers numbers;
+  std::memcpy(&numbers, &vertex, sizeof numbers);
+  return numbers;
+}
+
+// The least and the most of each number of some vertices.
+struct VertexBox {
   Numbers least, most;
   int32_t least_q, most_q;
 
   explicit VertexBox(std::span<const selvage_vertex> vertices)
       : least(numbers_of(vertices[0])), most(least), least_q(vertices[0].q), most_q(least_q) {
     for (const selvage_vertex& v : vertices.subspan(1)) {
-      widen_by(numbers_of(v));
+      const Numbers numbers = numbers_of(v);
+      const Numbers is_less = numbers < least, is_more = numbers > most;
+      least = (numbers & is_less) | (least & ~is_less);
+      most = (numbers & is_more) | (most & ~is_more);
       least_q = std::min(least_q, v.q);
       most_q = std::max(most_q, v.q);
     }
   }
 
-  [[nodiscard]] bool in_range() const {
-    return position_in_range(least[kX]) && position_in_range(most[kX]) &&
-           position_in_range(least[kY]) && position_in_range(most[kY]) && q_in_range(least_q) &&
-           q_in_range(most_q);
-  }
+  // The least x and y, then the most.
+  [[nodiscard]] Numbers places() const { return __builtin_shufflevector(least, most, 0, 1, 4, 5); }
+  // The least u and v, then the most.
+  [[nodiscard]] Numbers texels() const { return __builtin_shufflevector(least, most, 2, 3, 6, 7); }
 
- private:
-  [[nodiscard]] static Numbers numbers_of(const selvage_vertex& v) { return {v.x, v.y, v.u, v.v}; }
-  void widen_by(const Numbers& numbers) {
-    for (size_t i = 0; i < numbers.size(); ++i) {
-      least[i] = std::min(least[i], numbers[i]);
-      most[i] = std::max(most[i], numbers[i]);
-    }
+  // Counted from the least one in range, a number in range has no bits from the end's on.
+  [[nodiscard]] bool in_range() const {
+    constexpr uint32_t kLeast = static_cast<uint32_t>(SELVAGE_X_MIN);
+    constexpr uint32_t kEnd = static_cast<uint32_t>(SELVAGE_X_END) - kLeast, kOut = ~(kEnd - 1);
+    constexpr uint32_t kQEnd = SELVAGE_Q_MAX, kLeastQ = 1;
+    static_assert(std::has_single_bit(kEnd) && std::has_single_bit(kQEnd));
+    constexpr Bits kFirst = {kLeast, kLeast, 0, 0};
+    const Bits bits = (std::bit_cast<Bits>(least) - kFirst) | (std::bit_cast<Bits>(most) - kFirst);
+    const auto [xy, uv] = std::bit_cast<std::array<uint64_t, 2>>(bits);
+    const uint32_t q =
+        (static_cast<uint32_t>(least_q) - kLeastQ) | (static_cast<uint32_t>(most_q) - kLeastQ);
+    return (xy & (uint64_t{kOut} << 32 | kOut)) == 0 && q < kQEnd;
   }
 };
 
@@ -118,16 +135,17 @@ selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygo
 
   // Field by field: a whole Polygon would be copied by sixteens of bytes from where it was just
   // made by eights, and wait for it.
-  const auto& [least, most, least_q, most_q] = box;
+  const Numbers places = box.places();
   polygon->vertices = vertices;
-  polygon->top = first_at(least[VertexBox::kY], vertices);
-  polygon->left_px = first_centre_px(least[VertexBox::kX]);
-  polygon->top_row = first_centre_px(least[VertexBox::kY]);
-  polygon->right_px = first_centre_px(most[VertexBox::kX]);
-  polygon->bottom_row = first_centre_px(most[VertexBox::kY]);
-  polygon->texels = {least[VertexBox::kU], least[VertexBox::kV], most[VertexBox::kU],
-                     most[VertexBox::kV]};
-  polygon->affine = least_q == most_q;
+  polygon->top = first_at(places[1], vertices);
+  const Numbers pixels = (places + (kHalfPixel - 1)) >> kSubpixelBits;
+  polygon->left_px = pixels[0];
+  polygon->top_row = pixels[1];
+  polygon->right_px = pixels[2];
+  polygon->bottom_row = pixels[3];
+  const Numbers texels = box.texels();
+  polygon->texels = {texels[0], texels[1], texels[2], texels[3]};
+  polygon->affine = box.least_q == box.most_q;
   find_shift(polygon);
   return SELVAGE_OK;
 }

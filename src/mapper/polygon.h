@@ -1,6 +1,7 @@
 // The polygon: vertices that have passed every check, and where it starts and ends.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -24,6 +25,15 @@ struct Polygon {
   bool untransformed = false;  // u = x + ds and v = y + dt, ds and dt whole, everywhere
   int32_t ds = 0, dt = 0;      // texels; of an untransformed polygon
 };
+
+// What is visible of the columns and rows that the polygon has pixels in.
+[[nodiscard]] inline selvage_rect part_of(const Polygon& polygon, const selvage_rect& visible) {
+  return {std::max(visible.left, polygon.left_px), std::max(visible.top, polygon.top_row),
+          std::min(visible.right, polygon.right_px), std::min(visible.bottom, polygon.bottom_row)};
+}
+[[nodiscard]] inline bool is_empty(const selvage_rect& rect) {
+  return rect.left >= rect.right || rect.top >= rect.bottom;
+}
 
 // Checks count, ranges and y-monotonicity. On SELVAGE_OK *polygon refers to `vertices`.
 [[nodiscard]] selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygon);

@@ -43,14 +43,15 @@ using FindSpans = void (*)(Outline* outline, int32_t left_px, int32_t right_px, 
 
 void find_spans_scalar(Outline* outline, int32_t left_px, int32_t right_px, SpanBatch* batch);
 
-// All rows of a polygon that are visible, a batch at a time.
+// All rows of a part_of() a polygon, a batch at a time.
 class BatchWalk {
  public:
-  BatchWalk(const Polygon& polygon, const selvage_rect& visible, FindSpans find_spans)
+  BatchWalk(const Polygon& polygon, const selvage_rect& part, FindSpans find_spans)
       : find_spans_(find_spans),
-        visible_(visible),
-        row_(std::max(polygon.top_row, visible.top)),
-        end_row_(std::min(polygon.bottom_row, visible.bottom)),
+        left_px_(part.left),
+        right_px_(part.right),
+        row_(part.top),
+        end_row_(part.bottom),
         outline_(polygon) {}
 
   // False where no row is left.
@@ -59,14 +60,13 @@ class BatchWalk {
     batch->first_row = row_;
     batch->rows = std::min(end_row_ - row_, kRowsPerBatch);
     row_ += batch->rows;
-    find_spans_(&outline_, visible_.left, visible_.right, batch);
+    find_spans_(&outline_, left_px_, right_px_, batch);
     return true;
   }
 
  private:
   FindSpans find_spans_;
-  selvage_rect visible_;
-  int32_t row_, end_row_;
+  int32_t left_px_, right_px_, row_, end_row_;
   Outline outline_;
 };
 

@@ -17,14 +17,13 @@ namespace {
 class PlaneRows {
  public:
   PlaneRows(const ProjectivePlane& plane, const PlaneBend& bend, const Polygon& polygon,
-            const selvage_rect& visible, FindSpans find_spans, int32_t tolerance_fx16,
+            const selvage_rect& part, FindSpans find_spans, int32_t tolerance_fx16,
             const Stepping& stepping)
       : plane_(plane),
         bend_(bend),
         texels_(polygon.texels),
-        visible_(visible),
-        walk_(polygon, {polygon.left_px, visible.top, polygon.right_px, visible.bottom},
-              find_spans),
+        part_(part),
+        walk_(polygon, {polygon.left_px, part.top, polygon.right_px, part.bottom}, find_spans),
         margin_fx32_(2 * plane.lanes().error_fx32),
         tolerance_fx16_(tolerance_fx16),
         stepping_(stepping) {}
@@ -70,8 +69,8 @@ class PlaneRows {
  private:
   [[nodiscard]] Span visible_part(int32_t i) const {
     const Span whole = whole_.span(i);
-    const int32_t left_px = std::clamp(whole.left_px, visible_.left, visible_.right);
-    return {whole.row, left_px, std::max(left_px, std::min(whole.right_px, visible_.right))};
+    const int32_t left_px = std::clamp(whole.left_px, part_.left, part_.right);
+    return {whole.row, left_px, std::max(left_px, std::min(whole.right_px, part_.right))};
   }
   [[nodiscard]] int32_t choose(int32_t i) const {
     const Span row = whole_.span(i);
@@ -82,7 +81,7 @@ class PlaneRows {
   const ProjectivePlane& plane_;
   const PlaneBend& bend_;
   const TexelBox& texels_;
-  selvage_rect visible_;
+  selvage_rect part_;
   BatchWalk walk_;
   int64_t margin_fx32_;
   int32_t tolerance_fx16_;
@@ -139,25 +138,25 @@ void draw_row(const RuledRow& row, const Span& span, const TexelBox& texels, con
 
 }  // namespace
 
-void draw_tolerantly(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,
+void draw_tolerantly(const Surface& surface, const selvage_rect& part, const Polygon& polygon,
                      const Kernels& kernels, int32_t tolerance_fx16) {
   if (const auto plane = plane_of(polygon)) {
     const PlaneBend bend = bend_of(*plane, polygon);
     if (!may_step(bend, polygon, tolerance_fx16, kernels.stepping)) {
-      return draw_in_perspective(*plane, polygon, visible, surface, kernels);
+      return draw_in_perspective(*plane, polygon, part, surface, kernels);
     }
-    PlaneRows rows(*plane, bend, polygon, visible, kernels.find_spans, tolerance_fx16,
+    PlaneRows rows(*plane, bend, polygon, part, kernels.find_spans, tolerance_fx16,
                    kernels.stepping);
     while (rows.next()) rows.draw(surface, kernels);
     return;
   }
-  SpanWalk walk(polygon, visible);
+  SpanWalk walk(polygon, part);
   while (walk.next()) {
     draw_row(RuledRow(walk), walk.span(), polygon.texels, surface, kernels, tolerance_fx16);
   }
 }
 
-RowChoice choose_tolerantly(const selvage_rect& visible, const Polygon& polygon,
+RowChoice choose_tolerantly(const selvage_rect& part, const Polygon& polygon,
                             int32_t tolerance_fx16, const Stepping& stepping) {
   RowChoice all{SELVAGE_METHOD_NONE, 0, 0};
   const auto add = [&](const RowChoice& row) {
@@ -170,11 +169,11 @@ RowChoice choose_tolerantly(const selvage_rect& visible, const Polygon& polygon,
     const PlaneBend bend = bend_of(*plane, polygon);
     if (!may_step(bend, polygon, tolerance_fx16, stepping))
       return {SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0};
-    PlaneRows rows(*plane, bend, polygon, visible, find_spans_scalar, tolerance_fx16, stepping);
+    PlaneRows rows(*plane, bend, polygon, part, find_spans_scalar, tolerance_fx16, stepping);
     while (rows.next()) rows.for_each_choice(add);
     return all;
   }
-  SpanWalk walk(polygon, visible);
+  SpanWalk walk(polygon, part);
   while (walk.next()) {
     const RuledRow row(walk);
     add(choose_row(row.bend(), row.lanes.margin_fx32(), row.whole.width_px(), tolerance_fx16,

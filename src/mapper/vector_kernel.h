@@ -58,12 +58,11 @@ inline constexpr int32_t kAnchoredTruncations_fx16 = 2;
 }
 
 // And so do places in the texture, in texels from its first.
-[[nodiscard]] inline bool fits_vectors(const Surface& surface, const Polygon& polygon) {
-  if (!lanes_fit(polygon)) return false;
+[[nodiscard]] inline bool places_fit(const selvage_texture& texture) {
   constexpr int64_t kMost = INT32_MAX;
-  const int64_t pitch_texel = pitch_texel_of(surface.texture);
+  const int64_t pitch_texel = pitch_texel_of(texture);
   const int64_t stride_texel = pitch_texel < 0 ? -pitch_texel : pitch_texel;
-  return stride_texel <= kMost && stride_texel * rows_of_bytes(surface.texture).rows <= kMost;
+  return stride_texel <= kMost && stride_texel * rows_of_bytes(texture).rows <= kMost;
 }
 
 // Texels of larger textures are asked for ahead of their fetch. That costs up to half as much again

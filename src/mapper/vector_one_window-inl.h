@@ -82,6 +82,19 @@ struct TexelRange {
   }
 };
 
+struct TexelRanges {
+  TexelRange s, t;
+
+  HWY_INLINE explicit TexelRanges(const TexelBox& box)
+      : s{box.least_u_fx16 >> kTexelFraction, box.most_u_fx16 >> kTexelFraction},
+        t{box.least_v_fx16 >> kTexelFraction, box.most_v_fx16 >> kTexelFraction} {}
+
+  // The texture, so that no address mode changes a texel.
+  [[nodiscard]] HWY_INLINE bool within(const selvage_texture& texture) const {
+    return s.within(texture.width) && t.within(texture.height);
+  }
+};
+
 // Picked from by one permute, and the most that are kept.
 inline constexpr int32_t kVectorsPerPermute = kRowsPerPermute;
 inline constexpr int32_t kMostWindowVectors = kMostWindowRows;
@@ -90,28 +103,38 @@ inline constexpr int32_t kMostWindowVectors = kMostWindowRows;
 struct WindowPlace {
   Origin s{}, t{};
   int32_t vectors = 0;
-  bool inside = false;  // the texture, so that no address mode changes a texel
 };
 
-// With kMostWindowVectors, or no more than it takes.
-enum class WindowSize { kMost, kLeast };
-template <class Address, int kColumnBits, WindowSize kSize>
-[[nodiscard]] HWY_INLINE WindowPlace place_of(const TexelBox& box, const selvage_texture& texture) {
+// Of texels inside the texture, in no more vectors than it takes.
+template <int kColumnBits>
+[[nodiscard]] HWY_INLINE WindowPlace place_inside(const TexelRanges& texels,
+                                                  const selvage_texture& texture) {
   constexpr int32_t kRows = kRowsPerVector<kColumnBits>;
-  const TexelRange s{box.least_u_fx16 >> kTexelFraction, box.most_u_fx16 >> kTexelFraction};
-  const TexelRange t{box.least_v_fx16 >> kTexelFraction, box.most_v_fx16 >> kTexelFraction};
+  const int32_t vectors = whole_rows((texels.t.count() + kRows - 1) / kRows);
   const int32_t last_column = texture.width - kColumns<kColumnBits>;
-  if (texture.layout != SELVAGE_LAYOUT_ROWS || last_column < 0 ||
-      s.count() > kColumns<kColumnBits> || t.count() > kMostWindowVectors * kRows) {
+  const int32_t last_row = texture.height - vectors * kRows;
+  if (texels.s.count() > kColumns<kColumnBits> || vectors > kMostWindowVectors || last_column < 0 ||
+      last_row < 0) {
     return {};
   }
-  const int32_t vectors =
-      kSize == WindowSize::kMost ? kMostWindowVectors : whole_rows((t.count() + kRows - 1) / kRows);
-  const int32_t last_row = texture.height - vectors * kRows;
-  if (last_row < 0) return {};
-  const WindowPlace place{Address::origin(s.first, last_column, texture.width),
-                          Address::origin(t.first, last_row, texture.height), vectors,
-                          s.within(texture.width) && t.within(texture.height)};
+  const int32_t s = HWY_MIN(texels.s.first, last_column), t = HWY_MIN(texels.t.first, last_row);
+  return {{s, s}, {t, t}, vectors};
+}
+
+// Of any texels, in kMostWindowVectors.
+template <class Address, int kColumnBits>
+[[nodiscard]] HWY_INLINE WindowPlace place_of(const TexelRanges& texels,
+                                              const selvage_texture& texture) {
+  constexpr int32_t kRows = kMostWindowVectors * kRowsPerVector<kColumnBits>;
+  const int32_t last_column = texture.width - kColumns<kColumnBits>;
+  const int32_t last_row = texture.height - kRows;
+  if (texels.s.count() > kColumns<kColumnBits> || texels.t.count() > kRows || last_column < 0 ||
+      last_row < 0) {
+    return {};
+  }
+  const WindowPlace place{Address::origin(texels.s.first, last_column, texture.width),
+                          Address::origin(texels.t.first, last_row, texture.height),
+                          kMostWindowVectors};
   return place.s.index <= last_column && place.t.index <= last_row ? place : WindowPlace{};
 }
 
@@ -192,36 +215,30 @@ template <class Pixel, int kColumnBits, class Draw>
 }
 
 // Others are seldom: one size is enough.
-template <class Pixel, class Address, int kColumnBits, class Draw>
-[[nodiscard]] HWY_NOINLINE bool with_large_window(const TexelBox& box,
-                                                  const selvage_texture& texture, const Draw& draw,
-                                                  bool* found) {
-  const auto place = place_of<Address, kColumnBits, WindowSize::kMost>(box, texture);
-  *found = place.vectors != 0;
-  return *found && draw(Window<Pixel, Address, kColumnBits, kMostWindowVectors>(texture, place));
+template <class Pixel, class Address, class Draw>
+[[nodiscard]] HWY_NOINLINE bool with_large_window(const TexelRanges& texels,
+                                                  const selvage_texture& texture,
+                                                  const Draw& draw) {
+  const auto half = place_of<Address, kHalfColumnBits>(texels, texture);
+  if (half.vectors != 0) {
+    return draw(Window<Pixel, Address, kHalfColumnBits, kMostWindowVectors>(texture, half));
+  }
+  const auto whole = place_of<Address, kWindowColumnBits>(texels, texture);
+  return whole.vectors != 0 &&
+         draw(Window<Pixel, Address, kWindowColumnBits, kMostWindowVectors>(texture, whole));
 }
 
 // What draw(window) returns, or false where there is no such window.
-template <class Pixel, class Address, int kColumnBits, class Draw>
-[[nodiscard]] HWY_INLINE bool with_columns(const TexelBox& box, const selvage_texture& texture,
-                                           const Draw& draw, bool* found) {
-  const auto place = place_of<Address, kColumnBits, WindowSize::kLeast>(box, texture);
-  *found = place.vectors != 0;
-  if (!*found) return false;
-  if (place.inside) {
-    return with_window_inside<Pixel, kColumnBits>(texture, place, draw);
-  }
-  return with_large_window<Pixel, Address, kColumnBits>(box, texture, draw, found);
-}
-
 template <class Pixel, class Address, class Draw>
 [[nodiscard]] HWY_INLINE bool with_one_window(const TexelBox& box, const selvage_texture& texture,
                                               const Draw& draw) {
-  if constexpr (!kHasWindows) return false;
-  bool found = false;
-  const bool is_drawn = with_columns<Pixel, Address, kHalfColumnBits>(box, texture, draw, &found);
-  return found ? is_drawn
-               : with_columns<Pixel, Address, kWindowColumnBits>(box, texture, draw, &found);
+  if (!kHasWindows || texture.layout != SELVAGE_LAYOUT_ROWS) return false;
+  const TexelRanges texels(box);
+  if (!texels.within(texture)) return with_large_window<Pixel, Address>(texels, texture, draw);
+  const auto half = place_inside<kHalfColumnBits>(texels, texture);
+  if (half.vectors != 0) return with_window_inside<Pixel, kHalfColumnBits>(texture, half, draw);
+  const auto whole = place_inside<kWindowColumnBits>(texels, texture);
+  return whole.vectors != 0 && with_window_inside<Pixel, kWindowColumnBits>(texture, whole, draw);
 }
 
 }  // namespace

@@ -20,24 +20,27 @@ inline constexpr int32_t kRows = static_cast<int32_t>(hn::MaxLanes(RowTag()));
 
 using RowNumbers = hn::Vec<RowTag>;
 
-// An EdgeLine in all lanes.
+// An EdgeLine in all lanes. The dividend is a half more, so that a product serves as a quotient: no
+// whole number is so near that roundings would reach it (spec/proofs/edge_reciprocal.g).
 struct LineVectors {
-  RowNumbers dividend, step, divisor;
+  RowNumbers dividend, step, reciprocal;
 
-  // Where it crosses the rows from so many below its first one on.
-  [[nodiscard]] HWY_INLINE Columns columns(int32_t rows_below) const {
-    const auto at_row = hn::MulAdd(hn::Iota(RowTag(), rows_below), step, dividend);
-    return hn::DemoteTo(ColumnTag(), hn::Floor(hn::Div(at_row, divisor)));
+  // Where it crosses rows so far below its first one.
+  [[nodiscard]] HWY_INLINE Columns columns(RowNumbers rows_below) const {
+    const auto at_row = hn::MulAdd(rows_below, step, dividend);
+    return hn::DemoteTo(ColumnTag(), hn::Floor(hn::Mul(at_row, reciprocal)));
   }
 };
+inline constexpr double kUpToHalf = 0.5;
 
 [[nodiscard]] HWY_INLINE LineVectors vectors_of(const EdgeLine& line) {
   const RowTag d;
-  return {hn::Set(d, line.dividend), hn::Set(d, line.step), hn::Set(d, line.divisor)};
+  return {hn::Set(d, line.dividend + kUpToHalf), hn::Set(d, line.step),
+          hn::Set(d, 1.0 / line.divisor)};
 }
 
 // line_between, by the same numbers: all are whole, and exact in double. Between vertices of one
-// height the divisor is 0, and the columns mean nothing.
+// height the reciprocal is infinite, and the columns mean nothing.
 [[nodiscard]] HWY_INLINE LineVectors lines_between(const selvage_vertex& top,
                                                    const selvage_vertex& bottom, int32_t row) {
   const PairTag pairs;
@@ -47,10 +50,12 @@ struct LineVectors {
   const Pair right_by = hn::Add(place, hn::Set(pairs, kHalfPixel)),
              below_by = hn::Sub(hn::Set(pairs, centre_fx8(row)), place);
   const Pair terms = hn::Mul(hn::OddEven(below_by, right_by), across);
-  const Pair dividend = hn::Sub(hn::Add(terms, hn::Reverse(pairs, terms)), hn::Set(pairs, 1));
+  const Pair sum = hn::Add(terms, hn::Reverse(pairs, terms));
+  const Pair dividend = hn::Add(sum, hn::Set(pairs, kUpToHalf - 1));
   const Pair per_row = hn::Mul(across, hn::Set(pairs, kSubpixels));
+  const Pair reciprocal = hn::Div(hn::Set(pairs, 1.0), per_row);
   return {hn::Set(d, hn::GetLane(dividend)), hn::Set(d, hn::GetLane(hn::Reverse(pairs, per_row))),
-          hn::Set(d, hn::GetLane(per_row))};
+          hn::Set(d, hn::GetLane(reciprocal))};
 }
 
 // Makes spans between columns, some rows at a time.
@@ -60,6 +65,7 @@ class SpanMaker {
       : left_px_(hn::Set(ColumnTag(), left_px)),
         right_px_(hn::Set(ColumnTag(), right_px)),
         widest_px_(hn::Zero(ColumnTag())),
+        rows_(batch->rows),
         batch_(batch) {}
 
   HWY_INLINE void make(int32_t row, Columns a, Columns b) {
@@ -68,7 +74,7 @@ class SpanMaker {
     const auto right = hn::Max(hn::Min(hn::Max(a, b), right_px_), left);
     hn::StoreU(left, d, batch_->left_px.data() + row);
     hn::StoreU(right, d, batch_->right_px.data() + row);
-    const auto is_row = hn::Lt(hn::Iota(d, row), hn::Set(d, batch_->rows));
+    const auto is_row = hn::Lt(hn::Iota(d, 0), hn::Set(d, rows_ - row));
     widest_px_ = hn::Max(widest_px_, hn::IfThenElseZero(is_row, hn::Sub(right, left)));
   }
 
@@ -78,6 +84,7 @@ class SpanMaker {
 
  private:
   Columns left_px_, right_px_, widest_px_;
+  int32_t rows_;
   SpanBatch* batch_;
 };
 
@@ -85,8 +92,10 @@ HWY_INLINE void find_columns_of(Chain* chain, const SpanBatch& batch, int32_t* f
   chain->for_each_line(batch.first_row, batch.first_row + batch.rows,
                        [&](const EdgeLine& line, int32_t rows, int32_t first) HWY_ATTR {
                          const LineVectors lines = vectors_of(line);
+                         RowNumbers below = hn::Iota(RowTag(), 0);
                          for (int32_t i = 0; i < rows; i += kRows) {
-                           hn::StoreU(lines.columns(i), ColumnTag(), first_px + first + i);
+                           hn::StoreU(lines.columns(below), ColumnTag(), first_px + first + i);
+                           below = hn::Add(below, hn::Set(RowTag(), kRows));
                          }
                        });
 }
@@ -113,12 +122,14 @@ HWY_INLINE void find_in_triangle(const TriangleCorners& corners, SpanMaker* span
                     upper = lines_between(top, middle, row),
                     lower = lines_between(middle, bottom, row);
   const auto corner = hn::Set(d, first_centre_px(middle.y) - row);
+  RowNumbers below = hn::Iota(d, 0);
   for (int32_t i = 0; i < batch.rows; i += kRows) {
-    const auto is_upper = hn::Lt(hn::Iota(d, i), corner);
+    const auto is_upper = hn::Lt(below, corner);
     const LineVectors broken = {hn::IfThenElse(is_upper, upper.dividend, lower.dividend),
                                 hn::IfThenElse(is_upper, upper.step, lower.step),
-                                hn::IfThenElse(is_upper, upper.divisor, lower.divisor)};
-    spans->make(i, whole.columns(i), broken.columns(i));
+                                hn::IfThenElse(is_upper, upper.reciprocal, lower.reciprocal)};
+    spans->make(i, whole.columns(below), broken.columns(below));
+    below = hn::Add(below, hn::Set(d, kRows));
   }
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "mapper/kernel.h"
+#include "mapper/kernel_choice.h"
 #include "mapper/kernel_preference.h"
 #include "measure/kernel_race.h"
 #include "measure/work_picture.h"

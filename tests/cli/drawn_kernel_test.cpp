@@ -20,7 +20,7 @@ using Vertices = std::vector<selvage_vertex>;
   EXPECT_EQ(selvage_choose(&target, nullptr, vertices.data(), vertices.size(), &texture, &options,
                            &choice),
             SELVAGE_OK);
-  return drawn_kernel(target, vertices, texture, options, choice.method);
+  return drawn_kernel(vertices, texture, options, choice.method);
 }
 
 [[nodiscard]] Vertices triangle(int32_t q, int32_t farthest_u) {

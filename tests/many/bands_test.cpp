@@ -2,51 +2,95 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <cstdint>
 #include <vector>
 
+#include "many/band_index.h"
+#include "many/band_work.h"
 #include "spec/random.h"
 
 namespace selvage::many {
 namespace {
 
 TEST(Bands, CoverTheRowsWithoutGapOrOverlap) {
-  for (const Rows rows :
-       {Rows{0, 1}, Rows{0, 7}, Rows{3, 1027}, Rows{-100, 411}, Rows{5, 1 << 30}}) {
-    for (size_t wanted = 1; wanted <= kMostBands / 2; ++wanted) {
-      for (const int32_t least : {1, 8, 100}) {
-        const Bands bands(rows, wanted, least);
-        int32_t next = rows.first;
-        for (size_t band = 0; band < bands.count(); ++band) {
-          const Rows of = bands.rows(band);
-          ASSERT_EQ(of.first, next);
-          ASSERT_FALSE(of.empty());
-          ASSERT_EQ(bands.band_of(of.first), band);
-          ASSERT_EQ(bands.band_of(of.end - 1), band);
-          if (band + 1 < bands.count()) {
-            ASSERT_GE(of.count(), least);
-          }
-          next = of.end;
-        }
-        ASSERT_EQ(next, rows.end);
-        ASSERT_LE(bands.count(), std::min(2 * wanted, kMostBands));
+  for (const Rows rows : {Rows{0, 1}, Rows{0, 7}, Rows{0, 8}, Rows{3, 1027}, Rows{3, 1028},
+                          Rows{-100, 411}, Rows{5, 1 << 30}, Rows{0, INT32_MAX}}) {
+    const Bands bands(rows);
+    ASSERT_LE(bands.count(), kMostBands);
+    int32_t next = rows.first;
+    for (size_t band = 0; band < bands.count(); ++band) {
+      const Rows of = bands.rows({band, band + 1});
+      ASSERT_EQ(of.first, next);
+      ASSERT_FALSE(of.empty());
+      for (const int32_t row : {of.first, of.end - 1}) {
+        const BandRange reached = bands.reached_by({row, row + 1});
+        ASSERT_EQ(reached.first, band);
+        ASSERT_EQ(reached.end, band + 1);
       }
+      if (band + 1 < bands.count()) {
+        ASSERT_GE(of.count(), kLeastBandRows);
+      }
+      next = of.end;
     }
+    ASSERT_EQ(next, rows.end);
   }
 }
 
-TEST(Bands, AreAsManyAsWantedWhereRowsSuffice) {
-  for (size_t wanted = 1; wanted <= kMostBands / 2; ++wanted) {
-    EXPECT_GE(Bands({0, 1024}, wanted, 8).count(), wanted);
-    EXPECT_EQ(Bands({0, 8}, wanted, 8).count(), 1U);
+TEST(Bands, AreAsManyAsCanBe) {
+  EXPECT_EQ(Bands({0, 0}).count(), 0U);
+  EXPECT_EQ(Bands({0, kLeastBandRows}).count(), 1U);
+  EXPECT_EQ(Bands({0, kLeastBandRows + 1}).count(), 2U);
+  EXPECT_EQ(Bands({0, 1024}).count(), 128U);
+  EXPECT_EQ(Bands({0, 1025}).count(), 65U);
+}
+
+// Work of a few bands at random, and of one that has most of it.
+[[nodiscard]] BandWork random_work(spec::Random& random) {
+  BandWork work;
+  for (int i = 0; i < 20; ++i) {
+    const size_t first = random.below(kMostBands),
+                 end = first + random.below(kMostBands - first) + 1;
+    work.add({first, end}, random.in(0, 1000));
+  }
+  const size_t most = random.below(kMostBands);
+  work.add({most, most + 1}, random.pick({0, 1'000'000}));
+  return work;
+}
+
+TEST(BandWork, IsPartedWithoutGapOrOverlap) {
+  for (uint64_t seed = 1; seed <= 300; ++seed) {
+    spec::Random random(seed);
+    const BandWork work = seed == 1 ? BandWork() : random_work(random);
+    const size_t first = random.below(kMostBands);
+    const BandRange bands{first, first + random.below(kMostBands - first) + 1};
+    const size_t parts = random.below(bands.count()) + 1;
+    size_t next = bands.first;
+    for (size_t i = 0; i < parts; ++i) {
+      const BandRange part = work.part(bands, i, parts);
+      ASSERT_EQ(part.first, next) << "seed " << seed;
+      ASSERT_GE(part.end, part.first);
+      next = part.end;
+    }
+    ASSERT_EQ(next, bands.end);
   }
 }
 
-// Which polygons reach a band, by looking at each.
-[[nodiscard]] std::vector<uint32_t> by_looking(const std::vector<Rows>& polygons, Rows band) {
-  std::vector<uint32_t> found;
-  for (uint32_t i = 0; i < polygons.size(); ++i) {
-    if (!polygons[i].within(band).empty()) found.push_back(i);
+TEST(BandWork, IsAboutTheSameInEachPart) {
+  BandWork work;
+  work.add({0, 64}, 1);
+  work.add({48, 64}, 2);
+  BandWork upper;
+  upper.add({0, 10}, 4);
+  work.add(upper);                                   // 136
+  const std::vector<size_t> ends = {7, 28, 53, 64};  // 35, 33, 35 and 33 of it
+  for (size_t i = 0; i < 4; ++i) EXPECT_EQ(work.part({0, 64}, i, 4).end, ends[i]) << i;
+}
+
+// Which polygons reach some rows, by looking at each.
+[[nodiscard]] std::vector<size_t> by_looking(const std::vector<Rows>& polygons, Rows rows) {
+  std::vector<size_t> found;
+  for (size_t i = 0; i < polygons.size(); ++i) {
+    if (!polygons[i].within(rows).empty()) found.push_back(i);
   }
   return found;
 }
@@ -61,53 +105,37 @@ TEST(Bands, AreAsManyAsWantedWhereRowsSuffice) {
   return polygons;
 }
 
-TEST(BandIndex, ListsThePolygonsOfEachBandInOrder) {
-  for (uint64_t seed = 1; seed <= 300; ++seed) {
-    SCOPED_TRACE(seed);
-    spec::Random random(seed);
-    const size_t count = static_cast<size_t>(random.in(0, 200));
-    const std::vector<Rows> polygons = random_polygons(random, count);
-    const int32_t top = random.in(0, 100);
-    const Bands bands({top, top + random.in(1, 500)}, random.below(kMostBands / 2) + 1,
-                      random.in(1, 20));
-    std::vector<uint32_t> entries(count * kMostNodes);
-    BandIndex index(bands, entries);
-    const size_t runs = random.below(kMostRuns) + 1;
-    const auto run_of = [&](size_t i) { return i * runs / count; };
-    for (size_t i = 0; i < count; ++i) index.add(run_of(i), polygons[i]);
-    index.end_adding();
-    // Runs may list in any order, each its own from first to last.
-    for (size_t run = runs; run-- > 0;) {
-      for (size_t i = 0; i < count; ++i) {
-        if (run_of(i) == run) index.list(run, static_cast<uint32_t>(i), polygons[i]);
-      }
+// Writers may write in any order, each its own words from the first to the last.
+void write(const BandIndex& index, const std::vector<Rows>& polygons, size_t polygons_each) {
+  for (size_t end = polygons.size(); end > 0;) {
+    const size_t first = (end - 1) / polygons_each * polygons_each;
+    BandIndex::Writer writer(index, first);
+    for (size_t i = first; i < end; ++i) {
+      writer.add(index.bands().reached_by(polygons[i]));
     }
-    for (size_t band = 0; band < bands.count(); ++band) {
-      std::vector<uint32_t> listed;
-      BandIndex::Reader reader(index, band);
-      for (uint32_t i; reader.next(&i);) listed.push_back(i);
-      ASSERT_EQ(listed, by_looking(polygons, bands.rows(band))) << "band " << band;
-    }
+    writer.end();
+    end = first;
   }
 }
 
-TEST(BandIndex, ListsNoPolygonAtMoreNodesThanThereIsRoomFor) {
-  const Bands bands({0, static_cast<int32_t>(kMostBands)}, kMostBands / 2, 1);
-  ASSERT_EQ(bands.count(), kMostBands / 2);
-  const Bands most({0, 63}, kMostBands / 2, 1);
-  ASSERT_EQ(most.count(), 63U);
-  size_t greatest = 0;
-  for (int32_t first = 0; first < 63; ++first) {
-    for (int32_t end = first + 1; end <= 63; ++end) {
-      size_t nodes = 0;
-      most.for_each_node({first, end}, [&](size_t node) {
-        ++nodes;
-        EXPECT_LT(node, 2 * kMostBands);
-      });
-      greatest = std::max(greatest, nodes);
+TEST(BandIndex, TellsThePolygonsOfBandsInOrder) {
+  for (uint64_t seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE(seed);
+    spec::Random random(seed);
+    const size_t count = static_cast<size_t>(random.pick({0, 1, 63, 64, 65, 128, 300}));
+    const std::vector<Rows> polygons = random_polygons(random, count);
+    const int32_t top = random.in(0, 100);
+    std::vector<uint64_t> words(BandIndex::words(count), ~uint64_t{0});  // what lay there before
+    const BandIndex index(Bands({top, top + random.in(1, 1500)}), words);
+    write(index, polygons, BandIndex::kPolygonsPerWord * (random.below(3) + 1));
+    const size_t bands = index.bands().count(), parts = random.below(bands) + 1;
+    for (size_t i = 0; i < parts; ++i) {
+      const BandRange part{bands * i / parts, bands * (i + 1) / parts};
+      std::vector<size_t> told;
+      index.for_each(part, [&](size_t polygon) { told.push_back(polygon); });
+      ASSERT_EQ(told, by_looking(polygons, index.bands().rows(part))) << "part " << i;
     }
   }
-  EXPECT_EQ(greatest, kMostNodes);
 }
 
 }  // namespace

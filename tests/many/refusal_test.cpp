@@ -168,7 +168,11 @@ TEST(Scratch, EndsWhereItIsNoLongerNeeded) {
 
 TEST(Scratch, GrowsWithThePolygonsUpToWhatCanBe) {
   EXPECT_GT(selvage_draw_many_bytes(1), 0U);
-  EXPECT_EQ(selvage_draw_many_bytes(1000), 1000 * selvage_draw_many_bytes(1));
+  EXPECT_GT(selvage_draw_many_bytes(2), selvage_draw_many_bytes(1));
+  EXPECT_EQ(selvage_draw_many_bytes(64'000), 1000 * selvage_draw_many_bytes(64));
+  EXPECT_LE(selvage_draw_many_bytes(64'000), 64'000 * 100U);
+  EXPECT_LT(selvage_draw_many_bytes(400'000'000), SIZE_MAX);
+  EXPECT_EQ(selvage_draw_many_bytes(400'000'001), SIZE_MAX);
   EXPECT_EQ(selvage_draw_many_bytes(SIZE_MAX), SIZE_MAX);
   EXPECT_EQ(selvage_draw_many_bytes(UINT32_MAX), SIZE_MAX);
   Call call;

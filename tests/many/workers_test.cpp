@@ -36,15 +36,18 @@ TEST(Workers, AreAtLeastOne) {
 }
 
 TEST(Runs, TileTheList) {
-  for (const size_t count : {1U, 511U, 512U, 1023U, 1024U, 5000U, 100'000U}) {
+  for (const size_t count : {1U, 511U, 1023U, 1024U, 1025U, 5000U, 100'000U}) {
     for (const int32_t workers : {1, 4}) {
       const Runs runs(count, workers);
       ASSERT_LE(runs.count(), kMostRuns);
       EXPECT_EQ(runs.count() > 1, workers > 1 && count >= 1024) << count;
+      EXPECT_TRUE(runs.count() == 1 || runs.count() >= 8) << count;  // for workers to have alike
       std::vector<int> seen(count);
       std::vector<size_t> begins(runs.count());
       runs.for_each([&](size_t run, size_t first, size_t end) {
         begins[run] = first;
+        EXPECT_EQ(first % BandIndex::kPolygonsPerWord, 0U);
+        EXPECT_LT(first, end);
         for (size_t i = first; i < end; ++i) ++seen[i];
       });
       EXPECT_EQ(seen, std::vector<int>(count, 1));

@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-#include "mapper/kernel.h"
+#include "mapper/kernel_choice.h"
 
 namespace selvage::measure {
 namespace {

@@ -1,0 +1,48 @@
+// Which kernels draw a polygon.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "mapper/kernel.h"
+#include "mapper/kernel_preference.h"
+#include "mapper/polygon.h"
+#include "mapper/vector_kernel.h"
+#include "selvage.h"
+
+namespace selvage::mapper {
+
+// Whether this build and this machine have it.
+[[nodiscard]] bool is_usable(selvage_kernel kernel);
+
+// Those of options.kernel, which this machine can run.
+[[nodiscard]] const Kernels& kernels_for(const selvage_options& options, selvage_work work);
+
+// The same, or the scalar ones for what a vector kernel cannot hold.
+[[nodiscard]] const Kernels& kernels_for(const selvage_options& options,
+                                         const selvage_texture& texture, const Polygon& polygon);
+
+// The same for many polygons of one texture.
+class KernelChoice {
+ public:
+  KernelChoice(const selvage_options& options, const selvage_texture& texture)
+      : scalar_(&scalar_kernels(options.filter)), tolerance_(options.tolerance) {
+    const bool fits = places_fit(texture);
+    for (size_t work = 0; work < kWorks; ++work) {
+      by_work_[work] = fits ? &kernels_for(options, static_cast<selvage_work>(work)) : scalar_;
+    }
+  }
+
+  [[nodiscard]] const Kernels& of(const Polygon& polygon) const {
+    if (!lanes_fit(polygon)) return *scalar_;
+    return *by_work_[static_cast<size_t>(work_of(polygon, tolerance_))];
+  }
+
+ private:
+  const Kernels* scalar_;
+  std::array<const Kernels*, kWorks> by_work_{};
+  int32_t tolerance_;
+};
+
+}  // namespace selvage::mapper
