@@ -47,7 +47,8 @@ struct VertexBox {
       : least(numbers_of(vertices[0])), most(least), least_q(vertices[0].q), most_q(least_q) {
     for (const selvage_vertex& v : vertices.subspan(1)) {
       const Numbers numbers = numbers_of(v);
-      const Numbers is_less = numbers < least, is_more = numbers > most;
+      const Numbers is_less = numbers < least;
+      const Numbers is_more = numbers > most;
       least = (numbers & is_less) | (least & ~is_less);
       most = (numbers & is_more) | (most & ~is_more);
       least_q = std::min(least_q, v.q);
