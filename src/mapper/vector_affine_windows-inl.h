@@ -187,7 +187,7 @@ HWY_INLINE void draw_windows(const AffineSpans& spans, const Surface& surface,
                              const WindowShape& shape, bool inside, Resume* at, Left* left) {
   using Inside = Addressed<InsideVector>;
   constexpr int kBits = kWindowColumnBits;
-  constexpr int32_t kOne = kRowsPerPermute, kTwo = 2 * kRowsPerPermute;
+  constexpr int32_t kOne = kRowsPerPermute, kTwo = 2 * kOne, kThree = 3 * kOne;
   if (surface.address == SELVAGE_ADDRESS_CLAMP && !inside) {
     const WindowShape wide{kBits, shape.rows};
     draw_windows<Pixel, Addressed<ClampVector>, kBits, 0>(spans, surface, wide, inside, at, left);
@@ -198,6 +198,8 @@ HWY_INLINE void draw_windows(const AffineSpans& spans, const Surface& surface,
     draw_windows<Pixel, Inside, kBits, kOne>(spans, surface, shape, inside, at, left);
   } else if (shape.rows == kTwo) {
     draw_windows<Pixel, Inside, kBits, kTwo>(spans, surface, shape, inside, at, left);
+  } else if (shape.rows == kThree) {
+    draw_windows<Pixel, Inside, kBits, kThree>(spans, surface, shape, inside, at, left);
   } else {
     draw_windows<Pixel, Inside, kBits, 0>(spans, surface, shape, inside, at, left);
   }

@@ -59,28 +59,41 @@ const Kernels& kernels(selvage_filter filter) {
 
 #if HWY_ONCE
 namespace selvage::mapper {
+namespace {
+
+// Of the instructions that Highway compiles each target for, those that machines may lack.
+#if HWY_TARGETS & HWY_SSE4
+[[nodiscard]] bool has_sse4() {
+  return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul") &&
+         __builtin_cpu_supports("aes");
+}
+#endif
+#if HWY_TARGETS & HWY_AVX2
+[[nodiscard]] bool has_avx2() {
+  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+         __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("f16c");
+}
+#endif
+#if HWY_TARGETS & HWY_AVX3
+[[nodiscard]] bool has_avx512() {
+  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw") &&
+         __builtin_cpu_supports("bmi2");
+}
+#endif
+
+}  // namespace
 
 const Kernels* vector_kernels([[maybe_unused]] selvage_kernel kernel,
                               [[maybe_unused]] selvage_filter filter) {
 #if HWY_TARGETS & HWY_SSE4
-  if (kernel == SELVAGE_KERNEL_SSE4 && __builtin_cpu_supports("sse4.2") &&
-      __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("aes")) {
-    return &N_SSE4::kernels(filter);
-  }
+  if (kernel == SELVAGE_KERNEL_SSE4 && has_sse4()) return &N_SSE4::kernels(filter);
 #endif
 #if HWY_TARGETS & HWY_AVX2
-  if (kernel == SELVAGE_KERNEL_AVX2 && __builtin_cpu_supports("avx2") &&
-      __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2") &&
-      __builtin_cpu_supports("f16c")) {
-    return &N_AVX2::kernels(filter);
-  }
+  if (kernel == SELVAGE_KERNEL_AVX2 && has_avx2()) return &N_AVX2::kernels(filter);
 #endif
 #if HWY_TARGETS & HWY_AVX3
-  if (kernel == SELVAGE_KERNEL_AVX512 && __builtin_cpu_supports("avx512f") &&
-      __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq") &&
-      __builtin_cpu_supports("avx512bw") && __builtin_cpu_supports("bmi2")) {
-    return &N_AVX3::kernels(filter);
-  }
+  if (kernel == SELVAGE_KERNEL_AVX512 && has_avx512()) return &N_AVX3::kernels(filter);
 #endif
 #if HWY_TARGETS & HWY_NEON
   if (kernel == SELVAGE_KERNEL_NEON) return &N_NEON::kernels(filter);

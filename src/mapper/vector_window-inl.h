@@ -23,7 +23,7 @@ inline constexpr int32_t kMostWindowRows = 10;  // more were measured to cost mo
 #else
 inline constexpr bool kHasWindows = HWY_TARGET == HWY_AVX2;
 inline constexpr int32_t kRowsPerPermute = 1;
-inline constexpr int32_t kMostWindowRows = 4;
+inline constexpr int32_t kMostWindowRows = 3;  // the same, where no AVX-512 is
 #endif
 // A window's columns are a power of two: as many as there are lanes, or half as many, two rows to
 // the vector.
