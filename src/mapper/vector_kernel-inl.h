@@ -271,19 +271,22 @@ HWY_INLINE void fetch(const selvage_texture& texture, const int32_t* HWY_RESTRIC
              [&](auto value) { fetch_as<decltype(value)>(texture.texels, place, count, pixel); });
 }
 
-// Stores the first pixels of a row up to kNarrow_px wide.
+// Stores the first pixels of a row up to kNarrow_px wide: by whole vectors, of which the last may
+// meet the one before. Under a mask a store costs some processors as much as a dozen of others.
 template <class Pixel>
 HWY_INLINE void store_row(const Pixel* HWY_RESTRICT row, int32_t count, char* HWY_RESTRICT pixel) {
-  const hn::CappedTag<Pixel, kNarrow_px> d;
   constexpr bool kHasMask =
       HWY_TARGET <= HWY_AVX3 || (HWY_TARGET == HWY_AVX2 && sizeof(Pixel) == 4);
-  if constexpr (kHasMask) {
-    constexpr int32_t kRow = static_cast<int32_t>(hn::MaxLanes(d));
-    for (int32_t done = 0; done < count; done += kRow) {
-      hn::BlendedStore(hn::LoadU(d, row + done),
-                       hn::FirstN(d, static_cast<size_t>(HWY_MIN(count - done, kRow))), d,
-                       reinterpret_cast<Pixel*>(pixel) + done);
+  const hn::CappedTag<Pixel, kHasMask ? kNarrow_px : 8> d;  // or more are left to be stored singly
+  constexpr int32_t kRow = static_cast<int32_t>(hn::MaxLanes(d));
+  auto* const to = reinterpret_cast<Pixel*>(pixel);
+  if (count >= kRow) {
+    for (int32_t done = 0; done + kRow < count; done += kRow) {
+      hn::StoreU(hn::LoadU(d, row + done), d, to + done);
     }
+    hn::StoreU(hn::LoadU(d, row + count - kRow), d, to + count - kRow);
+  } else if constexpr (kHasMask) {
+    hn::BlendedStore(hn::LoadU(d, row), hn::FirstN(d, static_cast<size_t>(count)), d, to);
   } else {
     for (int32_t i = 0; i < count; ++i) {
       std::memcpy(pixel + i * ptrdiff_t{sizeof(Pixel)}, row + i, sizeof(Pixel));
