@@ -272,7 +272,7 @@ HWY_INLINE void fetch(const selvage_texture& texture, const int32_t* HWY_RESTRIC
 }
 
 // Stores the first pixels of a row up to kNarrow_px wide: by whole vectors, of which the last may
-// meet the one before. Under a mask a store costs some processors as much as a dozen of others.
+// meet the one before. Some processors take several times as long to store under a mask.
 template <class Pixel>
 HWY_INLINE void store_row(const Pixel* HWY_RESTRICT row, int32_t count, char* HWY_RESTRICT pixel) {
   constexpr bool kHasMask =
