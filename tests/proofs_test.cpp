@@ -97,6 +97,13 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
   };
 }
 
+[[nodiscard]] Proof coarse_lanes(int bits) {
+  return {"coarse_lanes",
+          {{"BITS", number(bits)},
+           {"TRUNCATIONS", number(kCoarseTruncations), barely_less(kCoarseTruncations)}},
+          "_of_" + std::to_string(bits)};
+}
+
 [[nodiscard]] std::vector<Proof> mapper_proofs() {
   const Constant lane_fraction{"LANE_FRACTION", number(kLaneFraction)};
   const Constant denominator_bits{"DENOMINATOR_BITS", number(kDenominatorBits)};
@@ -129,6 +136,10 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
        {{"SHIFT", number(kLaneFraction - kWindowFraction)},
         {"TRUNCATIONS", number(kVectorTruncations_fx24), barely_less(kVectorTruncations_fx24)}},
        "_fx24"},
+      coarse_lanes(1),
+      coarse_lanes(2),
+      coarse_lanes(3),
+      coarse_lanes(4),
       {"divided_lanes",
        {{"SHIFT", number(kLaneFraction - kTexelFraction)},
         {"LANE_BITS", number(kTexelBits + 1), "38"},

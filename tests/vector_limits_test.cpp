@@ -2,6 +2,7 @@
 // assume (spec/proofs/anchored_lanes.g), met and passed by as little as can be.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -42,6 +43,33 @@ TEST(VectorLimits, AnchorsAreLoweredByTheProofsBound) {
       const double wanted =
           anchor_fx16 + kAnchoredRoundings * walk_fx16 / 16777216 + kAnchoredSlack_fx16;
       EXPECT_DOUBLE_EQ(anchored_error_fx16(field_of(0, walk_fx16, error_fx32)), wanted);
+    }
+  }
+}
+
+// Of every anchor and offset, whatever their lowest bits are.
+TEST(VectorLimits, CoarseLanesLackNoMoreThanTheyAreThoughtTo) {
+  for (const int bits : {1, 2, 3, 4}) {
+    for (const int32_t lack_fx16 : {1, 2, 3, 4, 15, 16, 17, 66}) {
+      int32_t most = 0;
+      for (int32_t anchor = 0; anchor < 1 << bits; ++anchor) {
+        for (int32_t offset = 0; offset < 1 << bits; ++offset) {
+          const int32_t coarse = (anchor >> bits) + (offset >> bits);
+          const int32_t end_fx16 = anchor + offset + lack_fx16;  // which no value reaches
+          most = std::max(most, ((end_fx16 + (1 << bits) - 1) >> bits) - coarse);
+        }
+      }
+      EXPECT_EQ(coarse_lack(bits, lack_fx16), most) << bits << " bits, lack " << lack_fx16;
+    }
+  }
+}
+
+TEST(VectorLimits, CoarseLanesLackATexelAtMost) {
+  for (const int bits : {1, 2, 3, 4}) {
+    const int32_t texel = 0x10000 >> bits;
+    EXPECT_LT(coarse_lack(bits, 0x10000 - 4 * (1 << bits)), texel);
+    for (const int32_t lack_fx16 : {0xFFFF, 0x10000, 0x10003, 0x7FFF0000}) {
+      EXPECT_EQ(coarse_lack(bits, lack_fx16), texel) << bits << " bits, lack " << lack_fx16;
     }
   }
 }

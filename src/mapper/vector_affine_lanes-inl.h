@@ -62,6 +62,8 @@ class AffineBatch : public FixedLanes<Address> {
     const D32 d;
     return {hn::Add(hn::Set(d, u_fx16), offset_u_), hn::Add(hn::Set(d, v_fx16), offset_v_)};
   }
+  // From the lane of a vector that has the least value.
+  [[nodiscard]] HWY_INLINE LaneVectors offsets() const { return {offset_u_, offset_v_}; }
 
  private:
   Lane to_anchor_;

@@ -8,6 +8,7 @@
 #endif
 
 #include "mapper/vector_affine_lanes-inl.h"
+#include "mapper/vector_coarse_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -23,7 +24,9 @@ struct Resume {
 // soon after it is written that its first vectors wait for it.
 inline constexpr int32_t kRunVectors = 2 * kMostLanes, kRun_px = kRunVectors * kLanes;
 struct WindowRun {
-  HWY_ALIGN int32_t u_fx16[kRunVectors], v_fx16[kRunVectors], place[kRunVectors];
+  HWY_ALIGN int32_t u_fx16[kRunVectors], v_fx16[kRunVectors];
+  HWY_ALIGN int32_t coarse[kRunVectors];  // both, as CoarseLanes has them
+  HWY_ALIGN int32_t place[kRunVectors];
 };
 
 // Of one coordinate: the lanes of a run's anchors, kLanes of them from the k-th on.
@@ -62,6 +65,7 @@ enum class Addressing { kClamped, kMasked, kWrapped };
 }
 
 // Finds the windows of a run by its first anchor.
+template <class Coarse>
 class WindowFinder {
  public:
   HWY_INLINE WindowFinder(const AffineField& field, const Surface& surface,
@@ -85,6 +89,7 @@ class WindowFinder {
       const V32 v = from(t, origins.t, v_.fractions_fx16(anchor.v_fx32, k));
       hn::Store(u, d, run->u_fx16 + k);
       hn::Store(v, d, run->v_fx16 + k);
+      hn::Store(Coarse::pack({u, v}), d, run->coarse + k);
       hn::Store(origins.place, d, run->place + k);
     }
   }
@@ -112,8 +117,12 @@ class WindowFinder {
 template <class Pixel, class InWindow, int kColumnBits, int32_t kRows>
 class WindowDraw {
  public:
+  static constexpr uint32_t kMostRows = kRows == 0 ? kMostWindowRows : kRows;
+  using Coarse = CoarseLanes<kColumnBits, std::bit_width(HWY_MAX(kMostRows, 2) - 1)>;
+
   HWY_INLINE WindowDraw(const AffineSpans& spans, const Surface& surface, int32_t rows)
       : batch_(spans, surface),
+        coarse_(batch_.offsets(), batch_.lack_fx16()),
         texels_(static_cast<const Pixel*>(surface.texture.texels)),
         pitch_texel_(pitch_texel_of(surface.texture)),
         rows_(rows) {}
@@ -121,10 +130,14 @@ class WindowDraw {
   // False where a pixel may be a near-tie, or there is no window.
   HWY_INLINE bool draw(const WindowRun& run, int32_t k, int32_t count_px, Pixel* to) const {
     const int32_t rows = kRows == 0 ? rows_ : kRows;
-    const LaneVectors lanes = batch_.lanes_from(run.u_fx16[k], run.v_fx16[k]);
     const ptrdiff_t place = run.place[k];
-    if (HWY_UNLIKELY(place < 0 || batch_.any_near(lanes))) return false;
-    const V32 index = batch_.template window_index<kColumnBits>(lanes, rows);
+    if (HWY_UNLIKELY(place < 0)) return false;
+    V32 index;
+    if (InWindow::kClampsWindows || HWY_UNLIKELY(!coarse_.find(run.coarse[k], &index))) {
+      const LaneVectors lanes = batch_.lanes_from(run.u_fx16[k], run.v_fx16[k]);
+      if (HWY_UNLIKELY(batch_.any_near(lanes))) return false;
+      index = batch_.template window_index<kColumnBits>(lanes, rows);
+    }
     store_pixels(pick<kColumnBits>(texels_ + place, pitch_texel_, rows, index), count_px, to);
     return true;
   }
@@ -132,6 +145,7 @@ class WindowDraw {
 
  private:
   AffineBatch<InWindow> batch_;
+  Coarse coarse_;
   const Pixel* texels_;
   ptrdiff_t pitch_texel_;
   int32_t rows_;
@@ -160,8 +174,9 @@ template <class Pixel, class InWindow, int kColumnBits, int32_t kRows>
 HWY_NOINLINE void draw_windows(const AffineSpans& spans, const Surface& surface,
                                const WindowShape& shape, bool inside, Resume* at, Left* left) {
   const AffineField field = spans.field;
-  const WindowFinder finder(field, surface, shape, inside);
-  const WindowDraw<Pixel, InWindow, kColumnBits, kRows> by(spans, surface, shape.rows);
+  using Draw = WindowDraw<Pixel, InWindow, kColumnBits, kRows>;
+  const Draw by(spans, surface, shape.rows);
+  const WindowFinder<typename Draw::Coarse> finder(field, surface, shape, inside);
   const Lane to_anchor = by.to_anchor();
   WindowRun run;
   int32_t i = at->row, px = at->px, left_count = 0;

@@ -16,7 +16,7 @@
 
 #include "mapper/filter_point.h"
 #include "mapper/vector_blend_pairs-inl.h"
-#include "mapper/vector_kernel-inl.h"
+#include "mapper/vector_words-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -64,20 +64,6 @@ HWY_ALIGN inline constexpr uint8_t kTranspose[16] = {0, 4, 8, 12, 2, 6, 10, 14,
   const V16 right =
       hn::Mul(hn::And(hn::ShiftRight<8>(w), hn::Set(d, 0xFF)), hn::ShiftRight<8>(level));
   return hn::Add(left, right);
-#endif
-}
-
-// Of neighbouring signed 16-bit numbers.
-template <class V>
-[[nodiscard]] HWY_INLINE auto word_products(V a, V b) {
-  const hn::Repartition<int32_t, hn::DFromV<V>> d;
-#if HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
-  auto unused = hn::Zero(d);
-  return hn::ReorderWidenMulAccumulate(d, a, b, hn::Zero(d), unused);
-#else
-  const auto x = hn::BitCast(d, a), y = hn::BitCast(d, b);
-  const auto low = [](auto words) { return hn::ShiftRight<16>(hn::ShiftLeft<16>(words)); };
-  return hn::Add(hn::Mul(low(x), low(y)), hn::Mul(hn::ShiftRight<16>(x), hn::ShiftRight<16>(y)));
 #endif
 }
 

@@ -18,6 +18,19 @@ inline constexpr int32_t kNarrow_px = 32;
 // anchor, and by that of the step from there.
 inline constexpr int32_t kVectorTruncations_fx16 = 2;
 
+// Counted from the first texel of a window they may be coarse: of 16 bits, the highest ones a
+// texel, sums of an anchor's floor and an offset's. What such a lane lacks, where the sum of the
+// two lacks less than lack_fx16, and a texel at most: that much tells of a near-tie wherever a lane
+// is.
+inline constexpr int kCoarseBits = 16;
+inline constexpr int32_t kCoarseTruncations = 2;
+[[nodiscard]] constexpr int32_t coarse_lack(int texel_bits, int32_t lack_fx16) {
+  const int32_t dropped_fx16 = (1 << texel_bits) - 1;
+  const int32_t lack = (kCoarseTruncations * dropped_fx16 + lack_fx16 + dropped_fx16) >> texel_bits;
+  return std::min(lack, 1 << (kCoarseBits - texel_bits));
+}
+static_assert(kCoarseBits == kTexelFraction);  // so that a unit is 2^texel_bits fx16
+
 // The filters over four texels ask for lanes that are finer, of the same law, and for fewer texels,
 // counted from the first of a window: 8.24.
 inline constexpr int kWindowFraction = 24;

@@ -78,6 +78,7 @@ class FixedLanes {
     return any_bits(changes(lanes), ~0xFFFF);
   }
 
+  [[nodiscard]] HWY_INLINE int32_t lack_fx16() const { return lack_fx16_; }
   // As RowOfTies asks for them.
   [[nodiscard]] HWY_INLINE int spare_bits() const {
     return kTexelFraction - std::bit_width(static_cast<uint32_t>(lack_fx16_));

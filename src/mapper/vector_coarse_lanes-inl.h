@@ -1,0 +1,72 @@
+// Lanes of both coordinates in 32 bits, for pixels whose texels lie in one window: half the work,
+// and coarse. Included once for each SIMD target.
+//
+// Counted from the window's origin, u is the low half of the word and v the high one, and the
+// highest bits of each are its texel. So a coordinate with n bits of texel is in units of 2^n fx16:
+//
+//     lane <= true value < lane + coarse_lack(n, lack_fx16)           (spec/proofs/coarse_lanes.g)
+#if defined(SELVAGE_VECTOR_COARSE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_COARSE_LANES_INL_H
+#undef SELVAGE_VECTOR_COARSE_LANES_INL_H
+#else
+#define SELVAGE_VECTOR_COARSE_LANES_INL_H
+#endif
+
+#include "mapper/vector_lanes-inl.h"
+#include "mapper/vector_words-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+using HalfWords = hn::Repartition<uint16_t, D32>;
+
+template <int kColumnBits, int kRowBits>
+class CoarseLanes {
+ public:
+  // A true value is not below anchor + offset, and below anchor + offset + lack_fx16.
+  HWY_INLINE CoarseLanes(const LaneVectors& offsets_fx16, int32_t lack_fx16)
+      : offsets_(hn::BitCast(HalfWords(), pack(offsets_fx16))),
+        beyond_(hn::Add(
+            offsets_, word(coarse_lack(kColumnBits, lack_fx16), coarse_lack(kRowBits, lack_fx16)))),
+        texels_(word(1 << kColumnBits, 1 << kRowBits)),
+        weights_(hn::BitCast(hn::RebindToSigned<HalfWords>(), word(1, 1 << kColumnBits))) {}
+
+  // Anchors, or offsets from them: not negative, and where they mean something, within the window.
+  [[nodiscard]] static HWY_INLINE V32 pack(const LaneVectors& lanes_fx16) {
+    const D32 d;
+    const V32 v = hn::ShiftLeft<kCoarseBits - kRowBits>(lanes_fx16.v);
+    return hn::IfVecThenElse(hn::Set(d, 0xFFFF), hn::ShiftRight<kColumnBits>(lanes_fx16.u), v);
+  }
+
+  // Indices in the window, a row after another. False where one may be that of the texel before.
+  [[nodiscard]] HWY_INLINE bool find(int32_t anchor, V32* index) const {
+    const D32 d;
+    const auto from = hn::BitCast(HalfWords(), hn::Set(d, anchor));
+    const auto lanes = hn::Add(from, offsets_);
+    const auto changed = hn::Xor(lanes, hn::Add(from, beyond_));
+    const auto texels = hn::MulHigh(lanes, texels_);
+    *index = word_products(hn::BitCast(hn::RebindToSigned<HalfWords>(), texels), weights_);
+    return !any_bits(hn::BitCast(d, changed), kTexelBits);
+  }
+
+ private:
+  using Words = hn::Vec<HalfWords>;
+  static constexpr int32_t kTexelBits =
+      static_cast<int32_t>((~uint32_t{0} << (2 * kCoarseBits - kRowBits)) |
+                           ((0xFFFFU << (kCoarseBits - kColumnBits)) & 0xFFFFU));
+
+  static HWY_INLINE Words word(int32_t u, int32_t v) {
+    const uint32_t high = static_cast<uint32_t>(v) << kCoarseBits;
+    return hn::BitCast(HalfWords(),
+                       hn::Set(D32(), static_cast<int32_t>(high | static_cast<uint32_t>(u))));
+  }
+
+  Words offsets_, beyond_, texels_;
+  hn::Vec<hn::RebindToSigned<HalfWords>> weights_;
+};
+
+}  // namespace
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
