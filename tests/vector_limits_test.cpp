@@ -47,16 +47,19 @@ TEST(VectorLimits, AnchorsAreLoweredByTheProofsBound) {
   }
 }
 
-// Of every anchor and offset, whatever their lowest bits are.
+// Texels of 16 units that begin above every anchor, whatever the lowest bits of it and of the
+// offset.
 TEST(VectorLimits, CoarseLanesLackNoMoreThanTheyAreThoughtTo) {
   for (const int bits : {1, 2, 3, 4}) {
     for (const int32_t lack_fx16 : {1, 2, 3, 4, 15, 16, 17, 66}) {
       int32_t most = 0;
-      for (int32_t anchor = 0; anchor < 1 << bits; ++anchor) {
+      const int32_t texel_fx16 = 16 << bits;
+      for (int32_t anchor = 0; anchor < texel_fx16; ++anchor) {
         for (int32_t offset = 0; offset < 1 << bits; ++offset) {
+          const int32_t last_fx16 = anchor + offset + lack_fx16 - 1;
+          const int32_t begins_fx16 = last_fx16 / texel_fx16 * texel_fx16;
           const int32_t coarse = (anchor >> bits) + (offset >> bits);
-          const int32_t end_fx16 = anchor + offset + lack_fx16;  // which no value reaches
-          most = std::max(most, ((end_fx16 + (1 << bits) - 1) >> bits) - coarse);
+          most = std::max(most, (begins_fx16 >> bits) - coarse);
         }
       }
       EXPECT_EQ(coarse_lack(bits, lack_fx16), most) << bits << " bits, lack " << lack_fx16;
@@ -68,7 +71,7 @@ TEST(VectorLimits, CoarseLanesLackATexelAtMost) {
   for (const int bits : {1, 2, 3, 4}) {
     const int32_t texel = 0x10000 >> bits;
     EXPECT_LT(coarse_lack(bits, 0x10000 - 4 * (1 << bits)), texel);
-    for (const int32_t lack_fx16 : {0xFFFF, 0x10000, 0x10003, 0x7FFF0000}) {
+    for (const int32_t lack_fx16 : {0x10001, 0x10003, 0x7FFF0000}) {
       EXPECT_EQ(coarse_lack(bits, lack_fx16), texel) << bits << " bits, lack " << lack_fx16;
     }
   }

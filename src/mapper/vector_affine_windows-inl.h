@@ -117,8 +117,7 @@ class WindowFinder {
 template <class Pixel, class InWindow, int kColumnBits, int32_t kRows>
 class WindowDraw {
  public:
-  static constexpr uint32_t kMostRows = kRows == 0 ? kMostWindowRows : kRows;
-  using Coarse = CoarseLanes<kColumnBits, std::bit_width(HWY_MAX(kMostRows, 2) - 1)>;
+  using Coarse = CoarseLanes<kColumnBits, kRows == 0 ? kMostWindowRows : kRows>;
 
   HWY_INLINE WindowDraw(const AffineSpans& spans, const Surface& surface, int32_t rows)
       : batch_(spans, surface),
@@ -132,8 +131,8 @@ class WindowDraw {
     const int32_t rows = kRows == 0 ? rows_ : kRows;
     const ptrdiff_t place = run.place[k];
     if (HWY_UNLIKELY(place < 0)) return false;
-    V32 index;
-    if (InWindow::kClampsWindows || HWY_UNLIKELY(!coarse_.find(run.coarse[k], &index))) {
+    auto [index, changes] = coarse_.texels(run.coarse[k]);
+    if (InWindow::kClampsWindows || HWY_UNLIKELY(Coarse::any_near(changes))) {
       const LaneVectors lanes = batch_.lanes_from(run.u_fx16[k], run.v_fx16[k]);
       if (HWY_UNLIKELY(batch_.any_near(lanes))) return false;
       index = batch_.template window_index<kColumnBits>(lanes, rows);

@@ -4,13 +4,17 @@
 // Counted from the window's origin, u is the low half of the word and v the high one, and the
 // highest bits of each are its texel. So a coordinate with n bits of texel is in units of 2^n fx16:
 //
-//     lane <= true value < lane + coarse_lack(n, lack_fx16)           (spec/proofs/coarse_lanes.g)
+//     lane <= true value < lane + coarse_lack(n, lack_fx16) + 1       (spec/proofs/coarse_lanes.g)
+//
+// and what has the texel of lane + coarse_lack shows it.
 #if defined(SELVAGE_VECTOR_COARSE_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_COARSE_LANES_INL_H
 #undef SELVAGE_VECTOR_COARSE_LANES_INL_H
 #else
 #define SELVAGE_VECTOR_COARSE_LANES_INL_H
 #endif
+
+#include <bit>
 
 #include "mapper/vector_lanes-inl.h"
 #include "mapper/vector_words-inl.h"
@@ -21,8 +25,11 @@ namespace {
 
 using HalfWords = hn::Repartition<uint16_t, D32>;
 
-template <int kColumnBits, int kRowBits>
+template <int kColumnBits, int32_t kRows>
 class CoarseLanes {
+  // Of a single row there is a bit, too, that near-ties change.
+  static constexpr int kRowBits = std::bit_width(static_cast<uint32_t>(HWY_MAX(kRows, 2) - 1));
+
  public:
   // A true value is not below anchor + offset, and below anchor + offset + lack_fx16.
   HWY_INLINE CoarseLanes(const LaneVectors& offsets_fx16, int32_t lack_fx16)
@@ -32,22 +39,28 @@ class CoarseLanes {
         texels_(word(1 << kColumnBits, 1 << kRowBits)),
         weights_(hn::BitCast(hn::RebindToSigned<HalfWords>(), word(1, 1 << kColumnBits))) {}
 
-  // Anchors, or offsets from them: not negative, and where they mean something, within the window.
+  // Of anchors or of offsets, modulo 2^32 as those are.
   [[nodiscard]] static HWY_INLINE V32 pack(const LaneVectors& lanes_fx16) {
-    const D32 d;
-    const V32 v = hn::ShiftLeft<kCoarseBits - kRowBits>(lanes_fx16.v);
-    return hn::IfVecThenElse(hn::Set(d, 0xFFFF), hn::ShiftRight<kColumnBits>(lanes_fx16.u), v);
+    return hn::IfVecThenElse(hn::Set(D32(), 0xFFFF), hn::ShiftRight<kColumnBits>(lanes_fx16.u),
+                             hn::ShiftLeft<kCoarseBits - kRowBits>(lanes_fx16.v));
   }
 
-  // Indices in the window, a row after another. False where one may be that of the texel before.
-  [[nodiscard]] HWY_INLINE bool find(int32_t anchor, V32* index) const {
+  // Of a vector: indices in the window, a row after another, and what all that its lanes may lack
+  // changes in them.
+  struct Texels {
+    V32 index, changes;
+  };
+  [[nodiscard]] HWY_INLINE Texels texels(int32_t anchor) const {
     const D32 d;
     const auto from = hn::BitCast(HalfWords(), hn::Set(d, anchor));
     const auto lanes = hn::Add(from, offsets_);
-    const auto changed = hn::Xor(lanes, hn::Add(from, beyond_));
-    const auto texels = hn::MulHigh(lanes, texels_);
-    *index = word_products(hn::BitCast(hn::RebindToSigned<HalfWords>(), texels), weights_);
-    return !any_bits(hn::BitCast(d, changed), kTexelBits);
+    const auto changes = hn::Xor(lanes, hn::Add(from, beyond_));
+    const auto texels = hn::BitCast(hn::RebindToSigned<HalfWords>(), hn::MulHigh(lanes, texels_));
+    return {word_products(texels, weights_), hn::BitCast(d, changes)};
+  }
+  // Whether some index may be that of the texel before.
+  [[nodiscard]] static HWY_INLINE bool any_near(V32 changes) {
+    return any_bits(changes, kTexelBits);
   }
 
  private:
