@@ -33,17 +33,25 @@ namespace selvage::mapper {
   return stepping;
 }
 
-[[nodiscard]] inline spec::Canvas drawing_of(const spec::Case& c, selvage_kernel kernel,
-                                             int32_t tolerance = 0) {
-  const spec::TextureMemory texture(
+// What kernels that are compared draw from and onto.
+[[nodiscard]] inline spec::TextureMemory texture_of(const spec::Case& c) {
+  return spec::TextureMemory(
       spec::built_in(), c,
       [](spec::Texel at) {
         const auto s = static_cast<uint32_t>(at.s), t = static_cast<uint32_t>(at.t);
         return (s * 40503U + t * 7919U) * 2654435761U;
       },
       0xEE);
-  spec::Canvas target(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target,
+}
+[[nodiscard]] inline spec::Canvas target_of(const spec::Case& c) {
+  return spec::Canvas(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target,
                       0x11);
+}
+
+[[nodiscard]] inline spec::Canvas drawing_of(const spec::Case& c, selvage_kernel kernel,
+                                             int32_t tolerance = 0) {
+  const spec::TextureMemory texture = texture_of(c);
+  spec::Canvas target = target_of(c);
   const selvage_image image = target.image();
   const selvage_texture view = texture.view();
   const selvage_options options{c.profile, c.filter, c.address, tolerance, kernel};

@@ -139,7 +139,7 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
       coarse_lanes(1),
       coarse_lanes(2),
       coarse_lanes(3),
-      coarse_lanes(4),
+      coarse_lanes(kMostCoarseTexelBits),
       {"divided_lanes",
        {{"SHIFT", number(kLaneFraction - kTexelFraction)},
         {"LANE_BITS", number(kTexelBits + 1), "38"},

@@ -1,5 +1,5 @@
 // What vectors are given to draw, and what their lanes are lowered by: the limits that the proofs
-// assume (spec/proofs/anchored_lanes.g), met and passed by as little as can be.
+// assume (spec/proofs/anchored_lanes.g, coarse_lanes.g), met and passed by as little as can be.
 #include <gtest/gtest.h>
 
 #include <algorithm>

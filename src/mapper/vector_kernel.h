@@ -21,8 +21,8 @@ inline constexpr int32_t kVectorTruncations_fx16 = 2;
 // Counted from the first texel of a window they may be coarse: of 16 bits, the highest ones a
 // texel, sums of an anchor's floor and an offset's. How far the beginning of the value's texel may
 // lie above such a lane, in whole units as both are, where the sum of the two lacks less than
-// lack_fx16. A texel at most: that much tells of a near-tie wherever a lane is.
-inline constexpr int kCoarseBits = 16;
+// lack_fx16. Capped at a texel: that much tells of a near-tie wherever a lane is.
+inline constexpr int kCoarseBits = 16, kMostCoarseTexelBits = 4;
 inline constexpr int32_t kCoarseTruncations = 2;
 [[nodiscard]] constexpr int32_t coarse_lack(int texel_bits, int32_t lack_fx16) {
   const int32_t dropped_fx16 = (1 << texel_bits) - 1;
