@@ -57,14 +57,14 @@ void narrow(std::vector<selvage_vertex>* quad, int32_t width_px) {
 }
 
 [[nodiscard]] spec::Canvas drawn(const std::vector<selvage_vertex>& polygon, selvage_filter filter,
-                                 selvage_kernel kernel) {
+                                 selvage_kernel kernel, int32_t height_px = kHeight_px) {
   spec::Canvas texels(SELVAGE_RGBA8888, kTexture_texel, kTexture_texel, 0, false, 0);
   for (int32_t t = 0; t < kTexture_texel; ++t) {
     for (int32_t s = 0; s < kTexture_texel; ++s) {
       texels.set_pixel(s, t, static_cast<uint32_t>(s * 40503 + t * 7919) * 2654435761U);
     }
   }
-  spec::Canvas target(SELVAGE_RGBA8888, kWidth_px, kHeight_px, 0, false, 0x11);
+  spec::Canvas target(SELVAGE_RGBA8888, kWidth_px, height_px, 0, false, 0x11);
   const selvage_image image = target.image();
   const selvage_texture texture = texels.texture();
   const selvage_options options{SELVAGE_PROFILE_EXACT, filter, SELVAGE_ADDRESS_WRAP, 0, kernel};
@@ -93,6 +93,50 @@ TEST_P(NearTiesOf, AllPixelsAreDecidedAlikeByAllKernels) {
     }
   }
 }
+
+// In perspective, but by so little that u and v are next to the whole numbers that they would be
+// without: every sample, or every second, fourth, ... one of a row and of a column. Denominators
+// are of all sizes.
+[[nodiscard]] std::vector<selvage_vertex> almost_affine_triangle(spec::Random& random) {
+  const int32_t side_px = random.pick({16, 50, 64, 300, 1024, 8192, kFar_px});
+  const int32_t magnified_log2 = random.in(0, 9);
+  const int32_t q = 1 << random.in(1, 25);
+  const bool across = random.percent(50), mirrored = random.percent(50);
+  const int32_t least_q = q - (random.percent(80) ? 1 : 0);
+  const auto corner = [&](int32_t right, int32_t below) {
+    const auto texel_fx16 = [&](int32_t cells) {
+      const int64_t u_fx16 =
+          (int64_t{cells} * side_px * (1 << kTexelFraction) + (1 << (kTexelFraction - 1))) >>
+          magnified_log2;
+      return static_cast<int32_t>(mirrored ? -u_fx16 : u_fx16) + random.in(-1, 2);
+    };
+    return selvage_vertex{right * side_px * kSubpixels, below * side_px * kSubpixels,
+                          texel_fx16(across ? below : right), texel_fx16(right),
+                          random.percent(50) ? q : least_q};
+  };
+  return {corner(0, 0), corner(1, 0), corner(0, 1)};
+}
+
+class NearTiesInPerspective : public testing::TestWithParam<uint64_t> {};
+
+TEST_P(NearTiesInPerspective, AllPixelsAreDecidedAlikeByAllKernels) {
+  constexpr uint64_t kSeeds = 50;
+  constexpr int32_t kTall_px = 150;  // more than a batch of rows
+  for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
+    spec::Random random(seed);
+    const std::vector<selvage_vertex> triangle = almost_affine_triangle(random);
+    const auto drawn_by = [&](selvage_kernel kernel) {
+      return drawn(triangle, SELVAGE_FILTER_NEAREST, kernel, kTall_px);
+    };
+    const spec::Canvas scalar = drawn_by(SELVAGE_KERNEL_SCALAR);
+    for (selvage_kernel kernel = SELVAGE_KERNEL_SCALAR; kernel <= SELVAGE_KERNEL_NEON; ++kernel) {
+      if (!is_usable(kernel)) continue;
+      ASSERT_TRUE(drawn_by(kernel) == scalar) << "kernel " << kernel << ", seed " << seed;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Block, NearTiesInPerspective, testing::Range(uint64_t{0}, uint64_t{8}));
 
 // Boxes of two texels: u changes by as much from row to row as from pixel to pixel.
 class NearTiesOfBoxes : public testing::TestWithParam<uint64_t> {};

@@ -26,6 +26,11 @@ inline constexpr int kAnchorShift = kLaneFraction - kTexelFraction;
   return static_cast<int32_t>(lane_fx32 >> kLaneFraction);
 }
 
+// As RowOfTies asks for them, of lanes that lack less.
+[[nodiscard]] HWY_INLINE int spare_bits_fx16(int32_t lack_fx16) {
+  return kTexelFraction - std::bit_width(static_cast<uint32_t>(lack_fx16));
+}
+
 // kLanes lanes of both coordinates, 16.16 modulo 2^32.
 struct LaneVectors {
   V32 u, v;
@@ -79,10 +84,7 @@ class FixedLanes {
   }
 
   [[nodiscard]] HWY_INLINE int32_t lack_fx16() const { return lack_fx16_; }
-  // As RowOfTies asks for them.
-  [[nodiscard]] HWY_INLINE int spare_bits() const {
-    return kTexelFraction - std::bit_width(static_cast<uint32_t>(lack_fx16_));
-  }
+  [[nodiscard]] HWY_INLINE int spare_bits() const { return spare_bits_fx16(lack_fx16_); }
 
   // Places again, near-ties and all. The lanes are those of pixels from `first` on, as `ties`, of
   // a row or of packed ones, counts them.
@@ -93,8 +95,8 @@ class FixedLanes {
   }
 
   // The same, drawn.
-  template <class Pixel>
-  HWY_INLINE void draw(const Span& rest, const Surface& surface, RowOfTies& ties,
+  template <class Pixel, class Ties>
+  HWY_INLINE void draw(const Span& rest, const Surface& surface, Ties& ties,
                        const LaneVectors& lanes, const LowWindow& low) const {
     draw_texels<Pixel>(rest, surface, decided(ties, rest.left_px - ties.span().left_px, lanes),
                        low);

@@ -6,9 +6,12 @@
 #define SELVAGE_VECTOR_PROJECTIVE_PIECES_INL_H
 #endif
 
+#include <optional>
+
 #include "mapper/interior.h"
 #include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_piece_queue-inl.h"
+#include "mapper/vector_plane_ties-inl.h"
 #include "mapper/vector_projective_wide-inl.h"
 #include "mapper/vector_projective_window-inl.h"
 
@@ -39,17 +42,49 @@ struct LeftOfPieces : Left {
   }
 };
 
-template <class Pixel, class Address>
-HWY_NOINLINE void draw_left(const LeftOfPieces& left, const ProjectiveSpans& spans,
-                            const Surface& surface, int32_t lack_fx16) {
+template <class Pixel, class Address, class Ties>
+HWY_NOINLINE void draw_left(const LeftOfPieces& left, const Surface& surface, int32_t lack_fx16,
+                            Ties* ties) {
   const FixedLanes<Address> fixed(surface.texture, lack_fx16);
-  RowOfTies ties(spans.exact, left.rest[0], 0, fixed.spare_bits());
   for (int32_t i = 0; i < left.count; ++i) {
     const Span& rest = left.rest[static_cast<size_t>(i)];
-    if (rest.row != ties.span().row) ties.go_to(rest);
-    fixed.template draw<Pixel>(rest, surface, ties, left.lanes(i), left.low_window(i));
+    if (rest.row != ties->span().row) ties->go_to(rest);
+    fixed.template draw<Pixel>(rest, surface, *ties, left.lanes(i), left.low_window(i));
   }
 }
+
+// What decides a batch's near-ties, from the first one on.
+class PieceTies {
+ public:
+  HWY_INLINE PieceTies(const ProjectiveSpans& spans, int32_t lack_fx16)
+      : spans_(spans), lack_fx16_(lack_fx16) {}
+
+  template <class Pixel, class Address>
+  HWY_INLINE void draw(const LeftOfPieces& left, const Surface& surface) {
+    if (!by_plane_ && !by_row_) find();
+    if (by_plane_) {
+      draw_left<Pixel, Address>(left, surface, lack_fx16_, &*by_plane_);
+    } else {
+      draw_left<Pixel, Address>(left, surface, lack_fx16_, &*by_row_);
+    }
+  }
+
+ private:
+  HWY_NOINLINE void find() {
+    const int spare_bits = spare_bits_fx16(lack_fx16_);
+    const PlaneTies by_plane(spans_.exact, spans_.batch);
+    if (by_plane.are_enough(spare_bits)) {
+      by_plane_ = by_plane;
+    } else {
+      by_row_ = RowOfTies(spans_.exact, spans_.batch.span(0), 0, spare_bits);
+    }
+  }
+
+  const ProjectiveSpans& spans_;
+  int32_t lack_fx16_;
+  std::optional<PlaneTies> by_plane_;
+  std::optional<RowOfTies> by_row_;
+};
 
 // What vectors of pieces are drawn with.
 template <class Pixel, class Address>
@@ -150,6 +185,7 @@ HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& su
   if (draw_one_window<Pixel, Address>(spans, surface, vectors)) return;
   PieceQueue queue(spans.batch, surface.target, vectors);
   LeftOfPieces left;
+  PieceTies ties(spans, vectors.lack_fx16());
   const bool cached = is_cached(surface.texture);
   const bool inside = cached && pays_to_ask_inside(spans.batch) &&
                       is_inside(spans.batch, spans.field, surface.texture);
@@ -166,9 +202,7 @@ HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& su
       more = draw_pieces<Pixel, Address, FetchAtOnce<Pixel>>(surface, vectors, has_windows, &queue,
                                                              &left);
     }
-    if (left.count != 0) {
-      draw_left<Pixel, Address>(left, spans, surface, vectors.lack_fx16());
-    }
+    if (left.count != 0) ties.draw<Pixel, Address>(left, surface);
   }
 }
 
