@@ -30,11 +30,12 @@ struct Options {
   int jobs = 1;
   bool again = false;
   std::vector<int> only;
-  std::string in;
+  std::vector<std::string> in;
 
   [[nodiscard]] bool wants(const Mutant& m) const {
+    const auto has = [&](const std::string& part) { return m.path.find(part) != m.path.npos; };
     return (only.empty() || std::ranges::find(only, m.number) != only.end()) &&
-           m.path.find(in) != std::string::npos;
+           (in.empty() || std::ranges::any_of(in, has));
   }
 };
 
@@ -125,7 +126,7 @@ int main(int argc, char** argv) {
   app.add_option("--seconds-each", options.each_s, "of processor time for a mutant");
   app.add_option("--jobs", options.jobs, "so many side by side")->check(CLI::PositiveNumber);
   app.add_option("--mutant", options.only, "only these numbers, anew");
-  app.add_option("--in", options.in, "only those in files whose path has this in it");
+  app.add_option("--in", options.in, "only those in files whose path has one of these in it");
   CLI11_PARSE(app, argc, argv);
   try {
     return selvage::mutation::run(options);

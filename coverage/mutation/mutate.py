@@ -161,9 +161,11 @@ def count_occurrences(mutants):
         mutant["name"] = digest(*words_of(mutant))[:16]
 
 
-def sampled(mutants, count, seed):
-    """As if at random, and so that a change of the sources changes little of the sample."""
-    first = sorted(mutants, key=lambda m: digest(seed, *words_of(m)))[:count]
+def sampled(mutants, count, seed, inside=()):
+    """As if at random, and so that a change of the sources changes little of the sample; where parts
+    of paths are given, of files whose paths have one of them."""
+    asked = [m for m in mutants if not inside or any(part in m["file"] for part in inside)]
+    first = sorted(asked, key=lambda m: digest(seed, *words_of(m)))[:count]
     return sorted(first, key=lambda m: m["id"])
 
 
@@ -174,7 +176,7 @@ def listed(mutants, sources):
                    for m in mutants)
 
 
-def main(build, sample, seed):
+def main(build, sample, seed, inside):
     os.chdir(TOP)
     sources = {}
     for path in mutated_files():
@@ -205,7 +207,9 @@ def main(build, sample, seed):
     count_occurrences(mutants)
     chosen = mutants
     if sample:
-        chosen = sampled(mutants, sample, seed)
+        chosen = sampled(mutants, sample, seed, inside)
+        if not chosen:
+            sys.exit(f"no path of a file with mutants has {' or '.join(inside)} in it")
         kept = {m["site"] for m in chosen}
         per_file = {path: [s for s in numbered if s[0] in kept]
                     for path, numbered in per_file.items()}
@@ -219,4 +223,4 @@ def main(build, sample, seed):
 
 
 if __name__ == "__main__":
-    main(os.path.abspath(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]))
+    main(os.path.abspath(sys.argv[1]), int(sys.argv[2]), int(sys.argv[3]), sys.argv[5::2])

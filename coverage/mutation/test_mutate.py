@@ -109,6 +109,13 @@ class Mutate(unittest.TestCase):
         self.assertEqual(originals(1, 1), originals(7, 1))
         self.assertNotEqual(originals(1, 1), originals(1, 2))
 
+    def test_a_sample_may_be_of_some_files(self):
+        mutants = [{"id": i, "file": f"src/{'abc'[i % 3]}.cpp", "function": "f", "text": "t",
+                    "original": str(i), "mutated": "0"} for i in range(30)]
+        count_occurrences(mutants)
+        files = {m["file"] for m in sampled(mutants, 100, 1, ["a.c", "src/c"])}
+        self.assertEqual(files, {"src/a.cpp", "src/c.cpp"})
+
     def test_the_text_with_switches(self):
         number, numbered = 1, []
         for site in self.switched:
