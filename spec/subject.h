@@ -83,4 +83,8 @@ auto with_shown(const Case& c, Action&& action) {
 // The mapper that this program is linked with.
 [[nodiscard]] Subject built_in(selvage_profile profile = SELVAGE_PROFILE_EXACT);
 
+// From now on the subject draws by this kernel, unless a call asks for another, and tells what that
+// one would draw by.
+void take_kernel(selvage_kernel kernel, Subject* subject);
+
 }  // namespace selvage::spec

@@ -26,21 +26,10 @@ inline constexpr std::array kKernels = {
 inline constexpr std::array<uint64_t, 2> kSmallSeeds = {0, 1};  // of hard families
 inline constexpr int kRoundOfHardCases = 4, kRoundOfTests = 5;
 
-// Draws by this kernel where the caller asks for none; one that the machine lacks is the fastest.
+// A kernel that the machine lacks is the fastest.
 [[nodiscard]] spec::Subject drawing_by(selvage_kernel kernel) {
   spec::Subject subject = spec::built_in();
-  subject.draw = [kernel](const selvage_image* target, const selvage_rect* clip,
-                          const selvage_vertex* vertices, size_t count,
-                          const selvage_texture* texture, const selvage_options* options) {
-    if (options == nullptr || options->kernel != SELVAGE_KERNEL_FASTEST) {
-      return selvage_draw(target, clip, vertices, count, texture, options);
-    }
-    selvage_options by_kernel = *options;
-    by_kernel.kernel = kernel;
-    const selvage_status status = selvage_draw(target, clip, vertices, count, texture, &by_kernel);
-    if (status != SELVAGE_ERROR_KERNEL) return status;
-    return selvage_draw(target, clip, vertices, count, texture, options);
-  };
+  if (selvage_has_kernel(kernel) != 0) spec::take_kernel(kernel, &subject);
   return subject;
 }
 

@@ -59,24 +59,8 @@ void read_set(const char* option, const std::vector<std::string>& names, Parse p
   throw UserError("--kernel: '" + name + "' is none of this machine; there are" + known);
 }
 
-// Draws by this kernel, unless another is asked for.
-void take_kernel(selvage_kernel kernel, spec::Subject* subject) {
-  const auto options_with = [kernel](const selvage_options* options) {
-    selvage_options changed = options != nullptr ? *options : selvage_options{};
-    if (changed.kernel == SELVAGE_KERNEL_FASTEST) changed.kernel = kernel;
-    return changed;
-  };
-  subject->draw = [options_with, draw = subject->draw](auto* target, auto* clip, auto* vertices,
-                                                       size_t count, auto* texture, auto* options) {
-    const selvage_options changed = options_with(options);
-    return draw(target, clip, vertices, count, texture, &changed);
-  };
-  subject->draw_many = [options_with, draw = subject->draw_many](auto* target, auto* clip,
-                                                                 auto* polygons, size_t count,
-                                                                 auto* options, int32_t threads) {
-    const selvage_options changed = options_with(options);
-    return draw(target, clip, polygons, count, &changed, threads);
-  };
+void draw_by(selvage_kernel kernel, spec::Subject* subject) {
+  spec::take_kernel(kernel, subject);
   subject->name += ", kernel " + std::string(kernel_name(kernel));
 }
 
@@ -179,7 +163,7 @@ ChosenSubject choose_subject(const SubjectOptions& options, const std::string& p
   if (!options.kernel.empty() && !options.library.empty()) {
     throw UserError("--kernel is about the built-in mapper, and not about a --subject");
   }
-  if (!options.kernel.empty()) take_kernel(parse_kernel(options.kernel), &chosen.subject);
+  if (!options.kernel.empty()) draw_by(parse_kernel(options.kernel), &chosen.subject);
   try {
     if (!options.library.empty()) {
       chosen.host = std::make_shared<testbed::Host>(options.library, limit);
