@@ -9,6 +9,7 @@
 #define SELVAGE_VECTOR_PLANE_TIES_INL_H
 #endif
 
+#include "mapper/near_tie_bits.h"
 #include "mapper/span_batch.h"
 #include "mapper/vector_near_ties-inl.h"
 
@@ -60,7 +61,7 @@ class PlaneTies {
 
   // Whether they tell near-ties that are no further from the whole number than 2^-spare_bits.
   [[nodiscard]] HWY_INLINE bool are_enough(int spare_bits) const {
-    return most_d_ >> spare_bits < uint128{1} << 62;
+    return are_64_enough(most_d_, spare_bits);
   }
 
   HWY_INLINE void go_to(const Span& span) {
@@ -90,7 +91,7 @@ class PlaneTies {
         u_(biased(here.u, here.d, below.u, below.d)),
         v_(biased(here.v, here.d, below.v, below.d)),
         d_(low(here.d.start), low(here.d.step), low(below.d.start)),
-        most_d_(most(here.d, below.d.start - here.d.start, batch)) {}
+        most_d_(most_in_box(here.d, below.d.start - here.d.start, batch)) {}
 
   static HWY_INLINE uint64_t low(uint128 a) { return static_cast<uint64_t>(a); }
   static HWY_INLINE WideLine biased(const ExactLine& n, const ExactLine& d,
@@ -98,24 +99,6 @@ class PlaneTies {
     constexpr auto kBias = static_cast<uint64_t>(kTexelBias);
     return {low(n.start) + kBias * low(d.start), low(n.step) + kBias * low(d.step),
             low(n_below.start) + kBias * low(d_below.start)};
-  }
-
-  // In the box of the batch's spans: at one of its corners, and at a pixel of a span it is above 0.
-  static HWY_INLINE uint128 most(const ExactLine& d, uint128 down, const SpanBatch& batch) {
-    int32_t left_px = batch.left_px[0], right_px = left_px;
-    for (int32_t i = 0; i < batch.rows; ++i) {
-      const Span span = batch.span(i);
-      left_px = HWY_MIN(left_px, span.left_px);
-      right_px = HWY_MAX(right_px, span.right_px);
-    }
-    const auto at = [&](int32_t px, int32_t rows) {
-      const uint128 right = static_cast<uint128>(int128{px - batch.left_px[0]}) * d.step;
-      return static_cast<int128>(d.start + right + static_cast<uint128>(int128{rows}) * down);
-    };
-    const int32_t last_px = HWY_MAX(right_px - 1, left_px), last_row = batch.rows - 1;
-    const int128 top = HWY_MAX(at(left_px, 0), at(last_px, 0));
-    const int128 bottom = HWY_MAX(at(left_px, last_row), at(last_px, last_row));
-    return static_cast<uint128>(HWY_MAX(top, bottom));
   }
 
   // Modulo 2^64, by the lower halves of k.
@@ -139,7 +122,7 @@ class PlaneTies {
   int32_t first_px_, first_row_;
   Span span_;
   WideLine u_, v_, d_;
-  uint128 most_d_;
+  int128 most_d_;
 };
 
 }  // namespace
