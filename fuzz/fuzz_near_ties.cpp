@@ -15,15 +15,21 @@ namespace spec = selvage::spec;
 using selvage::fuzz::NearTies;
 
 // libFuzzer keeps an input that sets a counter which none before it has set. One for each kind of
-// map, texels or grid, and share of near-ties.
+// map, texels or grid, and share: of coordinates that are near-ties, and of runs of pixels that
+// have one. A run is paid for as a whole: a near-tie in each may cost as much as many.
 constexpr int kShares = 64;
+struct SharesReached {
+  uint8_t of_coordinates[kShares], of_runs[kShares];
+};
 __attribute__((section("__libfuzzer_extra_counters")))
-uint8_t share_reached[selvage::fuzz::kMapKinds * 2 * kShares];
+SharesReached reached[selvage::fuzz::kMapKinds][2];
 
 void reward(const NearTies& ties, bool on_grid) {
   if (ties.near == 0) return;
-  const auto share = static_cast<int>(ties.near * (kShares - 1) / ties.coordinates);
-  share_reached[(static_cast<int>(ties.kind) * 2 + (on_grid ? 1 : 0)) * kShares + share] = 1;
+  SharesReached& shares = reached[static_cast<int>(ties.kind)][on_grid ? 1 : 0];
+  const auto share = [](int64_t part, int64_t all) { return part * (kShares - 1) / all; };
+  shares.of_coordinates[share(ties.near, ties.coordinates)] = 1;
+  shares.of_runs[share(ties.near_runs, ties.runs)] = 1;
 }
 
 [[noreturn]] void report(const char* what, const spec::Case& c) {

@@ -38,11 +38,16 @@ class Counter {
   template <class LaneAt>
   void count(const Span& span, uint32_t margin_fx32, const LaneAt& lane_at) {
     const auto line = spec::scan_line(case_.vertices, span.row);
-    for (int32_t px = span.left_px; px < span.right_px; ++px) {
-      const Lane lane = lane_at(px);
-      const auto exact = spec::sample(*line, px);
-      count(lane.u_fx32, margin_fx32, exact->u);
-      count(lane.v_fx32, margin_fx32, exact->v);
+    for (int32_t first_px = span.left_px; first_px < span.right_px; first_px += kRun_px) {
+      const int64_t near_before = found.near;
+      for (int32_t px = first_px; px < std::min(first_px + kRun_px, span.right_px); ++px) {
+        const Lane lane = lane_at(px);
+        const auto exact = spec::sample(*line, px);
+        count(lane.u_fx32, margin_fx32, exact->u);
+        count(lane.v_fx32, margin_fx32, exact->v);
+      }
+      ++found.runs;
+      found.near_runs += found.near > near_before ? 1 : 0;
     }
   }
   void fail(const char* what) { found.fault = what; }

@@ -10,11 +10,15 @@ namespace selvage::fuzz {
 
 enum class MapKind { kPlane, kRuledAffine, kSameDepthAlongRows, kInDepth };
 inline constexpr int kMapKinds = 4;
+inline constexpr int32_t kRun_px = 16;
 
 struct NearTies {
   MapKind kind = MapKind::kPlane;
   int64_t coordinates = 0;  // two for each pixel drawn
   int64_t near = 0;         // those that the exact map must decide
+  // Of kRun_px pixels of a row, as many as a vector holds, or the last ones: all, and those with a
+  // coordinate that the exact map must decide. A single one makes them cost more.
+  int64_t runs = 0, near_runs = 0;
   // The first thing that breaks a bound; nullptr if nothing does.
   const char* fault = nullptr;
 };

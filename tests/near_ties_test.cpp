@@ -57,14 +57,15 @@ void narrow(std::vector<selvage_vertex>* quad, int32_t width_px) {
 }
 
 [[nodiscard]] spec::Canvas drawn(const std::vector<selvage_vertex>& polygon, selvage_filter filter,
-                                 selvage_kernel kernel, int32_t height_px = kHeight_px) {
-  spec::Canvas texels(SELVAGE_RGBA8888, kTexture_texel, kTexture_texel, 0, false, 0);
+                                 selvage_kernel kernel, int32_t height_px = kHeight_px,
+                                 selvage_format format = SELVAGE_RGBA8888) {
+  spec::Canvas texels(format, kTexture_texel, kTexture_texel, 0, false, 0);
   for (int32_t t = 0; t < kTexture_texel; ++t) {
     for (int32_t s = 0; s < kTexture_texel; ++s) {
       texels.set_pixel(s, t, static_cast<uint32_t>(s * 40503 + t * 7919) * 2654435761U);
     }
   }
-  spec::Canvas target(SELVAGE_RGBA8888, kWidth_px, height_px, 0, false, 0x11);
+  spec::Canvas target(format, kWidth_px, height_px, 0, false, 0x11);
   const selvage_image image = target.image();
   const selvage_texture texture = texels.texture();
   const selvage_options options{SELVAGE_PROFILE_EXACT, filter, SELVAGE_ADDRESS_WRAP, 0, kernel};
@@ -97,9 +98,9 @@ TEST_P(NearTiesOf, AllPixelsAreDecidedAlikeByAllKernels) {
 // In perspective, but by so little that u and v are next to the whole numbers that they would be
 // without: every sample, or every second, fourth, ... one of a row and of a column. Denominators
 // are of all sizes.
-[[nodiscard]] std::vector<selvage_vertex> almost_affine_triangle(spec::Random& random) {
-  const int32_t side_px = random.pick({16, 50, 64, 300, 1024, 8192, kFar_px});
-  const int32_t magnified_log2 = random.in(0, 9);
+[[nodiscard]] std::vector<selvage_vertex> almost_affine_triangle(spec::Random& random,
+                                                                 int32_t side_px,
+                                                                 int32_t magnified_log2) {
   const int32_t q = 1 << random.in(1, 25);
   const bool across = random.percent(50), mirrored = random.percent(50);
   const int32_t least_q = q - (random.percent(80) ? 1 : 0);
@@ -124,7 +125,8 @@ TEST_P(NearTiesInPerspective, AllPixelsAreDecidedAlikeByAllKernels) {
   constexpr int32_t kTall_px = 150;  // more than a batch of rows
   for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
     spec::Random random(seed);
-    const std::vector<selvage_vertex> triangle = almost_affine_triangle(random);
+    const int32_t side_px = random.pick({16, 50, 64, 300, 1024, 8192, kFar_px});
+    const auto triangle = almost_affine_triangle(random, side_px, random.in(0, 9));
     const auto drawn_by = [&](selvage_kernel kernel) {
       return drawn(triangle, SELVAGE_FILTER_NEAREST, kernel, kTall_px);
     };
@@ -137,6 +139,54 @@ TEST_P(NearTiesInPerspective, AllPixelsAreDecidedAlikeByAllKernels) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Block, NearTiesInPerspective, testing::Range(uint64_t{0}, uint64_t{8}));
+
+// Small, and with a few texels alone, anywhere in the texture: or u and v are the same whole
+// numbers everywhere, but for a little, and q may be anything.
+[[nodiscard]] std::vector<selvage_vertex> triangle_of_few_texels(spec::Random& random) {
+  const int32_t side_px = random.in(2, 65);
+  auto triangle = almost_affine_triangle(random, side_px, random.in(2, 9));
+  const bool is_point = random.percent(40);
+  const int32_t right_px = random.in(0, 100), down_px = random.in(0, 40);
+  for (selvage_vertex& vertex : triangle) {
+    vertex.x += right_px * kSubpixels;
+    vertex.y += down_px * kSubpixels;
+    if (is_point) {
+      vertex.u = random.in(-1, 2);
+      vertex.v = random.in(-1, 2);
+      vertex.q = random.percent(70) ? random.in(1 << 20, SELVAGE_Q_MAX) : 1 << random.in(0, 25);
+    }
+  }
+  for (int32_t selvage_vertex::*of : {&selvage_vertex::u, &selvage_vertex::v}) {
+    const auto [least, most] = std::ranges::minmax(triangle, {}, of);
+    const int32_t first_texel = -(least.*of >> kTexelFraction);
+    const int32_t last_texel = kTexture_texel - 1 - (most.*of >> kTexelFraction);
+    const int32_t shift_texel = random.in(first_texel, last_texel + 1);
+    for (selvage_vertex& vertex : triangle) vertex.*of += shift_texel << kTexelFraction;
+  }
+  return triangle;
+}
+
+class NearTiesOfFewTexels : public testing::TestWithParam<uint64_t> {};
+
+TEST_P(NearTiesOfFewTexels, AllPixelsAreDecidedAlikeByAllKernels) {
+  constexpr uint64_t kSeeds = 100;
+  constexpr int32_t kTall_px = 104;
+  for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
+    spec::Random random(seed);
+    const std::vector<selvage_vertex> triangle = triangle_of_few_texels(random);
+    const auto format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
+    const auto drawn_by = [&](selvage_kernel kernel) {
+      return drawn(triangle, SELVAGE_FILTER_NEAREST, kernel, kTall_px, format);
+    };
+    const spec::Canvas scalar = drawn_by(SELVAGE_KERNEL_SCALAR);
+    for (selvage_kernel kernel = SELVAGE_KERNEL_SCALAR; kernel <= SELVAGE_KERNEL_NEON; ++kernel) {
+      if (!is_usable(kernel)) continue;
+      ASSERT_TRUE(drawn_by(kernel) == scalar) << "kernel " << kernel << ", seed " << seed;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Block, NearTiesOfFewTexels, testing::Range(uint64_t{0}, uint64_t{8}));
 
 // Boxes of two texels: u changes by as much from row to row as from pixel to pixel.
 class NearTiesOfBoxes : public testing::TestWithParam<uint64_t> {};

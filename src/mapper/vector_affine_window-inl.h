@@ -90,9 +90,6 @@ struct AffineFromWindow {
   }
 };
 
-// What became of a batch: whether it is drawn or, if not, whether near-ties are why, and many.
-enum class InOneWindow { kDrawn, kNotDrawn, kManyNearTies };
-
 // Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_INLINE InOneWindow draw_one_window(const AffineSpans& spans,
@@ -103,10 +100,7 @@ template <class Pixel, class Address>
                                        AffineFromWindow<Pixel>{spans, surface, &changed})) {
     return InOneWindow::kNotDrawn;
   }
-  if (!any_bits(changed, ~0xFFFF)) return InOneWindow::kDrawn;
-  const auto near = hn::Ne(hn::ShiftRight<kTexelFraction>(changed), hn::Zero(D32()));
-  return hn::CountTrue(D32(), near) < kLeastNear ? InOneWindow::kNotDrawn
-                                                 : InOneWindow::kManyNearTies;
+  return in_one_window(changed);
 }
 
 }  // namespace

@@ -86,8 +86,16 @@ class FixedLanes {
   [[nodiscard]] HWY_INLINE int32_t lack_fx16() const { return lack_fx16_; }
   [[nodiscard]] HWY_INLINE int spare_bits() const { return spare_bits_fx16(lack_fx16_); }
 
-  // Places again, near-ties and all. The lanes are those of pixels from `first` on, as `ties`, of
-  // a row or of packed ones, counts them.
+  // Texels, near-ties and all. The lanes are those of pixels from `first` on, as `ties`, of a row
+  // or of packed ones, counts them.
+  template <class Ties>
+  HWY_INLINE TexelVectors decided(Ties& ties, int32_t first, const LaneVectors& lanes) const {
+    TexelVectors texels{texel_of(lanes.u), texel_of(lanes.v)};
+    ties.decide(first, {near(lanes.u), near(lanes.v)}, &texels.s, &texels.t);
+    return texels;
+  }
+
+  // Places by them.
   template <class Ties>
   HWY_INLINE V32 decided_places(Ties& ties, int32_t first, const LaneVectors& lanes) const {
     const TexelVectors texels = decided(ties, first, lanes);
@@ -127,13 +135,6 @@ class FixedLanes {
   }
   HWY_INLINE hn::Mask<D32> near(V32 lane_fx16) const {
     return hn::Ne(texel_of(change(lane_fx16)), hn::Zero(D32()));
-  }
-
-  template <class Ties>
-  HWY_INLINE TexelVectors decided(Ties& ties, int32_t first, const LaneVectors& lanes) const {
-    TexelVectors texels{texel_of(lanes.u), texel_of(lanes.v)};
-    ties.decide(first, {near(lanes.u), near(lanes.v)}, &texels.s, &texels.t);
-    return texels;
   }
 
   // False where the window does not hold them.

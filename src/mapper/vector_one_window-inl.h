@@ -23,6 +23,18 @@ inline constexpr int32_t kMostOneWindow_px = 64;
   return batch.widest_px <= kMostOneWindow_px && batch.rows > 1;
 }
 
+// What became of a batch: whether it is drawn or, if not, whether near-ties are why, and many.
+enum class InOneWindow { kDrawn, kNotDrawn, kManyNearTies };
+
+// Of a batch that was drawn, by what the lanes of its pixels lack changes in them: near-ties are
+// many where they lie in many lanes.
+[[nodiscard]] HWY_INLINE InOneWindow in_one_window(V32 changed) {
+  constexpr int32_t kMany = 4;
+  if (!any_bits(changed, ~0xFFFF)) return InOneWindow::kDrawn;
+  const auto near = hn::Ne(hn::ShiftRight<kTexelFraction>(changed), hn::Zero(D32()));
+  return hn::CountTrue(D32(), near) < kMany ? InOneWindow::kNotDrawn : InOneWindow::kManyNearTies;
+}
+
 // Some rows of a batch. They have few vectors, and where they end is seldom foreseen: they are
 // drawn a strip at a time, a vector or two of every row, and no more rows at once than the cache
 // has room for: lines of one set of it, a pitch apart, would throw each other out before the next

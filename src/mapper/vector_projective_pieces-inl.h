@@ -11,7 +11,7 @@
 #include "mapper/interior.h"
 #include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_piece_queue-inl.h"
-#include "mapper/vector_plane_ties-inl.h"
+#include "mapper/vector_projective_ties-inl.h"
 #include "mapper/vector_projective_wide-inl.h"
 #include "mapper/vector_projective_window-inl.h"
 
@@ -182,7 +182,11 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
   const AnchoredVectors vectors(spans.field);
-  if (draw_one_window<Pixel, Address>(spans, surface, vectors)) return;
+  const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface, vectors);
+  if (in_one == InOneWindow::kDrawn) return;
+  if (in_one == InOneWindow::kManyNearTies && draw_near_ties<Pixel>(spans, surface, vectors)) {
+    return;
+  }
   PieceQueue queue(spans.batch, surface.target, vectors);
   LeftOfPieces left;
   PieceTies ties(spans, vectors.lack_fx16());

@@ -55,8 +55,9 @@ struct ProjectiveFromWindow {
   const ProjectiveSpans& spans;
   const Surface& surface;
   const AnchoredVectors& vectors;
+  V32* changed_by_near;
 
-  // False where some pixel is a near-tie.
+  // In vain from the first near-ties on.
   template <class OneWindow>
   [[nodiscard]] HWY_INLINE bool operator()(const OneWindow& window) const {
     // for what its lanes lack alone
@@ -71,17 +72,24 @@ struct ProjectiveFromWindow {
     };
     // few rows at once, for behind a near-tie all were drawn in vain
     for_each_block(spans.batch, kPiece_px, kLeastBlockRows, draw_block);
-    return !any_bits(changed, ~0xFFFF);
+    *changed_by_near = changed;
+    return true;
   }
 };
 
 // Draws a batch, if one window holds its texels and no pixel is a near-tie.
 template <class Pixel, class Address>
-[[nodiscard]] HWY_INLINE bool draw_one_window(const ProjectiveSpans& spans, const Surface& surface,
-                                              const AnchoredVectors& vectors) {
-  return pays_one_window(spans.batch) &&
-         with_one_window<Pixel, Address>(spans.texels, surface.texture,
-                                         ProjectiveFromWindow<Pixel>{spans, surface, vectors});
+[[nodiscard]] HWY_INLINE InOneWindow draw_one_window(const ProjectiveSpans& spans,
+                                                     const Surface& surface,
+                                                     const AnchoredVectors& vectors) {
+  if (!pays_one_window(spans.batch)) return InOneWindow::kNotDrawn;
+  V32 changed;
+  if (!with_one_window<Pixel, Address>(
+          spans.texels, surface.texture,
+          ProjectiveFromWindow<Pixel>{spans, surface, vectors, &changed})) {
+    return InOneWindow::kNotDrawn;
+  }
+  return in_one_window(changed);
 }
 
 }  // namespace

@@ -17,9 +17,10 @@ constexpr const char* kUsage =
     "Usage: selvage_work KIND PASSES KERNEL\n"
     "       selvage_work --build\n\n"
     "Draws KIND (mesh-52, mesh-484, tilted-52, tilted-484, affine, perspective, bilinear,\n"
-    "bilinear-any, area, area-tilted, area-ruled, area-sums) PASSES times with KERNEL (scalar,\n"
-    "sse4, avx2) and prints what a pass draws: UNITS UNIT PIXELS. With --build, prints the\n"
-    "compiler and the kind of build.\n\n"
+    "bilinear-any, area, area-tilted, area-ruled, area-sums; an adversarial item of the report,\n"
+    "A1 to A10, or its twin, A1-ordinary to A10-ordinary) PASSES times with KERNEL (scalar, sse4,\n"
+    "avx2) and prints what a pass draws: UNITS UNIT PIXELS. With --build, prints the compiler and\n"
+    "the kind of build.\n\n"
     "Example: selvage_work mesh-52 2 scalar\n\n"
     "Exit status: 0 drawn, 1 refused by the mapper, 2 wrong use, 3 no such kernel here.\n";
 

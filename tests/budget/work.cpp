@@ -1,8 +1,13 @@
 #include "work.h"
 
+#include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 #include <random>
+#include <string>
+
+#include "reports/bench/workloads.h"
 
 namespace selvage::budget {
 
@@ -129,6 +134,19 @@ Work area_sums() {
   return work;
 }
 
+// An adversarial item of the report, or the ordinary twin of one: what there is of it in 64 rows.
+std::optional<Work> adversarial(std::string_view id) {
+  constexpr int32_t height_px = 64;
+  const auto loads = reports::adversarial_workloads();
+  const auto load = std::ranges::find(loads, id, &reports::Workload::id);
+  if (load == loads.end()) return std::nullopt;
+  Work work{"px", {}, load->target_side_px, height_px, load->texture_side_texel, load->filter};
+  std::ranges::copy_if(load->polygons, std::back_inserter(work.polygons), [](const Polygon& each) {
+    return std::ranges::min(each, {}, &selvage_vertex::y).y < height_px * SELVAGE_SUBPIXELS;
+  });
+  return work;
+}
+
 }  // namespace
 
 std::optional<Work> work_of(std::string_view kind) {
@@ -146,7 +164,7 @@ std::optional<Work> work_of(std::string_view kind) {
   if (kind == "area-tilted") return area_tilted();
   if (kind == "area-ruled") return area_ruled();
   if (kind == "area-sums") return area_sums();
-  return std::nullopt;
+  return adversarial(kind);
 }
 
 }  // namespace selvage::budget
