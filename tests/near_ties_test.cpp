@@ -140,19 +140,23 @@ TEST_P(NearTiesInPerspective, AllPixelsAreDecidedAlikeByAllKernels) {
 
 INSTANTIATE_TEST_SUITE_P(Block, NearTiesInPerspective, testing::Range(uint64_t{0}, uint64_t{8}));
 
-// Small, and with a few texels alone, anywhere in the texture: or u and v are the same whole
-// numbers everywhere, but for a little, and q may be anything.
+// Narrow, or so where it is seen, and with a few texels alone, anywhere in the texture or beyond
+// it: or u and v are the same whole numbers everywhere, but for a little, and q may be anything.
+// Denominators are of all sizes.
 [[nodiscard]] std::vector<selvage_vertex> triangle_of_few_texels(spec::Random& random) {
-  const int32_t side_px = random.in(2, 65);
-  auto triangle = almost_affine_triangle(random, side_px, random.in(2, 9));
-  const bool is_point = random.percent(40);
+  auto triangle = almost_affine_triangle(random, random.in(2, 65), random.in(2, 9));
+  const bool is_point = random.percent(40), is_within = random.percent(75);
+  const bool is_tip = is_point && random.percent(50);
+  const int32_t times_as_tall = random.pick({1, 1, 1, kFar_px / 64 - 1});
+  const int32_t times_as_wide = is_tip ? times_as_tall : 1;
   const int32_t right_px = random.in(0, 100), down_px = random.in(0, 40);
+  if (is_tip) triangle[1].y = triangle[2].y;
   for (selvage_vertex& vertex : triangle) {
-    vertex.x += right_px * kSubpixels;
-    vertex.y += down_px * kSubpixels;
+    vertex.x = vertex.x * times_as_wide + right_px * kSubpixels;
+    vertex.y = vertex.y * times_as_tall + down_px * kSubpixels;
     if (is_point) {
-      vertex.u = random.in(-1, 2);
-      vertex.v = random.in(-1, 2);
+      vertex.u = random.in(-6, 3);
+      vertex.v = random.in(-6, 3);
       vertex.q = random.percent(70) ? random.in(1 << 20, SELVAGE_Q_MAX) : 1 << random.in(0, 25);
     }
   }
@@ -160,8 +164,9 @@ INSTANTIATE_TEST_SUITE_P(Block, NearTiesInPerspective, testing::Range(uint64_t{0
     const auto [least, most] = std::ranges::minmax(triangle, {}, of);
     const int32_t first_texel = -(least.*of >> kTexelFraction);
     const int32_t last_texel = kTexture_texel - 1 - (most.*of >> kTexelFraction);
-    const int32_t shift_texel = random.in(first_texel, last_texel + 1);
-    for (selvage_vertex& vertex : triangle) vertex.*of += shift_texel << kTexelFraction;
+    const int32_t shift_texel =
+        is_within ? random.in(first_texel, last_texel + 1) : random.in(-40, 41);
+    for (selvage_vertex& vertex : triangle) vertex.*of += shift_texel * (1 << kTexelFraction);
   }
   return triangle;
 }

@@ -34,16 +34,16 @@ class DecidedDraw {
     const D32 d;
     const Span piece = pieces.rest(k, 0);
     if (piece.row != ties_->span().row) ties_->go_to(piece);
-    const int32_t first_px = piece.left_px - ties_->span().left_px;
-    for (int32_t at = 0; at < kVectorsPerPiece && at * kLanes < piece.width_px(); ++at) {
-      const int32_t px = at * kLanes;
-      const TexelVectors texels =
-          fixed_.decided(*ties_, first_px + px, lanes_.lanes(anchors, k, at));
+    int32_t px = piece.left_px - ties_->span().left_px, count_px = piece.width_px();
+    for (int32_t at = 0; at < kVectorsPerPiece && count_px > 0; ++at) {
+      const TexelVectors texels = fixed_.decided(*ties_, px, lanes_.lanes(anchors, k, at));
       const V32 column = hn::Sub(texels.s, hn::Set(d, place_.s.texel));
       const V32 row = hn::Sub(texels.t, hn::Set(d, place_.t.texel));
       const V32 index = hn::Add(hn::ShiftLeft<kColumnBits>(row), column);
-      store_pixels(pick<kColumnBits>(window_, pitch_texel_, rows_, index), piece.width_px() - px,
-                   to + px);
+      store_pixels(pick<kColumnBits>(window_, pitch_texel_, rows_, index), count_px, to);
+      px += kLanes;
+      count_px -= kLanes;
+      to += kLanes;
     }
   }
 
@@ -74,22 +74,22 @@ HWY_NOINLINE void draw_decided(const ProjectiveSpans& spans, const Surface& surf
   }
 }
 
-// Draws a batch, if a window within the texture holds its texels and 64 bits tell its near-ties.
+// Draws a batch that was drawn from one window in vain, if that lies within the texture and 64 bits
+// tell the near-ties.
 template <class Pixel>
 [[nodiscard]] HWY_INLINE bool draw_near_ties(const ProjectiveSpans& spans, const Surface& surface,
                                              const AnchoredVectors& vectors) {
   const TexelRanges texels(spans.texels);
-  if (!kHasWindows || !texels.within(surface.texture)) return false;
+  if (!texels.within(surface.texture)) return false;
   PlaneTies ties(spans.exact, spans.batch);
   if (!ties.are_enough(spare_bits_fx16(vectors.lack_fx16()))) return false;
   const auto half = place_inside<kHalfColumnBits>(texels, surface.texture);
   if (half.vectors != 0) {
     draw_decided<Pixel, kHalfColumnBits>(spans, surface, vectors, half, &ties);
-    return true;
+  } else {
+    const auto whole = place_inside<kWindowColumnBits>(texels, surface.texture);
+    draw_decided<Pixel, kWindowColumnBits>(spans, surface, vectors, whole, &ties);
   }
-  const auto whole = place_inside<kWindowColumnBits>(texels, surface.texture);
-  if (whole.vectors == 0) return false;
-  draw_decided<Pixel, kWindowColumnBits>(spans, surface, vectors, whole, &ties);
   return true;
 }
 
