@@ -21,7 +21,7 @@ constexpr int kShares = 64;
 struct SharesReached {
   uint8_t of_coordinates[kShares], of_runs[kShares];
 };
-__attribute__((section("__libfuzzer_extra_counters")))
+__attribute__((used, section("__libfuzzer_extra_counters")))
 SharesReached reached[selvage::fuzz::kMapKinds][2];
 
 void reward(const NearTies& ties, bool on_grid) {

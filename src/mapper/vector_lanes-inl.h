@@ -26,7 +26,7 @@ inline constexpr int kAnchorShift = kLaneFraction - kTexelFraction;
   return static_cast<int32_t>(lane_fx32 >> kLaneFraction);
 }
 
-// As RowOfTies asks for them, of lanes that lack less.
+// As RowOfTies and PlaneTies ask for them, of lanes that lack less.
 [[nodiscard]] HWY_INLINE int spare_bits_fx16(int32_t lack_fx16) {
   return kTexelFraction - std::bit_width(static_cast<uint32_t>(lack_fx16));
 }

@@ -27,7 +27,7 @@ inline constexpr int32_t kMostOneWindow_px = 64;
 enum class InOneWindow { kDrawn, kNotDrawn, kManyNearTies };
 
 // Of a batch that was drawn, by what the lanes of its pixels lack changes in them: near-ties are
-// many where they lie in many lanes.
+// many where they lie in many lanes. How many vectors hold them is not known, as are_many() asks.
 [[nodiscard]] HWY_INLINE InOneWindow in_one_window(V32 changed) {
   constexpr int32_t kMany = 4;
   if (!any_bits(changed, ~0xFFFF)) return InOneWindow::kDrawn;

@@ -146,10 +146,11 @@ TEST(Items, HaveTwinsWithoutNearTies) {
     const Workload& twin = find(loads, load.ordinary_id);
     EXPECT_EQ(twin.polygons.front().back().y, load.polygons.front().back().y);
     EXPECT_EQ(count_covered(twin), count_covered(load));
+    // That of A10 has 16 samples a texel.
+    const double least = load.id == "A10" ? 1.0 / 64 : 0.1;
     for (const auto& row : some_rows(twin, 4).pixels) {
       for (const ModelPixel& pixel : row)
-        ASSERT_TRUE(above(pixel.u) > 1.0 / 64 && below(pixel.u) > 1.0 / 64)
-            << twin.id << ' ' << pixel.u;
+        ASSERT_TRUE(above(pixel.u) > least && below(pixel.u) > least) << twin.id << ' ' << pixel.u;
     }
   }
   EXPECT_EQ(twins, 10u);
