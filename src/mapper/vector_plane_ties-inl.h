@@ -1,7 +1,8 @@
 // Near-ties of a batch by vectors, where 64 bits tell them. Included once for each SIMD target.
 //
-// n and d are linear in both directions of the target. The sign of n - k d is wanted, and where
-// |n - k d| < 2^63 it is that of the same number modulo 2^64, however large n and k d are.
+// n and d are linear in both directions of the target, or the batch is one row. The sign of n - k d
+// is wanted, and where |n - k d| < 2^63 it is that of the same number modulo 2^64, however large n
+// and k d are.
 #if defined(SELVAGE_VECTOR_PLANE_TIES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_PLANE_TIES_INL_H
 #undef SELVAGE_VECTOR_PLANE_TIES_INL_H
