@@ -100,7 +100,7 @@ template <class Pixel, class Address>
                                        AffineFromWindow<Pixel>{spans, surface, &changed})) {
     return InOneWindow::kNotDrawn;
   }
-  return in_one_window(changed);
+  return in_one_window(changed, spans.batch.widest_px);
 }
 
 }  // namespace

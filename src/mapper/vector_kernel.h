@@ -63,6 +63,13 @@ inline constexpr int32_t kAnchoredTruncations_fx16 = 2;
   return 2 * static_cast<double>(field.error_fx32) * kUnit_fx16 +
          kAnchoredRoundings * 0x1p-24 * walk_fx16(field) + kAnchoredSlack_fx16;
 }
+// Their near-ties are no further from the whole number than 2^-kLeastSpareBits.
+inline constexpr double kMostAnchoredError_fx16 =
+    2.0 * (kMostReach + kProjectiveTruncations_fx32) / (1 << (kLaneFraction - kTexelFraction)) +
+    kAnchoredRoundings * 0x1p-24 * kMostWalk_fx16 + kAnchoredSlack_fx16;
+inline constexpr int kLeastSpareBits = 12;
+static_assert(2 * kMostAnchoredError_fx16 + kAnchoredTruncations_fx16 <=
+              1 << (kTexelFraction - kLeastSpareBits));
 
 // 16.16 lanes fit 32 bits although they may be low by a little.
 [[nodiscard]] inline bool lanes_fit(const Polygon& polygon) {

@@ -27,12 +27,13 @@ inline constexpr int32_t kMostOneWindow_px = 64;
 enum class InOneWindow { kDrawn, kNotDrawn, kManyNearTies };
 
 // Of a batch that was drawn, by what the lanes of its pixels lack changes in them: near-ties are
-// many where they lie in many lanes. How many vectors hold them is not known, as are_many() asks.
-[[nodiscard]] HWY_INLINE InOneWindow in_one_window(V32 changed) {
-  constexpr int32_t kMany = 4;
+// many where they lie in many lanes, or in all of the widest row. How many vectors hold them is not
+// known, as are_many() asks.
+[[nodiscard]] HWY_INLINE InOneWindow in_one_window(V32 changed, int32_t widest_px) {
+  const int32_t many = HWY_MIN(4, widest_px);
   if (!any_bits(changed, ~0xFFFF)) return InOneWindow::kDrawn;
   const auto near = hn::Ne(hn::ShiftRight<kTexelFraction>(changed), hn::Zero(D32()));
-  return hn::CountTrue(D32(), near) < kMany ? InOneWindow::kNotDrawn : InOneWindow::kManyNearTies;
+  return hn::CountTrue(D32(), near) < many ? InOneWindow::kNotDrawn : InOneWindow::kManyNearTies;
 }
 
 // Some rows of a batch. They have few vectors, and where they end is seldom foreseen: they are

@@ -1,8 +1,8 @@
-// Near-ties of a batch by vectors, where 64 bits tell them. Included once for each SIMD target.
+// Near-ties of a batch by vectors. Included once for each SIMD target.
 //
 // n and d are linear in both directions of the target, or the batch is one row. The sign of n - k d
-// is wanted, and where |n - k d| < 2^63 it is that of the same number modulo 2^64, however large n
-// and k d are.
+// is wanted, and where |n - k d| < 2^(bits - 1) it is that of the same number modulo 2^bits,
+// however large n and k d are.
 #if defined(SELVAGE_VECTOR_PLANE_TIES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_PLANE_TIES_INL_H
 #undef SELVAGE_VECTOR_PLANE_TIES_INL_H
@@ -12,118 +12,112 @@
 
 #include "mapper/near_tie_bits.h"
 #include "mapper/span_batch.h"
+#include "mapper/vector_limbs-inl.h"
 #include "mapper/vector_near_ties-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-using D64 = hn::Repartition<uint64_t, D32>;
-using V64 = hn::Vec<D64>;
+// No texel is below 0 with so many more: (n + bias d) - (k + bias) d is n - k d.
+inline constexpr int kTexelBiasBits = kTexelBits - kTexelFraction + 1;
+inline constexpr int32_t kTexelBias = 1 << kTexelBiasBits;
+static_assert(kTexelBiasBits + 1 <= TwoLimbs::kFactorBits);
+static_assert(TwoLimbs::kDivisorZeros <= kTexelFraction);
+static_assert(kDenominatorBits - kLeastSpareBits < TwoLimbs::kBits - 1, "|n - k d| and its sign");
 
-// Of the even lanes of 32 bits and of the odd ones.
-struct WideLanes {
-  V64 even, odd;
+// A batch's exact rows: the first one from its first pixel on, and the one below from there.
+struct BatchRows {
+  ExactRow first, below;
+
+  HWY_INLINE BatchRows(const ExactMap& map, const SpanBatch& batch)
+      : first(map.row_from(batch.left_px[0], batch.first_row)),
+        below(map.row_from(batch.left_px[0], batch.first_row + 1)) {}
+
+  // Whether one limb tells near-ties that are no further from the whole number than 2^-spare_bits.
+  [[nodiscard]] HWY_INLINE bool are_short(const SpanBatch& batch, int spare_bits) const {
+    const uint128 down = below.d.start - first.d.start;
+    return are_64_enough(most_in_box(first.d, down, batch), spare_bits);
+  }
 };
 
-// A number along a span, modulo 2^64.
-class WideLine {
+// A number that is linear over the target.
+template <class Walk, class Scalar>
+class PlaneWalk {
  public:
-  HWY_INLINE WideLine(uint64_t here, uint64_t right, uint64_t below)
-      : start_(here), right_(right), down_(below - here), row_start_(here) {
-    const D64 d;
-    const V64 steps = hn::Iota(d, 0), right_by = hn::Set(d, right);
-    const V64 even = hn::Mul(hn::Add(steps, steps), right_by);
-    hn::Store(even, d, even_);
-    hn::Store(hn::Add(even, right_by), d, odd_);
-  }
+  // At some pixel, and how much more it is right of it and below it.
+  HWY_INLINE PlaneWalk(Scalar here, Scalar right, Scalar down)
+      : start_(here), right_(right), down_(down), row_start_(here), walk_(right) {}
 
-  HWY_INLINE void go_to(int64_t right_px, int64_t down_px) {
-    row_start_ =
-        start_ + static_cast<uint64_t>(right_px) * right_ + static_cast<uint64_t>(down_px) * down_;
-  }
-  [[nodiscard]] HWY_INLINE WideLanes from(int64_t offset_px) const {
-    const D64 d;
-    const V64 first = hn::Set(d, row_start_ + static_cast<uint64_t>(offset_px) * right_);
-    return {hn::Add(first, hn::Load(d, even_)), hn::Add(first, hn::Load(d, odd_))};
+  HWY_INLINE void go_to_row(int32_t down_px) { row_start_ = start_ + times(down_px, down_); }
+  [[nodiscard]] HWY_INLINE auto from(int32_t right_px) const {
+    return walk_.from(row_start_ + times(right_px, right_));
   }
 
  private:
-  uint64_t start_, right_, down_, row_start_;
-  HWY_ALIGN uint64_t even_[kLanes / 2], odd_[kLanes / 2];  // on the way from a vector's first lane
+  static HWY_INLINE Scalar times(int32_t steps, Scalar by) {
+    return static_cast<Scalar>(int128{steps}) * by;
+  }
+
+  Scalar start_, right_, down_, row_start_;
+  Walk walk_;
 };
 
-// As RowOfTies, in units of a texel.
+// As RowOfTies, in units of a texel, of anchored lanes.
+template <class Number>
 class PlaneTies {
  public:
-  HWY_INLINE PlaneTies(const ExactMap& map, const SpanBatch& batch)
-      : PlaneTies(map.row_from(batch.left_px[0], batch.first_row),
-                  map.row_from(batch.left_px[0], batch.first_row + 1), batch) {}
-
-  // Whether they tell near-ties that are no further from the whole number than 2^-spare_bits.
-  [[nodiscard]] HWY_INLINE bool are_enough(int spare_bits) const {
-    return are_64_enough(most_d_, spare_bits);
-  }
+  HWY_INLINE PlaneTies(const BatchRows& rows, const SpanBatch& batch)
+      : first_px_(batch.left_px[0]),
+        first_row_(batch.first_row),
+        span_(batch.span(0)),
+        u_(biased(rows.first.u, rows.below.u, rows)),
+        v_(biased(rows.first.v, rows.below.v, rows)),
+        d_(plane<typename Number::Divisor>(rows.first.d, rows.below.d.start)) {}
 
   HWY_INLINE void go_to(const Span& span) {
     span_ = span;
-    const int64_t right_px = span.left_px - first_px_, down_px = span.row - first_row_;
-    u_.go_to(right_px, down_px);
-    v_.go_to(right_px, down_px);
-    d_.go_to(right_px, down_px);
+    const int32_t down_px = span.row - first_row_;
+    u_.go_to_row(down_px);
+    v_.go_to_row(down_px);
+    d_.go_to_row(down_px);
   }
   [[nodiscard]] HWY_INLINE const Span& span() const { return span_; }
 
   HWY_INLINE void decide(int32_t offset_px, const NearTies& near, V32* HWY_RESTRICT s,
                          V32* HWY_RESTRICT t) const {
-    const WideLanes divisor = d_.from(offset_px);
-    if (!hn::AllFalse(D32(), near.u)) *s = raised(u_.from(offset_px), divisor, near.u, *s);
-    if (!hn::AllFalse(D32(), near.v)) *t = raised(v_.from(offset_px), divisor, near.v, *t);
+    const int32_t right_px = span_.left_px - first_px_ + offset_px;
+    const auto divisor = d_.from(right_px);
+    if (!hn::AllFalse(D32(), near.u)) *s = raised(u_.from(right_px), divisor, near.u, *s);
+    if (!hn::AllFalse(D32(), near.v)) *t = raised(v_.from(right_px), divisor, near.v, *t);
   }
 
  private:
-  // No texel is below 0 with so many more: (n + bias d) - (k + bias) d is n - k d.
-  static constexpr int32_t kTexelBias = 1 << (kTexelBits - kTexelFraction + 1);
-
-  HWY_INLINE PlaneTies(const ExactRow& here, const ExactRow& below, const SpanBatch& batch)
-      : first_px_(batch.left_px[0]),
-        first_row_(batch.first_row),
-        span_(batch.span(0)),
-        u_(biased(here.u, here.d, below.u, below.d)),
-        v_(biased(here.v, here.d, below.v, below.d)),
-        d_(low(here.d.start), low(here.d.step), low(below.d.start)),
-        most_d_(most_in_box(here.d, below.d.start - here.d.start, batch)) {}
-
-  static HWY_INLINE uint64_t low(uint128 a) { return static_cast<uint64_t>(a); }
-  static HWY_INLINE WideLine biased(const ExactLine& n, const ExactLine& d,
-                                    const ExactLine& n_below, const ExactLine& d_below) {
-    constexpr auto kBias = static_cast<uint64_t>(kTexelBias);
-    return {low(n.start) + kBias * low(d.start), low(n.step) + kBias * low(d.step),
-            low(n_below.start) + kBias * low(d_below.start)};
+  using Scalar = typename Number::Scalar;
+  template <class Walk>
+  static HWY_INLINE PlaneWalk<Walk, Scalar> plane(const ExactLine& line, uint128 below) {
+    return {static_cast<Scalar>(line.start), static_cast<Scalar>(line.step),
+            static_cast<Scalar>(below - line.start)};
+  }
+  static HWY_INLINE auto biased(const ExactLine& n, const ExactLine& n_below,
+                                const BatchRows& rows) {
+    constexpr uint128 kBias = kTexelBias;
+    const ExactLine line{n.start + kBias * rows.first.d.start, n.step + kBias * rows.first.d.step};
+    return plane<typename Number::Numerator>(line, n_below.start + kBias * rows.below.d.start);
   }
 
-  // Modulo 2^64, by the lower halves of k.
-  static HWY_INLINE V64 product(V64 k, V64 divisor) {
-    const hn::Repartition<uint32_t, D64> d;
-    const V64 low = hn::MulEven(hn::BitCast(d, k), hn::BitCast(d, divisor));
-    const V64 high = hn::MulEven(hn::BitCast(d, k), hn::BitCast(d, hn::ShiftRight<32>(divisor)));
-    return hn::Add(low, hn::ShiftLeft<32>(high));
-  }
-  static HWY_INLINE V32 raised(const WideLanes& n, const WideLanes& divisor, hn::Mask<D32> near,
-                               V32 low) {
+  template <class Lanes>
+  static HWY_INLINE V32 raised(const Lanes& n, const Lanes& divisor, hn::Mask<D32> near, V32 low) {
     const D32 d;
     const V32 next = hn::Add(low, hn::Set(d, 1));
-    const V64 k = hn::BitCast(D64(), hn::Add(next, hn::Set(d, kTexelBias)));
-    const V64 even = hn::Sub(n.even, product(k, divisor.even));
-    const V64 odd = hn::Sub(n.odd, product(hn::ShiftRight<32>(k), divisor.odd));
-    const V32 sign = hn::OddEven(hn::BitCast(d, odd), hn::BitCast(d, hn::ShiftRight<32>(even)));
+    const V32 sign = Number::signs(n, hn::Add(next, hn::Set(d, kTexelBias)), divisor);
     return hn::IfThenElse(hn::AndNot(hn::Lt(sign, hn::Zero(d)), near), next, low);
   }
 
   int32_t first_px_, first_row_;
   Span span_;
-  WideLine u_, v_, d_;
-  int128 most_d_;
+  PlaneWalk<typename Number::Numerator, Scalar> u_, v_;
+  PlaneWalk<typename Number::Divisor, Scalar> d_;
 };
 
 }  // namespace

@@ -61,29 +61,28 @@ class PieceTies {
 
   template <class Pixel, class Address>
   HWY_INLINE void draw(const LeftOfPieces& left, const Surface& surface) {
-    if (!by_plane_ && !by_row_) find();
-    if (by_plane_) {
-      draw_left<Pixel, Address>(left, surface, lack_fx16_, &*by_plane_);
+    if (!short_ && !long_) find();
+    if (short_) {
+      draw_left<Pixel, Address>(left, surface, lack_fx16_, &*short_);
     } else {
-      draw_left<Pixel, Address>(left, surface, lack_fx16_, &*by_row_);
+      draw_left<Pixel, Address>(left, surface, lack_fx16_, &*long_);
     }
   }
 
  private:
   HWY_NOINLINE void find() {
-    const int spare_bits = spare_bits_fx16(lack_fx16_);
-    const PlaneTies by_plane(spans_.exact, spans_.batch);
-    if (by_plane.are_enough(spare_bits)) {
-      by_plane_ = by_plane;
+    const BatchRows rows(spans_.exact, spans_.batch);
+    if (rows.are_short(spans_.batch, spare_bits_fx16(lack_fx16_))) {
+      short_ = PlaneTies<OneLimb>(rows, spans_.batch);
     } else {
-      by_row_ = RowOfTies(spans_.exact, spans_.batch.span(0), 0, spare_bits);
+      long_ = PlaneTies<TwoLimbs>(rows, spans_.batch);
     }
   }
 
   const ProjectiveSpans& spans_;
   int32_t lack_fx16_;
-  std::optional<PlaneTies> by_plane_;
-  std::optional<RowOfTies> by_row_;
+  std::optional<PlaneTies<OneLimb>> short_;
+  std::optional<PlaneTies<TwoLimbs>> long_;
 };
 
 // What vectors of pieces are drawn with.

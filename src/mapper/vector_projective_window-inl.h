@@ -89,7 +89,7 @@ template <class Pixel, class Address>
           ProjectiveFromWindow<Pixel>{spans, surface, vectors, &changed})) {
     return InOneWindow::kNotDrawn;
   }
-  return in_one_window(changed);
+  return in_one_window(changed, spans.batch.widest_px);
 }
 
 }  // namespace

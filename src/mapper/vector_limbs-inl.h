@@ -1,0 +1,154 @@
+// Wide numbers of kLanes pixels, one limb of 64 bits each or two. Included once for each SIMD
+// target.
+#if defined(SELVAGE_VECTOR_LIMBS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_LIMBS_INL_H
+#undef SELVAGE_VECTOR_LIMBS_INL_H
+#else
+#define SELVAGE_VECTOR_LIMBS_INL_H
+#endif
+
+#include "mapper/vector_kernel-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+using D64 = hn::Repartition<uint64_t, D32>;
+using V64 = hn::Vec<D64>;
+
+// Of the even lanes of 32 bits and of the odd ones.
+template <class Number>
+struct ByParity {
+  Number even, odd;
+};
+
+// 0, 2, ... and 1, 3, ...
+[[nodiscard]] HWY_INLINE ByParity<V64> lane_numbers() {
+  const D64 d;
+  const V64 even = hn::Add(hn::Iota(d, 0), hn::Iota(d, 0));
+  return {even, hn::Add(even, hn::Set(d, 1))};
+}
+
+// The lower half of each lane and, in its place, the upper one.
+[[nodiscard]] HWY_INLINE ByParity<V64> words_of(V32 v) {
+  const V64 both = hn::BitCast(D64(), v);
+  return {both, hn::ShiftRight<32>(both)};
+}
+
+// Of the lower halves.
+[[nodiscard]] HWY_INLINE V64 word_product(V64 a, V64 b) {
+  const hn::Repartition<uint32_t, D64> words;
+  return hn::MulEven(hn::BitCast(words, a), hn::BitCast(words, b));
+}
+// Of a lower half and a limb, modulo 2^64.
+[[nodiscard]] HWY_INLINE V64 product(V64 word, V64 limb) {
+  return hn::Add(word_product(word, limb),
+                 hn::ShiftLeft<32>(word_product(word, hn::ShiftRight<32>(limb))));
+}
+
+// A vector that is negative where these are, by their highest bits.
+[[nodiscard]] HWY_INLINE V32 signs_of(const ByParity<V64>& v) {
+  const D32 d;
+  return hn::OddEven(hn::BitCast(d, v.odd), hn::BitCast(d, hn::ShiftRight<32>(v.even)));
+}
+
+// Modulo 2^64.
+struct OneLimb {
+  using Scalar = uint64_t;
+
+  // A number at kLanes pixels in turn.
+  class Walk {
+   public:
+    HWY_INLINE explicit Walk(uint64_t step) {
+      const D64 d;
+      const ByParity<V64> lanes = lane_numbers();
+      hn::Store(hn::Mul(lanes.even, hn::Set(d, step)), d, even_);
+      hn::Store(hn::Mul(lanes.odd, hn::Set(d, step)), d, odd_);
+    }
+    [[nodiscard]] HWY_INLINE ByParity<V64> from(uint64_t start) const {
+      const D64 d;
+      const V64 first = hn::Set(d, start);
+      return {hn::Add(first, hn::Load(d, even_)), hn::Add(first, hn::Load(d, odd_))};
+    }
+
+   private:
+    HWY_ALIGN uint64_t even_[kLanes / 2], odd_[kLanes / 2];
+  };
+  using Numerator = Walk;
+  using Divisor = Walk;
+
+  // A vector that is negative where n - k d is.
+  static HWY_INLINE V32 signs(const ByParity<V64>& n, V32 k, const ByParity<V64>& divisor) {
+    const ByParity<V64> by = words_of(k);
+    return signs_of({hn::Sub(n.even, product(by.even, divisor.even)),
+                     hn::Sub(n.odd, product(by.odd, divisor.odd))});
+  }
+};
+
+// Modulo 2^109: low + 2^45 high. Divisors are multiples of 2^15, so that 30 bits are left of a low
+// limb, and factors below 3/4 2^17: one product by k 2^15 is the low limb's.
+struct TwoLimbs {
+  using Scalar = uint128;
+  static constexpr int kLowBits = 45, kBits = kLowBits + 64;
+  static constexpr int kDivisorZeros = 15, kFactorBits = 17;
+  static_assert(kFactorBits + kDivisorZeros <= 32 && kLowBits + 1 - kDivisorZeros <= 32);
+
+  struct Limbs {
+    V64 low, high;
+  };
+
+  // A number at kLanes pixels in turn: its low limb without so many bits, and with a bias.
+  template <int kDropped, uint64_t kBias>
+  class Walk {
+   public:
+    HWY_INLINE explicit Walk(uint128 step) {
+      const ByParity<V64> lanes = lane_numbers();
+      store(lanes.even, step, even_low_, even_high_);
+      store(lanes.odd, step, odd_low_, odd_high_);
+    }
+    [[nodiscard]] HWY_INLINE ByParity<Limbs> from(uint128 start) const {
+      const D64 d;
+      const V64 low = hn::Set(d, (low_of(start) >> kDropped) + kBias);
+      const V64 high = hn::Set(d, high_of(start) - (kBias >> kLowBits));
+      return {{hn::Add(low, hn::Load(d, even_low_)), hn::Add(high, hn::Load(d, even_high_))},
+              {hn::Add(low, hn::Load(d, odd_low_)), hn::Add(high, hn::Load(d, odd_high_))}};
+    }
+
+   private:
+    static constexpr uint64_t kLow = (uint64_t{1} << kLowBits) - 1;
+    static HWY_INLINE uint64_t low_of(uint128 a) { return static_cast<uint64_t>(a) & kLow; }
+    static HWY_INLINE uint64_t high_of(uint128 a) { return static_cast<uint64_t>(a >> kLowBits); }
+    static HWY_INLINE void store(V64 lanes, uint128 step, uint64_t* HWY_RESTRICT to_low,
+                                 uint64_t* HWY_RESTRICT to_high) {
+      const D64 d;
+      const V64 low = hn::Mul(lanes, hn::Set(d, low_of(step)));
+      const V64 high = hn::Mul(lanes, hn::Set(d, high_of(step)));
+      hn::Store(hn::ShiftRight<kDropped>(hn::And(low, hn::Set(d, kLow))), d, to_low);
+      hn::Store(hn::Add(high, hn::ShiftRight<kLowBits>(low)), d, to_high);
+    }
+
+    HWY_ALIGN uint64_t even_low_[kLanes / 2], even_high_[kLanes / 2];
+    HWY_ALIGN uint64_t odd_low_[kLanes / 2], odd_high_[kLanes / 2];
+  };
+  // A divisor's low limb is below 2^46, so that no difference of low limbs is below 0 with so much
+  // more.
+  using Numerator = Walk<0, uint64_t{1} << 63>;
+  using Divisor = Walk<kDivisorZeros, 0>;
+
+  static HWY_INLINE V32 signs(const ByParity<Limbs>& n, V32 k, const ByParity<Limbs>& divisor) {
+    const ByParity<V64> by = words_of(k), by_low = words_of(hn::ShiftLeft<kDivisorZeros>(k));
+    return signs_of({high_of_difference(n.even, by.even, by_low.even, divisor.even),
+                     high_of_difference(n.odd, by.odd, by_low.odd, divisor.odd)});
+  }
+
+ private:
+  static HWY_INLINE V64 high_of_difference(const Limbs& n, V64 k, V64 k_low, const Limbs& divisor) {
+    const V64 low = hn::Sub(n.low, word_product(k_low, divisor.low));
+    return hn::Sub(hn::Add(n.high, hn::ShiftRight<kLowBits>(low)), product(k, divisor.high));
+  }
+};
+
+}  // namespace
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
