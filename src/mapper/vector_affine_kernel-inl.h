@@ -7,6 +7,7 @@
 #endif
 
 #include "mapper/vector_affine_narrow-inl.h"
+#include "mapper/vector_affine_ties-inl.h"
 #include "mapper/vector_affine_wide-inl.h"
 #include "mapper/vector_affine_window-inl.h"
 
@@ -19,6 +20,7 @@ HWY_NOINLINE void draw_affine_as(const AffineSpans& spans, const Surface& surfac
   const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface);
   if (in_one == InOneWindow::kDrawn) return;
   const WindowShape shape = window_shape(spans.field.step_x, surface.texture);
+  if (in_one == InOneWindow::kManyNearTies && draw_near_ties<Pixel>(spans, surface)) return;
   if (in_one == InOneWindow::kManyNearTies && has_quotients(spans)) {
     return draw_exactly<Pixel, Address>(spans, surface, 0, shape.rows);
   }

@@ -1,0 +1,51 @@
+// Affine spans of a polygon whose texels lie in one window, with many near-ties among them.
+// Included once for each SIMD target.
+#if defined(SELVAGE_VECTOR_AFFINE_TIES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_AFFINE_TIES_INL_H
+#undef SELVAGE_VECTOR_AFFINE_TIES_INL_H
+#else
+#define SELVAGE_VECTOR_AFFINE_TIES_INL_H
+#endif
+
+#include "mapper/vector_affine_lanes-inl.h"
+#include "mapper/vector_decided_window-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+template <class Pixel, class Window, class Batch>
+HWY_NOINLINE void draw_decided(const Window& window, const Batch& lanes, const AffineSpans& spans,
+                               const Surface& surface) {
+  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+    Span rest = spans.batch.span(i);
+    if (rest.empty()) continue;
+    Pixel* to = reinterpret_cast<Pixel*>(first_pixel(surface, rest));
+    for (int32_t px = window.offset_px(rest); !rest.empty(); px += kLanes) {
+      const Lane anchor = lanes.anchor(spans.field.at(rest.left_px, rest.row));
+      window.draw(px, lanes.lanes_from(anchor), rest.width_px(), to);
+      rest.left_px += kLanes;
+      to += kLanes;
+    }
+  }
+}
+
+// Draws a batch of rows of a plane that was drawn from one window in vain, if that lies within the
+// texture.
+template <class Pixel>
+[[nodiscard]] HWY_INLINE bool draw_near_ties(const AffineSpans& spans, const Surface& surface) {
+  static_assert(kPlaneAreaBits + kTexelFraction - kLeastSpareBits < 62, "one limb is enough");
+  const TexelRanges texels(spans.texels);
+  if (!texels.within(surface.texture)) return false;
+  const AffineBatch<Addressed<InsideVector>> lanes(spans, surface);
+  PlaneTies<OneLimb> ties(BatchRows(spans.exact, spans.batch), spans.batch);
+  with_decided_window<Pixel>(texels, surface, lanes.lack_fx16(), &ties, [&](const auto& window) {
+    draw_decided<Pixel>(window, lanes, spans, surface);
+  });
+  return true;
+}
+
+}  // namespace
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
