@@ -20,13 +20,12 @@ HWY_NOINLINE void draw_affine_as(const AffineSpans& spans, const Surface& surfac
   const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface);
   if (in_one == InOneWindow::kDrawn) return;
   const WindowShape shape = window_shape(spans.field.step_x, surface.texture);
-  if (in_one == InOneWindow::kManyNearTies && draw_near_ties<Pixel>(spans, surface)) return;
-  if (in_one == InOneWindow::kManyNearTies && has_quotients(spans)) {
-    return draw_exactly<Pixel, Address>(spans, surface, 0, shape.rows);
+  if (in_one == InOneWindow::kManyNearTies) {
+    if (spans.batch.widest_px <= kLanes && draw_near_ties<Pixel>(spans, surface)) return;
+    if (has_quotients(spans)) return draw_exactly<Pixel, Address>(spans, surface, 0, shape.rows);
   }
   if (shape.rows == 0 && spans.batch.widest_px <= kNarrow_px) {
-    if (draw_narrow<Address>(spans, surface)) return;
-    return draw_exactly<Pixel, Address>(spans, surface, 0, shape.rows);
+    return draw_narrow<Address>(spans, surface);
   }
   draw_wide<Pixel, Address>(spans, surface, shape);
 }

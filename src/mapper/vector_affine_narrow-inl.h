@@ -6,9 +6,8 @@
 #define SELVAGE_VECTOR_AFFINE_NARROW_INL_H
 #endif
 
-#include "mapper/vector_affine_exact-inl.h"
 #include "mapper/vector_affine_lanes-inl.h"
-#include "mapper/vector_packed_ties-inl.h"
+#include "mapper/vector_batch_ties-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -23,50 +22,72 @@ HWY_INLINE void store_rows(const Pixel* texels, const SpanBatch& batch, const Su
   }
 }
 
-// Spans up to kNarrow_px wide: the lanes of all are packed one after another, so that vectors are
-// full although rows are short; each row is stored under a mask. False where they are better drawn
-// by exact quotients.
-template <class Address>
-[[nodiscard]] bool draw_narrow(const AffineSpans& spans, const Surface& surface) {
-  constexpr int32_t kMost = kRowsPerBatch * kNarrow_px;
-  const AffineBatch<Address> batch(spans, surface);
-  const AffineField field = spans.field;
-  const D32 d;
+// The lanes of a batch's pixels, packed one row after another.
+struct PackedLanes {
+  static constexpr int32_t kMost = kRowsPerBatch * kNarrow_px;
+  int32_t count = 0;
   HWY_ALIGN int32_t u_fx16[kMost + kMostLanes], v_fx16[kMost + kMostLanes];
-  int32_t packed = 0;
-  for (int32_t i = 0; i < spans.batch.rows; ++i) {
-    const Span span = spans.batch.span(i);
-    int32_t done = 0;
-    do {
-      const LaneVectors lanes =
-          batch.lanes_from(batch.anchor(field.at(span.left_px + done, span.row)));
-      hn::StoreU(lanes.u, d, u_fx16 + packed + done);
-      hn::StoreU(lanes.v, d, v_fx16 + packed + done);
-      done += kLanes;
-    } while (done < span.width_px());
-    packed += span.width_px();
-  }
-  hn::StoreU(hn::Zero(d), d, u_fx16 + packed);
-  hn::StoreU(hn::Zero(d), d, v_fx16 + packed);
 
-  PackedTies ties(spans.batch, spans.exact, 0, batch.spare_bits());
-  HWY_ALIGN int32_t place[kLanes];
-  HWY_ALIGN char texels[(kMost + kMostLanes) * sizeof(uint32_t)];
-  const ptrdiff_t bytes = bytes_per_pixel(surface.target.format);
-  int32_t near = 0;
-  for (int32_t first = 0; first < packed; first += kLanes) {
-    const LaneVectors lanes{hn::Load(d, u_fx16 + first), hn::Load(d, v_fx16 + first)};
-    hn::Store(batch.places(lanes), d, place);
-    if (HWY_UNLIKELY(batch.any_near(lanes))) {
-      if (are_many(++near, first / kLanes + 1) && has_quotients(spans)) return false;
-      hn::Store(batch.decided_places(ties, first, lanes), d, place);
+  // Of lanes_of(px, row), a vector of pixels of a row.
+  template <class LanesOf>
+  HWY_INLINE void pack(const SpanBatch& batch, const LanesOf& lanes_of) {
+    const D32 d;
+    count = 0;
+    for (int32_t i = 0; i < batch.rows; ++i) {
+      const Span span = batch.span(i);
+      int32_t done = 0;
+      do {
+        const LaneVectors lanes = lanes_of(span.left_px + done, span.row);
+        hn::StoreU(lanes.u, d, u_fx16 + count + done);
+        hn::StoreU(lanes.v, d, v_fx16 + count + done);
+        done += kLanes;
+      } while (done < span.width_px());
+      count += span.width_px();
     }
+    hn::StoreU(hn::Zero(d), d, u_fx16 + count);
+    hn::StoreU(hn::Zero(d), d, v_fx16 + count);
+  }
+  [[nodiscard]] HWY_INLINE LaneVectors from(int32_t first) const {
+    return {hn::Load(D32(), u_fx16 + first), hn::Load(D32(), v_fx16 + first)};
+  }
+};
+
+// Packs lanes of which no fraction is left, so that none is a near-tie.
+template <class Address>
+HWY_NOINLINE void pack_decided(const AffineSpans& spans, const AffineBatch<Address>& batch,
+                               PackedLanes* packed) {
+  BatchTies batch_ties(spans.exact, spans.batch, batch.spare_bits());
+  batch_ties.with_ties([&](auto* ties) HWY_ATTR {
+    packed->pack(spans.batch, [&](int32_t px, int32_t row) HWY_ATTR {
+      if (row != ties->span().row) ties->go_to({row, px, px});
+      const LaneVectors lanes = batch.lanes_from(batch.anchor(spans.field.at(px, row)));
+      const TexelVectors texels = batch.decided(*ties, px - ties->span().left_px, lanes);
+      return LaneVectors{hn::ShiftLeft<kTexelFraction>(texels.s),
+                         hn::ShiftLeft<kTexelFraction>(texels.t)};
+    });
+  });
+}
+
+// Spans up to kNarrow_px wide: the lanes of all are packed, so that vectors are full although rows
+// are short; each row is stored under a mask.
+template <class Address>
+void draw_narrow(const AffineSpans& spans, const Surface& surface) {
+  const AffineBatch<Address> batch(spans, surface);
+  PackedLanes packed;
+  packed.pack(spans.batch, [&](int32_t px, int32_t row) HWY_ATTR {
+    return batch.lanes_from(batch.anchor(spans.field.at(px, row)));
+  });
+  HWY_ALIGN int32_t place[kLanes];
+  HWY_ALIGN char texels[(PackedLanes::kMost + kMostLanes) * sizeof(uint32_t)];
+  const ptrdiff_t bytes = bytes_per_pixel(surface.target.format);
+  for (int32_t first = 0; first < packed.count; first += kLanes) {
+    if (HWY_UNLIKELY(batch.any_near(packed.from(first)))) pack_decided(spans, batch, &packed);
+    hn::Store(batch.places(packed.from(first)), D32(), place);
     fetch(surface.texture, place, kLanes, texels + first * bytes);
   }
   with_pixel(surface.target.format, [&](auto pixel) {
     store_rows(reinterpret_cast<const decltype(pixel)*>(texels), spans.batch, surface);
   });
-  return true;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "mapper/interior.h"
 #include "mapper/vector_affine_exact-inl.h"
 #include "mapper/vector_affine_windows-inl.h"
+#include "mapper/vector_batch_ties-inl.h"
 #include "mapper/vector_fetch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -50,17 +51,16 @@ HWY_INLINE void for_each_vector(const AffineSpans& spans, const AffineBatch<Addr
   *at = {i, from_px};
 }
 
-template <class Pixel, class Address>
+template <class Pixel, class Address, class Ties>
 HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Surface& surface,
-                            int32_t window_rows) {
+                            int32_t window_rows, Ties* ties) {
   const AffineBatch<Address> batch(spans, surface);
-  RowOfTies ties(spans.exact, left.rest[0], 0, batch.spare_bits());
   for (int32_t i = 0; i < left.count; ++i) {
     const Span& rest = left.rest[static_cast<size_t>(i)];
-    if (rest.row != ties.span().row) ties.go_to(rest);
+    if (rest.row != ties->span().row) ties->go_to(rest);
     const Lane anchor = batch.anchor(spans.field.at(rest.left_px, rest.row));
     batch.template draw<Pixel>(
-        rest, surface, ties, batch.lanes_from(anchor),
+        rest, surface, *ties, batch.lanes_from(anchor),
         {floor_texel(anchor.u_fx32), floor_texel(anchor.v_fx32), window_rows});
   }
 }
@@ -141,6 +141,8 @@ void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowSha
       pays_to_ask_inside(spans.batch) && is_inside(spans.batch, spans.field, surface.texture);
   const bool by_runs = pays_to_find_runs(spans.batch);
   const bool ahead = shape.rows == 0 && !is_cached(surface.texture);
+  const AffineBatch<Address> lanes(spans, surface);
+  BatchTies batch_ties(spans.exact, spans.batch, lanes.spare_bits());
   Resume at;
   Left left;
   do {
@@ -163,7 +165,9 @@ void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowSha
         return scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(spans, surface);
       }
     }
-    if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface, shape.rows);
+    if (left.count == 0) continue;
+    batch_ties.with_ties(
+        [&](auto* ties) { draw_left<Pixel, Address>(left, spans, surface, shape.rows, ties); });
   } while (at.row < spans.batch.rows);
 }
 

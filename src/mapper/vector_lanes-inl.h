@@ -86,20 +86,13 @@ class FixedLanes {
   [[nodiscard]] HWY_INLINE int32_t lack_fx16() const { return lack_fx16_; }
   [[nodiscard]] HWY_INLINE int spare_bits() const { return spare_bits_fx16(lack_fx16_); }
 
-  // Texels, near-ties and all. The lanes are those of pixels from `first` on, as `ties`, of a row
-  // or of packed ones, counts them.
+  // Texels, near-ties and all. The lanes are those of pixels from `first` on, as `ties` counts
+  // them.
   template <class Ties>
   HWY_INLINE TexelVectors decided(Ties& ties, int32_t first, const LaneVectors& lanes) const {
     TexelVectors texels{texel_of(lanes.u), texel_of(lanes.v)};
     ties.decide(first, {near(lanes.u), near(lanes.v)}, &texels.s, &texels.t);
     return texels;
-  }
-
-  // Places by them.
-  template <class Ties>
-  HWY_INLINE V32 decided_places(Ties& ties, int32_t first, const LaneVectors& lanes) const {
-    const TexelVectors texels = decided(ties, first, lanes);
-    return Address::place(texels.s, texels.t, extent_);
   }
 
   // The same, drawn.

@@ -40,16 +40,18 @@ struct ByParity {
   const hn::Repartition<uint32_t, D64> words;
   return hn::MulEven(hn::BitCast(words, a), hn::BitCast(words, b));
 }
-// Of a lower half and a limb, modulo 2^64.
-[[nodiscard]] HWY_INLINE V64 product(V64 word, V64 limb) {
-  return hn::Add(word_product(word, limb),
-                 hn::ShiftLeft<32>(word_product(word, hn::ShiftRight<32>(limb))));
-}
-
-// A vector that is negative where these are, by their highest bits.
-[[nodiscard]] HWY_INLINE V32 signs_of(const ByParity<V64>& v) {
+// The upper halves, each in its lane.
+[[nodiscard]] HWY_INLINE V32 upper_halves(const ByParity<V64>& v) {
   const D32 d;
   return hn::OddEven(hn::BitCast(d, v.odd), hn::BitCast(d, hn::ShiftRight<32>(v.even)));
+}
+// Those of a - k b, modulo 2^64.
+[[nodiscard]] HWY_INLINE V32 upper_halves_of_difference(const ByParity<V64>& a, V32 k,
+                                                        const ByParity<V64>& b) {
+  const ByParity<V64> by = words_of(k);
+  const V32 carried = upper_halves({hn::Sub(a.even, word_product(by.even, b.even)),
+                                    hn::Sub(a.odd, word_product(by.odd, b.odd))});
+  return hn::Sub(carried, hn::Mul(k, upper_halves(b)));
 }
 
 // Modulo 2^64.
@@ -79,9 +81,7 @@ struct OneLimb {
 
   // A vector that is negative where n - k d is.
   static HWY_INLINE V32 signs(const ByParity<V64>& n, V32 k, const ByParity<V64>& divisor) {
-    const ByParity<V64> by = words_of(k);
-    return signs_of({hn::Sub(n.even, product(by.even, divisor.even)),
-                     hn::Sub(n.odd, product(by.odd, divisor.odd))});
+    return upper_halves_of_difference(n, k, divisor);
   }
 };
 
@@ -136,15 +136,17 @@ struct TwoLimbs {
   using Divisor = Walk<kDivisorZeros, 0>;
 
   static HWY_INLINE V32 signs(const ByParity<Limbs>& n, V32 k, const ByParity<Limbs>& divisor) {
-    const ByParity<V64> by = words_of(k), by_low = words_of(hn::ShiftLeft<kDivisorZeros>(k));
-    return signs_of({high_of_difference(n.even, by.even, by_low.even, divisor.even),
-                     high_of_difference(n.odd, by.odd, by_low.odd, divisor.odd)});
+    const ByParity<V64> by_low = words_of(hn::ShiftLeft<kDivisorZeros>(k));
+    return upper_halves_of_difference(
+        {carried(n.even, by_low.even, divisor.even), carried(n.odd, by_low.odd, divisor.odd)}, k,
+        {divisor.even.high, divisor.odd.high});
   }
 
  private:
-  static HWY_INLINE V64 high_of_difference(const Limbs& n, V64 k, V64 k_low, const Limbs& divisor) {
+  // n's high limb and what low limbs carry to it.
+  static HWY_INLINE V64 carried(const Limbs& n, V64 k_low, const Limbs& divisor) {
     const V64 low = hn::Sub(n.low, word_product(k_low, divisor.low));
-    return hn::Sub(hn::Add(n.high, hn::ShiftRight<kLowBits>(low)), product(k, divisor.high));
+    return hn::Add(n.high, hn::ShiftRight<kLowBits>(low));
   }
 };
 

@@ -6,9 +6,8 @@
 #define SELVAGE_VECTOR_PROJECTIVE_PIECES_INL_H
 #endif
 
-#include <optional>
-
 #include "mapper/interior.h"
+#include "mapper/vector_batch_ties-inl.h"
 #include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_piece_queue-inl.h"
 #include "mapper/vector_projective_ties-inl.h"
@@ -52,38 +51,6 @@ HWY_NOINLINE void draw_left(const LeftOfPieces& left, const Surface& surface, in
     fixed.template draw<Pixel>(rest, surface, *ties, left.lanes(i), left.low_window(i));
   }
 }
-
-// What decides a batch's near-ties, from the first one on.
-class PieceTies {
- public:
-  HWY_INLINE PieceTies(const ProjectiveSpans& spans, int32_t lack_fx16)
-      : spans_(spans), lack_fx16_(lack_fx16) {}
-
-  template <class Pixel, class Address>
-  HWY_INLINE void draw(const LeftOfPieces& left, const Surface& surface) {
-    if (!short_ && !long_) find();
-    if (short_) {
-      draw_left<Pixel, Address>(left, surface, lack_fx16_, &*short_);
-    } else {
-      draw_left<Pixel, Address>(left, surface, lack_fx16_, &*long_);
-    }
-  }
-
- private:
-  HWY_NOINLINE void find() {
-    const BatchRows rows(spans_.exact, spans_.batch);
-    if (rows.are_short(spans_.batch, spare_bits_fx16(lack_fx16_))) {
-      short_ = PlaneTies<OneLimb>(rows, spans_.batch);
-    } else {
-      long_ = PlaneTies<TwoLimbs>(rows, spans_.batch);
-    }
-  }
-
-  const ProjectiveSpans& spans_;
-  int32_t lack_fx16_;
-  std::optional<PlaneTies<OneLimb>> short_;
-  std::optional<PlaneTies<TwoLimbs>> long_;
-};
 
 // What vectors of pieces are drawn with.
 template <class Pixel, class Address>
@@ -188,7 +155,7 @@ HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& su
   }
   PieceQueue queue(spans.batch, surface.target, vectors);
   LeftOfPieces left;
-  PieceTies ties(spans, vectors.lack_fx16());
+  BatchTies batch_ties(spans.exact, spans.batch, spare_bits_fx16(vectors.lack_fx16()));
   const bool cached = is_cached(surface.texture);
   const bool inside = cached && pays_to_ask_inside(spans.batch) &&
                       is_inside(spans.batch, spans.field, surface.texture);
@@ -205,7 +172,9 @@ HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& su
       more = draw_pieces<Pixel, Address, FetchAtOnce<Pixel>>(surface, vectors, has_windows, &queue,
                                                              &left);
     }
-    if (left.count != 0) ties.draw<Pixel, Address>(left, surface);
+    if (left.count == 0) continue;
+    batch_ties.with_ties(
+        [&](auto* ties) { draw_left<Pixel, Address>(left, surface, vectors.lack_fx16(), ties); });
   }
 }
 
