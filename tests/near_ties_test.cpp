@@ -9,14 +9,14 @@
 #include "mapper/gentle_pieces.h"
 #include "mapper/kernel.h"
 #include "mapper/kernel_choice.h"
-#include "spec/canvas.h"
 #include "spec/random.h"
+#include "tests/near_ties_support.h"
 #include "tests/span_support.h"
 
 namespace selvage::mapper {
 namespace {
 
-inline constexpr int32_t kWidth_px = 300, kHeight_px = 6, kTexture_texel = 32;
+inline constexpr int32_t kWidth_px = 300, kTexture_texel = 32;
 inline constexpr int32_t kFar_px = 32766;
 
 // u = x / `slow` + off where nothing is nudged, v as u or across.
@@ -56,24 +56,6 @@ void narrow(std::vector<selvage_vertex>* quad, int32_t width_px) {
   }
 }
 
-[[nodiscard]] spec::Canvas drawn(const std::vector<selvage_vertex>& polygon, selvage_filter filter,
-                                 selvage_kernel kernel, int32_t height_px = kHeight_px,
-                                 selvage_format format = SELVAGE_RGBA8888) {
-  spec::Canvas texels(format, kTexture_texel, kTexture_texel, 0, false, 0);
-  for (int32_t t = 0; t < kTexture_texel; ++t) {
-    for (int32_t s = 0; s < kTexture_texel; ++s) {
-      texels.set_pixel(s, t, static_cast<uint32_t>(s * 40503 + t * 7919) * 2654435761U);
-    }
-  }
-  spec::Canvas target(format, kWidth_px, height_px, 0, false, 0x11);
-  const selvage_image image = target.image();
-  const selvage_texture texture = texels.texture();
-  const selvage_options options{SELVAGE_PROFILE_EXACT, filter, SELVAGE_ADDRESS_WRAP, 0, kernel};
-  EXPECT_EQ(selvage_draw(&image, nullptr, polygon.data(), polygon.size(), &texture, &options),
-            SELVAGE_OK);
-  return target;
-}
-
 // A block of seeds.
 class NearTiesOf : public testing::TestWithParam<uint64_t> {};
 
@@ -86,12 +68,7 @@ TEST_P(NearTiesOf, AllPixelsAreDecidedAlikeByAllKernels) {
     if (random.percent(30)) polygon.pop_back();
     const selvage_filter filter = random.pick({SELVAGE_FILTER_NEAREST, SELVAGE_FILTER_NEAREST,
                                                SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR});
-    const spec::Canvas scalar = drawn(polygon, filter, SELVAGE_KERNEL_SCALAR);
-    for (selvage_kernel kernel = SELVAGE_KERNEL_SCALAR; kernel <= SELVAGE_KERNEL_NEON; ++kernel) {
-      if (!is_usable(kernel)) continue;
-      ASSERT_TRUE(drawn(polygon, filter, kernel) == scalar)
-          << "kernel " << kernel << ", seed " << seed;
-    }
+    ASSERT_NO_FATAL_FAILURE(expect_alike(polygon, {.filter = filter}, seed));
   }
 }
 
@@ -127,14 +104,7 @@ TEST_P(NearTiesInPerspective, AllPixelsAreDecidedAlikeByAllKernels) {
     spec::Random random(seed);
     const int32_t side_px = random.pick({16, 50, 64, 300, 1024, 8192, kFar_px});
     const auto triangle = almost_affine_triangle(random, side_px, random.in(0, 9));
-    const auto drawn_by = [&](selvage_kernel kernel) {
-      return drawn(triangle, SELVAGE_FILTER_NEAREST, kernel, kTall_px);
-    };
-    const spec::Canvas scalar = drawn_by(SELVAGE_KERNEL_SCALAR);
-    for (selvage_kernel kernel = SELVAGE_KERNEL_SCALAR; kernel <= SELVAGE_KERNEL_NEON; ++kernel) {
-      if (!is_usable(kernel)) continue;
-      ASSERT_TRUE(drawn_by(kernel) == scalar) << "kernel " << kernel << ", seed " << seed;
-    }
+    ASSERT_NO_FATAL_FAILURE(expect_alike(triangle, {.height_px = kTall_px}, seed));
   }
 }
 
@@ -180,14 +150,8 @@ TEST_P(NearTiesOfFewTexels, AllPixelsAreDecidedAlikeByAllKernels) {
     spec::Random random(seed);
     const std::vector<selvage_vertex> triangle = triangle_of_few_texels(random);
     const auto format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
-    const auto drawn_by = [&](selvage_kernel kernel) {
-      return drawn(triangle, SELVAGE_FILTER_NEAREST, kernel, kTall_px, format);
-    };
-    const spec::Canvas scalar = drawn_by(SELVAGE_KERNEL_SCALAR);
-    for (selvage_kernel kernel = SELVAGE_KERNEL_SCALAR; kernel <= SELVAGE_KERNEL_NEON; ++kernel) {
-      if (!is_usable(kernel)) continue;
-      ASSERT_TRUE(drawn_by(kernel) == scalar) << "kernel " << kernel << ", seed " << seed;
-    }
+    ASSERT_NO_FATAL_FAILURE(
+        expect_alike(triangle, {.height_px = kTall_px, .format = format}, seed));
   }
 }
 
@@ -206,12 +170,7 @@ TEST_P(NearTiesOfBoxes, AllPixelsAreDecidedAlikeByAllKernels) {
       if (vertex.y != 0) vertex.u -= across_fx16;
     }
     if (random.percent(50)) polygon.pop_back();
-    const spec::Canvas scalar = drawn(polygon, SELVAGE_FILTER_AREA, SELVAGE_KERNEL_SCALAR);
-    for (selvage_kernel kernel = SELVAGE_KERNEL_SCALAR; kernel <= SELVAGE_KERNEL_NEON; ++kernel) {
-      if (!is_usable(kernel)) continue;
-      ASSERT_TRUE(drawn(polygon, SELVAGE_FILTER_AREA, kernel) == scalar)
-          << "kernel " << kernel << ", seed " << seed;
-    }
+    ASSERT_NO_FATAL_FAILURE(expect_alike(polygon, {.filter = SELVAGE_FILTER_AREA}, seed));
   }
 }
 
