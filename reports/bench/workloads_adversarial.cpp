@@ -50,21 +50,56 @@ Polygon constant_point_in_depth(int32_t off_fx16) {
   return triangle;
 }
 
-// The map of upright(), in strips that reach as far down: rows are short.
-std::vector<Polygon> upright_strips(int32_t off_fx16, int32_t lowered) {
-  constexpr int32_t kStrip_px = 16, kTarget_px = 1024;
-  const auto corner = [&](int32_t x_px, int32_t y_px) {
-    const int32_t least_fx16 = off_fx16 - (y_px == 0 ? 0 : lowered);
-    return selvage_vertex{x_px * SELVAGE_SUBPIXELS, y_px * SELVAGE_SUBPIXELS,
-                          x_px * kTexel_fx16 + least_fx16, y_px * kTexel_fx16 + least_fx16, 1};
-  };
-  std::vector<Polygon> strips;
-  for (int32_t x_px = 0; x_px < kTarget_px; x_px += kStrip_px) {
-    const int32_t end_px = x_px + kStrip_px;
-    strips.push_back(
-        {corner(x_px, 0), corner(end_px, 0), corner(end_px, kFar_px), corner(x_px, kFar_px)});
+// Near the origin, a corner's coordinates changed by their least unit move those of q's polygon by
+// so little that n - k d has more than 64 bits.
+Polygon points_at_the_tip(int32_t off_fx16) {
+  Polygon triangle = constant_point_in_depth(off_fx16);
+  for (selvage_vertex& vertex : triangle) vertex.v -= (1024 - 32) * kTexel_fx16;
+  for (size_t far = 1; far < 3; ++far) {
+    --triangle[far].u;
+    --triangle[far].v;
   }
-  return strips;
+  return triangle;
+}
+
+struct Point {
+  int32_t u_fx16, v_fx16;
+};
+
+// Strips of the target that reach down to bottom_px, `lowered` units lower at the lower corners
+// than map(x_px, y_px): rows are short.
+template <class Map>
+std::vector<Polygon> strips(int32_t strip_px, int32_t bottom_px, int32_t lowered, const Map& map) {
+  constexpr int32_t kTarget_px = 1024;
+  const auto corner = [&](int32_t x_px, int32_t y_px) {
+    const Point point = map(x_px, y_px);
+    const int32_t less_fx16 = y_px == 0 ? 0 : lowered;
+    return selvage_vertex{x_px * SELVAGE_SUBPIXELS, y_px * SELVAGE_SUBPIXELS,
+                          point.u_fx16 - less_fx16, point.v_fx16 - less_fx16, 1};
+  };
+  std::vector<Polygon> all;
+  for (int32_t x_px = 0; x_px < kTarget_px; x_px += strip_px) {
+    const int32_t right_px = x_px + strip_px;
+    all.push_back({corner(x_px, 0), corner(right_px, 0), corner(right_px, bottom_px),
+                   corner(x_px, bottom_px)});
+  }
+  return all;
+}
+
+// The map of upright().
+std::vector<Polygon> upright_strips(int32_t off_fx16, int32_t lowered) {
+  return strips(16, kFar_px, lowered, [&](int32_t x_px, int32_t y_px) {
+    return Point{x_px * kTexel_fx16 + off_fx16, y_px * kTexel_fx16 + off_fx16};
+  });
+}
+
+// Sample (i + 1/2, j + 1/2) has u = i + j + 1 + off and v = 1024 + j - i + off, but for what is
+// lowered.
+std::vector<Polygon> slanted_strips(int32_t off_fx16, int32_t lowered) {
+  return strips(8, kFar_px - 2048, lowered, [&](int32_t x_px, int32_t y_px) {
+    return Point{(x_px + y_px) * kTexel_fx16 + off_fx16,
+                 (1024 + y_px - x_px) * kTexel_fx16 + off_fx16};
+  });
 }
 
 // Two triangles in each cell, all on the point (1024, 1024) but for off, with u lowered by
@@ -190,6 +225,16 @@ std::vector<Workload> adversarial_workloads() {
            "perspective, every 16th sample of a row and of a column next to a boundary, another "
            "one each time",
            magnified_cells(64, 0), magnified_cells(64, kTexel_fx16 / 32));
+  add_pair(
+      loads, "A11", "near-ties at the tip of a huge triangle in perspective",
+      "64 x 64 pixels at the corner of a triangle of 32 766 px, of one texel, u and v of every "
+      "sample 2^-32 to 2^-25 texel below a boundary",
+      {points_at_the_tip(0)}, {points_at_the_tip(half_fx16)});
+  for (size_t i = loads.size() - 2; i < loads.size(); ++i) loads[i].target_side_px = 64;
+  add_pair(loads, "A12", "near-ties in narrow rows",
+           "strips 8 pixels wide at 45 degrees to their texture, 1.4 texels a pixel, u and v of "
+           "every sample 2^-32 to 2^-20 texel below a boundary",
+           slanted_strips(0, 1), slanted_strips(half_fx16, 1));
   return loads;
 }
 

@@ -25,7 +25,7 @@ HWY_INLINE void store_rows(const Pixel* texels, const SpanBatch& batch, const Su
 // The lanes of a batch's pixels, packed one row after another.
 struct PackedLanes {
   static constexpr int32_t kMost = kRowsPerBatch * kNarrow_px;
-  int32_t count = 0;
+  int32_t count;
   HWY_ALIGN int32_t u_fx16[kMost + kMostLanes], v_fx16[kMost + kMostLanes];
 
   // Of lanes_of(px, row), a vector of pixels of a row.

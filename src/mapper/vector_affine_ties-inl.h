@@ -18,15 +18,11 @@ template <class Pixel, class Window, class Batch>
 HWY_NOINLINE void draw_decided(const Window& window, const Batch& lanes, const AffineSpans& spans,
                                const Surface& surface) {
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
-    Span rest = spans.batch.span(i);
-    if (rest.empty()) continue;
-    Pixel* to = reinterpret_cast<Pixel*>(first_pixel(surface, rest));
-    for (int32_t px = window.offset_px(rest); !rest.empty(); px += kLanes) {
-      const Lane anchor = lanes.anchor(spans.field.at(rest.left_px, rest.row));
-      window.draw(px, lanes.lanes_from(anchor), rest.width_px(), to);
-      rest.left_px += kLanes;
-      to += kLanes;
-    }
+    const Span span = spans.batch.span(i);
+    if (span.empty()) continue;
+    const Lane anchor = lanes.anchor(spans.field.at(span.left_px, span.row));
+    window.draw(window.offset_px(span), lanes.lanes_from(anchor), span.width_px(),
+                reinterpret_cast<Pixel*>(first_pixel(surface, span)));
   }
 }
 

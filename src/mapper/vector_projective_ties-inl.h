@@ -26,11 +26,13 @@ HWY_NOINLINE void draw_decided(const Window& window, const SpanBatch& batch,
     for (int32_t k = 0; k < pieces.count; k += kLanes) vectors.find_lanes(pieces, k, &anchors);
     for (int32_t k = 0; k < pieces.count; ++k) {
       const Span piece = pieces.rest(k, 0);
-      const int32_t offset_px = window.offset_px(piece), count_px = piece.width_px();
-      Pixel* const to = reinterpret_cast<Pixel*>(pixels + pieces.to_byte[k]);
-      for (int32_t at = 0; at < kVectorsPerPiece && at * kLanes < count_px; ++at) {
-        const int32_t px = at * kLanes;
-        window.draw(offset_px + px, lanes.lanes(anchors, k, at), count_px - px, to + px);
+      int32_t offset_px = window.offset_px(piece), count_px = piece.width_px();
+      Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.to_byte[k]);
+      for (int32_t at = 0; at < kVectorsPerPiece && count_px > 0; ++at) {
+        window.draw(offset_px, lanes.lanes(anchors, k, at), count_px, to);
+        offset_px += kLanes;
+        count_px -= kLanes;
+        to += kLanes;
       }
     }
   }

@@ -18,7 +18,7 @@ constexpr const char* kUsage =
     "       selvage_work --build\n\n"
     "Draws KIND (mesh-52, mesh-484, tilted-52, tilted-484, affine, perspective, bilinear,\n"
     "bilinear-any, area, area-tilted, area-ruled, area-sums; an adversarial item of the report,\n"
-    "A1 to A10, or its twin, A1-ordinary to A10-ordinary) PASSES times with KERNEL (scalar, sse4,\n"
+    "A1 to A12, or its twin, A1-ordinary to A12-ordinary) PASSES times with KERNEL (scalar, sse4,\n"
     "avx2) and prints what a pass draws: UNITS UNIT PIXELS. With --build, prints the compiler and\n"
     "the kind of build.\n\n"
     "Example: selvage_work mesh-52 2 scalar\n\n"
