@@ -37,11 +37,11 @@ using spec::Rational;
 
 // A slope's terms, without their signs, in the rows [0, rows].
 [[nodiscard]] double terms(const ProjectiveField& field, double rows) {
-  const auto most = [&](const ProjectiveField::Linear& line) {
+  const auto most = [&](const ProjectiveField::Form& line) {
     return std::abs(line.start) + rows * std::abs(line.step_y);
   };
-  const ProjectiveField::Linear& d = field.denominator;
-  const auto of = [&](const ProjectiveField::Linear& n) {
+  const ProjectiveField::Form& d = field.denominator;
+  const auto of = [&](const ProjectiveField::Form& n) {
     return std::abs(n.step_x) * most(d) + std::abs(d.step_x) * most(n);
   };
   return std::max(of(field.u_fx32), of(field.v_fx32));
@@ -143,9 +143,9 @@ TEST(Bend, TheLeastIsReached) {
 // u and v are constant: their slopes are 0, and what is told is what is added for roundings, for
 // whichever has the greater terms.
 TEST(Bend, WhatIsAddedIsAShareOfTheTerms) {
-  const ProjectiveField::Linear d{3, -0.25, 0.5};
+  const ProjectiveField::Form d{3, -0.25, 0.5};
   const auto times = [&](double by) {
-    return ProjectiveField::Linear{by * d.start, by * d.step_x, by * d.step_y};
+    return ProjectiveField::Form{by * d.start, by * d.step_x, by * d.step_y};
   };
   for (const int32_t rows : {1, 6}) {
     const double terms = 2 * 0.25 * (3 + rows * 0.5);

@@ -71,7 +71,7 @@ class DividedRows : public testing::Test {
 
 // The lanes of a field, off by so much at every pixel: u too high, v too low, or the reverse.
 [[nodiscard]] ProjectiveField shifted(ProjectiveField field, int64_t by_fx32, int64_t error_fx32) {
-  const auto add = [&](ProjectiveField::Linear* line, int64_t by) {
+  const auto add = [&](ProjectiveField::Form* line, int64_t by) {
     line->start += static_cast<double>(by) * field.denominator.start;
     line->step_x += static_cast<double>(by) * field.denominator.step_x;
   };

@@ -135,7 +135,7 @@ TEST(Inside, IsToldOfRowsInPerspectiveAsTheirPixelsTellIt) {
     const SpanBatch batch = any_batch(row, random);
     const auto line = [&](int64_t start, int64_t step) {
       const auto step_fx32 = static_cast<double>(step % (int64_t{1} << 31));
-      return ProjectiveField::Linear{static_cast<double>(start), step_fx32, 0};
+      return ProjectiveField::Form{static_cast<double>(start), step_fx32, 0};
     };
     ProjectiveField field{};
     field.first_px = row.field.first_px;

@@ -57,7 +57,7 @@ void expect_lawful(const ProjectivePlane& plane, const Span& span,
 }
 
 [[nodiscard]] bool same(const ProjectiveField& a, const ProjectiveField& b) {
-  const auto line = [](const ProjectiveField::Linear& x, const ProjectiveField::Linear& y) {
+  const auto line = [](const ProjectiveField::Form& x, const ProjectiveField::Form& y) {
     return x.start == y.start && x.step_x == y.step_x && x.step_y == y.step_y;
   };
   return a.first_px == b.first_px && a.first_row == b.first_row && a.error_fx32 == b.error_fx32 &&

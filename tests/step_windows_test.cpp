@@ -32,7 +32,7 @@ template <class Pixel>
   static const std::vector<Pixel> from = texels<Pixel>();
   std::vector<Pixel> row(kWidth_px);
   const auto line = [](int64_t start_fx32, int64_t step_fx32) {
-    return ProjectiveField::Linear{static_cast<double>(start_fx32), static_cast<double>(step_fx32),
+    return ProjectiveField::Form{static_cast<double>(start_fx32), static_cast<double>(step_fx32),
                                    0};
   };
   const ProjectiveField field{

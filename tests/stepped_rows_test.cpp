@@ -97,7 +97,7 @@ class SteppedRows : public testing::Test {
       wanted[static_cast<size_t>(px)] = wrapped(u.at(px) >> 16) | wrapped(v.at(px) >> 16) << 16;
     }
     const auto line = [](const DividedLanes::Linear& of) {
-      return ProjectiveField::Linear{of.start, of.step, 0};
+      return ProjectiveField::Form{of.start, of.step, 0};
     };
     const ProjectiveField field{
         0, 0, line(row.u_fx32), line(row.v_fx32), line(row.denominator), row.error_fx32};

@@ -30,7 +30,7 @@ struct RowBend {
 
 class Slope {
  public:
-  using Linear = ProjectiveField::Linear;
+  using Linear = ProjectiveField::Form;
 
   // Of rows 0 to `rows` of a field.
   Slope(const Linear& n, const Linear& d, double rows)
@@ -62,7 +62,7 @@ class PlaneBend {
         v_(field.v_fx32, field.denominator, rows) {}
 
   [[nodiscard]] RowBend of(const Span& row) const {
-    const ProjectiveField::Linear& d = field_.denominator;
+    const ProjectiveField::Form& d = field_.denominator;
     const double dy = row.row - field_.first_row;
     const double left = d.start + dy * d.step_y + (row.left_px - field_.first_px) * d.step_x;
     const double right = left + (row.width_px() - 1) * d.step_x;

@@ -9,6 +9,8 @@
 #include "mapper/perspective_draw.h"
 #include "mapper/plane.h"
 #include "mapper/projective_plane.h"
+#include "mapper/ruled_draw.h"
+#include "mapper/slab.h"
 #include "mapper/span_walk.h"
 #include "mapper/tolerant_draw.h"
 
@@ -41,19 +43,57 @@ void draw_affine(const Plane& plane, const Polygon& polygon, const selvage_rect&
   }
 }
 
-// Each span by the map between its own two edges.
-void draw_ruled(const Polygon& polygon, const selvage_rect& part, const Surface& surface,
+// The span by the map between its two edges.
+void draw_span(const SpanWalk& walk, const Polygon& polygon, const Surface& surface,
+               const Kernels& kernels) {
+  const SpanMap map = walk.map();
+  const Span& span = walk.span();
+  if (polygon.affine) {
+    const AffineLanes lanes(map, span);
+    kernels.draw_affine({one_span(span), lanes.field(span), polygon.texels, ExactMap(map)},
+                        surface);
+  } else {
+    draw_in_perspective(map, span, ProjectiveLanes(map, span), polygon.texels, surface, kernels);
+  }
+}
+
+// The part of a polygon by one map, if there is one.
+[[nodiscard]] bool draw_plane(const Polygon& polygon, const selvage_rect& part,
+                              const Surface& surface, const Kernels& kernels) {
+  if (polygon.affine) {
+    const auto plane = Plane::of(polygon, part, kernels.find_lanes);
+    if (plane) draw_affine(*plane, polygon, part, surface, kernels);
+    return plane.has_value();
+  }
+  const auto plane = ProjectivePlane::of(polygon, part);
+  if (plane) draw_in_perspective(*plane, polygon, part, surface, kernels);
+  return plane.has_value();
+}
+
+// A slab by its plane or by the formula of its rows, if there is either. It costs less than rows
+// one by one where there are some.
+[[nodiscard]] bool draw_slab(const Slab& slab, const selvage_rect& part, const Surface& surface,
+                             const Kernels& kernels) {
+  constexpr int32_t kLeastRows = 4;
+  if (slab.rows() < kLeastRows) return false;
+  const SlabOutline outline(slab);
+  const Polygon& polygon = outline.polygon();
+  const selvage_rect rows =
+      part_of(polygon, {part.left, slab.first_row, part.right, slab.end_row});
+  if (is_empty(rows) || draw_plane(polygon, rows, surface, kernels)) return true;
+  const std::optional<RuledMap> map = RuledMap::of(slab);
+  return map && draw_ruled(*map, polygon, rows, surface, kernels);
+}
+
+void draw_slabs(const Polygon& polygon, const selvage_rect& part, const Surface& surface,
                 const Kernels& kernels) {
-  SpanWalk walk(polygon, part);
-  while (walk.next()) {
-    const SpanMap map = walk.map();
-    const Span& span = walk.span();
-    if (polygon.affine) {
-      kernels.draw_affine(
-          {one_span(span), AffineLanes(map, span).field(span), polygon.texels, ExactMap(map)},
-          surface);
+  SlabWalk slabs(polygon, part);
+  SpanWalk spans(polygon, part);
+  while (const std::optional<Slab> slab = slabs.next()) {
+    if (draw_slab(*slab, part, surface, kernels)) {
+      spans.skip_to(slab->end_row);
     } else {
-      draw_in_perspective(map, span, ProjectiveLanes(map, span), polygon.texels, surface, kernels);
+      while (spans.next_above(slab->end_row)) draw_span(spans, polygon, surface, kernels);
     }
   }
 }
@@ -78,14 +118,7 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
   if (is_tolerant(polygon, options, kernels)) {
     return draw_tolerantly(surface, part, polygon, kernels, options.tolerance);
   }
-  if (polygon.affine) {
-    if (const std::optional<Plane> plane = Plane::of(polygon, part, kernels.find_lanes)) {
-      return draw_affine(*plane, polygon, part, surface, kernels);
-    }
-  } else if (const auto plane = ProjectivePlane::of(polygon, part)) {
-    return draw_in_perspective(*plane, polygon, part, surface, kernels);
-  }
-  draw_ruled(polygon, part, surface, kernels);
+  if (!draw_plane(polygon, part, surface, kernels)) draw_slabs(polygon, part, surface, kernels);
 }
 
 selvage_choice choose(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,

@@ -75,6 +75,10 @@ class Edge {
     bottom_row_ = first_centre_px(bottom_->y);
   }
 
+  // Of an edge that crosses some row.
+  [[nodiscard]] const selvage_vertex& top() const { return *top_; }
+  [[nodiscard]] const selvage_vertex& bottom() const { return *bottom_; }
+
   // The first row below it: it crosses the rows whose centres lie in [y of its top, y of its
   // bottom).
   [[nodiscard]] int32_t bottom_row() const { return bottom_row_; }

@@ -7,6 +7,7 @@
 #include "mapper/number.h"
 #include "mapper/plane.h"
 #include "mapper/projective_plane.h"
+#include "mapper/slab.h"
 #include "mapper/span.h"
 
 namespace selvage::mapper {
@@ -63,18 +64,30 @@ class ExactMap {
   explicit ExactMap(const Plane& plane) : map_(&plane), row_from_(row_of_plane) {}
   explicit ExactMap(const ProjectivePlane& plane)
       : map_(&plane), row_from_(row_of_projective_plane) {}
+  explicit ExactMap(const RuledMap& map) : map_(&map), row_from_(row_of_ruled), is_ruled_(true) {}
 
   // Of a pixel of the polygon, and the pixels right of it.
   [[nodiscard]] ExactRow row_from(int32_t px, int32_t row) const {
     return row_from_(map_, px, row);
   }
+  // The one below it, where both are of one map; else the same.
+  [[nodiscard]] ExactRow row_below(int32_t px, int32_t row) const {
+    return row_from(px, is_ruled_ ? row : row + 1);
+  }
+  // Whether each row has a map of its own.
+  [[nodiscard]] bool is_ruled() const { return is_ruled_; }
 
  private:
   [[nodiscard]] static ExactLine line(int128 start, int128 step) {
     return {static_cast<uint128>(start), static_cast<uint128>(step)};
   }
   [[nodiscard]] static ExactRow row_of_span(const void* of, int32_t px, int32_t /*row*/) {
-    const auto& map = *static_cast<const SpanMap*>(of);
+    return row_by(*static_cast<const SpanMap*>(of), px);
+  }
+  [[nodiscard]] static ExactRow row_of_ruled(const void* of, int32_t px, int32_t row) {
+    return row_by(static_cast<const RuledMap*>(of)->at(row), px);
+  }
+  [[nodiscard]] static ExactRow row_by(const SpanMap& map, int32_t px) {
     return {line(map.u_numerator(px), map.u_numerator_step()),
             line(map.v_numerator(px), map.v_numerator_step()),
             line(map.denominator(px), map.denominator_step())};
@@ -94,6 +107,7 @@ class ExactMap {
 
   const void* map_;
   ExactRow (*row_from_)(const void* of, int32_t px, int32_t row);
+  bool is_ruled_ = false;
 };
 
 // The exact row of a span, once somebody asks for it.

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "mapper/affine_slab.h"
 #include "mapper/exact_row.h"
 #include "mapper/footprint.h"
 #include "mapper/lanes.h"
@@ -35,7 +36,25 @@ struct AffineSpans {
   ExactMap exact;          // decides near-ties
 };
 
-// Spans of consecutive rows under one projective map.
+// Spans of consecutive rows of a slab, each under an affine map of its own.
+struct RuledSpans {
+  const SpanBatch& batch;
+  const RuledRows& rows;
+  const TexelBox& texels;
+  ExactMap exact;
+};
+
+// Calls draw(spans) with those of each row by itself.
+template <class Draw>
+void for_each_row(const RuledSpans& spans, const Draw& draw) {
+  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+    const Span span = spans.batch.span(i);
+    if (span.empty()) continue;
+    draw(AffineSpans{one_span(span), spans.rows.lanes(i).field(span), spans.texels, spans.exact});
+  }
+}
+
+// Spans of consecutive rows under one projective map, or of a slab.
 struct ProjectiveSpans {
   const SpanBatch& batch;
   const ProjectiveField& field;
@@ -44,13 +63,14 @@ struct ProjectiveSpans {
 };
 
 // Each draw_... writes all pixels of the spans by its filter, exactly; draw_stepped, which only
-// nearest has, shows the texels of its lanes. Those of the area filter draw boxes of any sides, and
+// nearest has, shows the texels of its lanes. Without draw_ruled, rows are drawn one by one. Those of the area filter draw boxes of any sides, and
 // its other two, which are the bilinear ones, the least boxes.
 struct Kernels {
   FindSpans find_spans;
   FindLanes find_lanes;
   void (*draw_affine)(const AffineSpans& spans, const Surface& surface);
   void (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
+  void (*draw_ruled)(const RuledSpans& spans, const Surface& surface) = nullptr;
   void (*draw_stepped)(const SteppedSpans& spans, const Surface& surface) = nullptr;
   void (*draw_boxes_affine)(const AffineSpans& spans, BoxSides sides,
                             const Surface& surface) = nullptr;

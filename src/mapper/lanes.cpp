@@ -2,42 +2,12 @@
 
 #include <algorithm>
 
+#include "mapper/lane_divisor.h"
+
 namespace selvage::mapper {
 namespace {
 
 inline constexpr double kLaneUnit = 4294967296.0;  // 2^kLaneFraction
-
-// Floors of many quotients by one divisor, at the price of one floating-point division.
-//
-// |n / d| < 2^16 texels: a coordinate is below 2^15, and so is its change between two pixels of a
-// span below 2^16. The estimate's relative error is below 5 * 2^-53 (two conversions, one division,
-// one product), so it is off by less than 2^48 * 5 * 2^-53 < kEstimateError_fx32, and its floor by
-// at most one. The remainder, exact modulo 2^128 and known to lie in [-2d, 2d), tells which way.
-class Divisor {
- public:
-  explicit Divisor(int128 d)
-      : divisor_(static_cast<uint128>(d)), reciprocal_fx32_(kLaneUnit / static_cast<double>(d)) {}
-
-  // floor(2^32 n / d)
-  [[nodiscard]] int64_t floor_fx32(int128 n) const {
-    const double estimate = static_cast<double>(n) * reciprocal_fx32_;
-    int64_t quotient = static_cast<int64_t>(estimate) - (estimate < 0 ? 1 : 0);
-    const auto remainder = static_cast<int128>((static_cast<uint128>(n) << kLaneFraction) -
-                                               static_cast<uint128>(int128{quotient}) * divisor_);
-    if (remainder < 0) {
-      --quotient;
-    } else if (remainder >= static_cast<int128>(divisor_)) {
-      ++quotient;
-    }
-    return quotient;
-  }
-
- private:
-  uint128 divisor_;
-  double reciprocal_fx32_;
-};
-
-static_assert(kDenominatorBits + 2 < 127, "a remainder fits int128");
 
 [[nodiscard]] double ratio_of_ends(const SpanMap& map, const Span& span) {
   const auto at_start = static_cast<double>(map.denominator(span.left_px));
@@ -49,7 +19,7 @@ static_assert(kDenominatorBits + 2 < 127, "a remainder fits int128");
 
 AffineLanes::AffineLanes(const SpanMap& map, const Span& span)
     : margin_fx32_(kAffineErrorPerPixel_fx32 * static_cast<uint32_t>(span.width_px())) {
-  const Divisor denominator(map.denominator(span.left_px));
+  const LaneDivisor denominator(map.denominator(span.left_px));
   start_ = Lane{denominator.floor_fx32(map.u_numerator(span.left_px)),
                 denominator.floor_fx32(map.v_numerator(span.left_px))};
   // A single pixel needs no step, and only where two pixels lie in a span is the step below 2^16.
@@ -83,7 +53,7 @@ ProjectiveLanes::ProjectiveLanes(const SpanMap& map, const Span& span)
 
 ProjectiveField ProjectiveLanes::field(const Span& span) const {
   const auto line = [](const Linear& along) {
-    return ProjectiveField::Linear{along.start, along.step, 0};
+    return ProjectiveField::Form{along.start, along.step, 0};
   };
   return {span.left_px,        span.row,    line(u_numerator_fx32()), line(v_numerator_fx32()),
           line(denominator()), error_fx32()};

@@ -119,25 +119,33 @@ class DividedLanes {
   int64_t error_fx32_;
 };
 
-// The lanes of all pixels under one projective map.
+// The lanes of all pixels under one projective map, or under those between two edges.
 struct ProjectiveField {
-  // value(px, row) = start + (px - first_px) * step_x + (row - first_row) * step_y
-  struct Linear {
+  // With x = px - first_px and y = row - first_row
+  //
+  //     value(px, row) = start + x (step_x + y step_xy) + y (step_y + y step_yy),
+  //
+  // linear along a row; one map for all rows has no step_xy and no step_yy.
+  struct Form {
     double start, step_x, step_y;
+    double step_xy = 0, step_yy = 0;
   };
 
   int32_t first_px, first_row;
-  Linear u_fx32, v_fx32, denominator;
+  Form u_fx32, v_fx32, denominator;
   int64_t error_fx32;  // as of DividedLanes
   // From a pixel to the next: the most that u or v changes by, cancellation left out, and the most
   // that the denominator does, as a share of itself. Infinite where nobody has found out.
   double steepest_fx32 = HUGE_VAL;
   double turn = HUGE_VAL;
+  bool is_ruled = false;  // whether there may be a step_xy or a step_yy
 
   [[nodiscard]] DividedLanes of(const Span& span) const {
     const double dx = span.left_px - first_px, dy = span.row - first_row;
-    const auto along = [&](const Linear& line) {
-      return DividedLanes::Linear{line.start + dy * line.step_y + dx * line.step_x, line.step_x};
+    const auto along = [&](const Form& form) {
+      const double step_x = form.step_x + dy * form.step_xy;
+      const double step_y = form.step_y + dy * form.step_yy;
+      return DividedLanes::Linear{form.start + dy * step_y + dx * step_x, step_x};
     };
     return {along(u_fx32), along(v_fx32), along(denominator), error_fx32};
   }

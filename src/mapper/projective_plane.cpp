@@ -3,25 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mapper/to_double.h"
+
 namespace selvage::mapper {
 namespace {
 
 inline constexpr double kLaneUnit = 4294967296.0;  // 2^kLaneFraction
 inline constexpr double kMostTexel_fx32 = kLaneUnit * (1 << (kTexelBits - kTexelFraction));
 
-// |n| < 2^kPlaneNumeratorBits in two parts. The lower one is exact; the upper one is rounded where
-// it has more than 53 bits, and their sum is: two roundings, and cheaper than one of 128 bits.
-[[nodiscard]] double to_double(int128 n) {
-  constexpr int kLowBits = 52;
-  const auto low = static_cast<int64_t>(n) & ((int64_t{1} << kLowBits) - 1);
-  return static_cast<double>(static_cast<int64_t>(n >> kLowBits)) * 0x1p52 +
-         static_cast<double>(low);
-}
-
-[[nodiscard]] double to_double(int64_t n) { return static_cast<double>(n); }
-
 // How far a line may get from 0 in so many columns and rows.
-[[nodiscard]] double most(const ProjectiveField::Linear& line, double columns, double rows) {
+[[nodiscard]] double most(const ProjectiveField::Form& line, double columns, double rows) {
   return std::abs(line.start) + columns * std::abs(line.step_x) + rows * std::abs(line.step_y);
 }
 
@@ -63,7 +54,7 @@ bool ProjectivePlane::is_of(std::span<const selvage_vertex> vertices) const {
 }
 
 template <class Integer>
-ProjectiveField::Linear ProjectivePlane::line(const Quantity<Integer>& quantity,
+ProjectiveField::Form ProjectivePlane::line(const Quantity<Integer>& quantity,
                                               double unit) const {
   const double step = unit * kSubpixels;
   return {to_double(at(quantity, lanes_.first_px, lanes_.first_row)) * unit,

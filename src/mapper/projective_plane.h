@@ -28,7 +28,6 @@ inline constexpr int kPlaneGradientBits = kTexelBits + kQBits + 1 + kPositionBit
 inline constexpr int kPlaneNumeratorBits = kPlaneGradientBits + kPositionBits + 2;
 static_assert(kPlaneGradientBits == 81 && kPlaneNumeratorBits == 107);
 static_assert(kQBits + 1 + kPositionBits <= 53, "the gradient of q is exact in double");
-static_assert(kPlaneNumeratorBits <= 52 + 63, "to_double splits it into two of 64 bits");
 static_assert(kQBits + kPlaneAreaBits + kTexelFraction + kTexelBits - kTexelFraction <= 127,
               "a denominator times a texel column fits int128");
 
@@ -93,7 +92,7 @@ class ProjectivePlane {
   [[nodiscard]] bool passes_through(const selvage_vertex& vertex) const;
   [[nodiscard]] bool set_lanes(const Polygon& polygon, const selvage_rect& visible);
   template <class Integer>
-  [[nodiscard]] ProjectiveField::Linear line(const Quantity<Integer>& quantity, double unit) const;
+  [[nodiscard]] ProjectiveField::Form line(const Quantity<Integer>& quantity, double unit) const;
   template <class Integer>
   [[nodiscard]] int128 at(const Quantity<Integer>& quantity, int32_t px, int32_t row) const {
     return int128{quantity.at_origin} * doubled_area_ +

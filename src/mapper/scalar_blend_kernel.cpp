@@ -49,13 +49,14 @@ constexpr Kernels kFourScalar = {find_spans_scalar, find_lanes_scalar, draw_affi
                                  draw_projective<blend_four>};
 constexpr Kernels kBilinearScalar = {find_spans_scalar, find_lanes_scalar,
                                      draw_affine<blend_bilinear>, draw_projective<blend_bilinear>};
-constexpr Kernels kAreaScalar = {find_spans_scalar,
-                                 find_lanes_scalar,
-                                 draw_affine<blend_bilinear>,
-                                 draw_projective<blend_bilinear>,
-                                 nullptr,
-                                 draw_boxes_affine_scalar,
-                                 draw_boxes_projective_scalar,
-                                 draw_boxes_scalar};
+constexpr Kernels kAreaScalar = {
+    .find_spans = find_spans_scalar,
+    .find_lanes = find_lanes_scalar,
+    .draw_affine = draw_affine<blend_bilinear>,
+    .draw_projective = draw_projective<blend_bilinear>,
+    .draw_boxes_affine = draw_boxes_affine_scalar,
+    .draw_boxes_projective = draw_boxes_projective_scalar,
+    .draw_boxes = draw_boxes_scalar,
+};
 
 }  // namespace selvage::mapper

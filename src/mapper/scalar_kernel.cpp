@@ -98,8 +98,13 @@ void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
   }
 }
 
-constexpr Kernels kScalar = {find_spans_scalar, find_lanes_scalar, draw_affine, draw_projective,
-                             draw_stepped_scalar};
+constexpr Kernels kScalar = {
+    .find_spans = find_spans_scalar,
+    .find_lanes = find_lanes_scalar,
+    .draw_affine = draw_affine,
+    .draw_projective = draw_projective,
+    .draw_stepped = draw_stepped_scalar,
+};
 
 }  // namespace
 

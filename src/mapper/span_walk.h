@@ -19,8 +19,11 @@ class SpanWalk {
         backward_(polygon, Chain::Direction::kBackward) {}
 
   // Goes down to the next span that is not empty; false where there is none.
-  [[nodiscard]] bool next() {
-    while (++row_ < end_row_) {
+  [[nodiscard]] bool next() { return next_above(end_row_); }
+  // The same, but stays above a row of the walk.
+  [[nodiscard]] bool next_above(int32_t end_row) {
+    while (row_ + 1 < end_row) {
+      ++row_;
       const Edge& a = forward_.at_row(row_);
       const Edge& b = backward_.at_row(row_);
       const bool a_is_left = a.first_px() <= b.first_px();
@@ -33,6 +36,9 @@ class SpanWalk {
     }
     return false;
   }
+
+  // Leaves out all rows above one that lies further down.
+  void skip_to(int32_t row) { row_ = row - 1; }
 
   [[nodiscard]] const Span& span() const { return span_; }
   // The same row, clipped by nothing.

@@ -38,9 +38,7 @@ template <class Address>
 class AffineBatch : public FixedLanes<Address> {
  public:
   HWY_INLINE AffineBatch(const AffineSpans& spans, const Surface& surface)
-      : FixedLanes<Address>(surface.texture,
-                            kVectorTruncations_fx16 +
-                                static_cast<int32_t>(spans.field.margin_fx32 >> kAnchorShift) + 1),
+      : FixedLanes<Address>(surface.texture, lack_fx16(spans.field.margin_fx32)),
         to_anchor_{anchor_lane(spans.field.step_x.u_fx32) * spans.field.step_x.u_fx32,
                    anchor_lane(spans.field.step_x.v_fx32) * spans.field.step_x.v_fx32},
         offset_u_(offsets_fx16(spans.field.step_x.u_fx32)),

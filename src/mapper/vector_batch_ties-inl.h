@@ -20,11 +20,13 @@ class BatchTies {
   HWY_INLINE BatchTies(const ExactMap& map, const SpanBatch& batch, int spare_bits)
       : map_(map), batch_(batch), spare_bits_(spare_bits) {}
 
-  // Calls decide(ties) with PlaneTies.
+  // Calls decide(ties) with PlaneTies, or with RowOfTies of rows that are in no plane.
   template <class Decide>
   HWY_INLINE void with_ties(const Decide& decide) {
-    if (!short_ && !long_) find();
-    if (short_) {
+    if (!short_ && !long_ && !rows_) find();
+    if (rows_) {
+      decide(&*rows_);
+    } else if (short_) {
       decide(&*short_);
     } else {
       decide(&*long_);
@@ -33,6 +35,10 @@ class BatchTies {
 
  private:
   HWY_NOINLINE void find() {
+    if (map_.is_ruled() && batch_.rows > 1) {
+      rows_ = RowOfTies(map_, batch_.span(0), 0, spare_bits_);
+      return;
+    }
     const BatchRows rows(map_, batch_);
     if (rows.are_short(batch_, spare_bits_)) {
       short_ = PlaneTies<OneLimb>(rows, batch_);
@@ -46,6 +52,7 @@ class BatchTies {
   int spare_bits_;
   std::optional<PlaneTies<OneLimb>> short_;
   std::optional<PlaneTies<TwoLimbs>> long_;
+  std::optional<RowOfTies> rows_;
 };
 
 }  // namespace

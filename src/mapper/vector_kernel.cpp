@@ -21,6 +21,7 @@
 #include "mapper/vector_projective_pieces-inl.h"
 #include "mapper/vector_projective_wide-inl.h"
 #include "mapper/vector_row_kernel-inl.h"
+#include "mapper/vector_ruled_kernel-inl.h"
 #include "mapper/vector_stepped_kernel-inl.h"
 
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -30,6 +31,7 @@ constexpr Kernels kNearest = {
     .find_lanes = find_lanes,
     .draw_affine = draw_affine,
     .draw_projective = draw_projective,
+    .draw_ruled = draw_ruled,
     .draw_stepped = draw_stepped,
     .stepping = HWY_TARGET == HWY_AVX3 ? kWideStepping : kUsualStepping,
 };
@@ -38,8 +40,14 @@ constexpr Kernels kFour = {find_spans, find_lanes, draw_blended_affine<true>,
 constexpr Kernels kBilinear = {find_spans, find_lanes, draw_blended_affine<false>,
                                draw_blended_projective<false>};
 constexpr Kernels kArea = {
-    find_spans, find_lanes,        draw_blended_affine<false>, draw_blended_projective<false>,
-    nullptr,    draw_boxes_affine, draw_boxes_projective,      draw_boxes};
+    .find_spans = find_spans,
+    .find_lanes = find_lanes,
+    .draw_affine = draw_blended_affine<false>,
+    .draw_projective = draw_blended_projective<false>,
+    .draw_boxes_affine = draw_boxes_affine,
+    .draw_boxes_projective = draw_boxes_projective,
+    .draw_boxes = draw_boxes,
+};
 
 const Kernels& kernels(selvage_filter filter) {
   switch (filter) {

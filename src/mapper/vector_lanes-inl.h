@@ -31,6 +31,11 @@ inline constexpr int kAnchorShift = kLaneFraction - kTexelFraction;
   return kTexelFraction - std::bit_width(static_cast<uint32_t>(lack_fx16));
 }
 
+// Of 16.16 lanes that come from 32.32 ones.
+[[nodiscard]] HWY_INLINE int32_t lack_fx16(uint32_t margin_fx32) {
+  return kVectorTruncations_fx16 + static_cast<int32_t>(margin_fx32 >> kAnchorShift) + 1;
+}
+
 // kLanes lanes of both coordinates, 16.16 modulo 2^32.
 struct LaneVectors {
   V32 u, v;

@@ -68,6 +68,10 @@ class RowOfTies {
   HWY_INLINE void go_to(const Span& span) {
     span_ = span;
     is_known_ = false;
+    if (map_->is_ruled()) {  // no boundary goes on straight
+      u_boundary_ = {};
+      v_boundary_ = {};
+    }
     u_boundary_.is_row_known = false;
     v_boundary_.is_row_known = false;
   }

@@ -32,7 +32,7 @@ struct BatchRows {
 
   HWY_INLINE BatchRows(const ExactMap& map, const SpanBatch& batch)
       : first(map.row_from(batch.left_px[0], batch.first_row)),
-        below(map.row_from(batch.left_px[0], batch.first_row + 1)) {}
+        below(map.row_below(batch.left_px[0], batch.first_row)) {}
 
   // Whether one limb tells near-ties that are no further from the whole number than 2^-spare_bits.
   [[nodiscard]] HWY_INLINE bool are_short(const SpanBatch& batch, int spare_bits) const {

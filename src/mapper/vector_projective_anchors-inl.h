@@ -105,6 +105,7 @@ class AnchoredVectors {
       : u_(scaled(field.u_fx32)),
         v_(scaled(field.v_fx32)),
         denominator_(field.denominator),
+        is_ruled_(field.is_ruled),
         first_px_(field.first_px),
         first_row_(field.first_row),
         lowered_fx16_(anchored_error_fx16(field)) {}
@@ -141,16 +142,26 @@ class AnchoredVectors {
   }
 
  private:
-  using Linear = ProjectiveField::Linear;
+  using Form = ProjectiveField::Form;
   static constexpr double kUnit_fx16 = 1.0 / (1 << (kLaneFraction - kTexelFraction));
 
-  static Linear scaled(const Linear& fx32) {
-    return {fx32.start * kUnit_fx16, fx32.step_x * kUnit_fx16, fx32.step_y * kUnit_fx16};
+  static Form scaled(const Form& fx32) {
+    return {fx32.start * kUnit_fx16, fx32.step_x * kUnit_fx16, fx32.step_y * kUnit_fx16,
+            fx32.step_xy * kUnit_fx16, fx32.step_yy * kUnit_fx16};
   }
-  static HWY_INLINE VD at(const Linear& line, VD x, VD y) {
+  // The values of a form, and their steps to the right.
+  struct Values {
+    VD at, step;
+  };
+  HWY_INLINE Values values(const Form& form, VD x, VD y) const {
     const DD d;
-    const VD row = hn::MulAdd(y, hn::Set(d, line.step_y), hn::Set(d, line.start));
-    return hn::MulAdd(x, hn::Set(d, line.step_x), row);
+    VD step_x = hn::Set(d, form.step_x), step_y = hn::Set(d, form.step_y);
+    if (is_ruled_) {
+      step_x = hn::MulAdd(y, hn::Set(d, form.step_xy), step_x);
+      step_y = hn::MulAdd(y, hn::Set(d, form.step_yy), step_y);
+    }
+    const VD row = hn::MulAdd(y, step_y, hn::Set(d, form.start));
+    return {hn::MulAdd(x, step_x, row), step_x};
   }
   struct HalfAnchors {
     VHalf u_fx16, v_fx16;
@@ -163,12 +174,14 @@ class AnchoredVectors {
       return hn::PromoteTo(d, hn::Sub(hn::LoadU(whole, at), hn::Set(whole, first)));
     };
     const VD x = from(pieces.left_px + k, first_px_), y = from(pieces.row + k, first_row_);
-    const VD w = hn::Div(hn::Set(d, 1.0), at(denominator_, x, y));
-    const VD u = hn::Mul(at(u_, x, y), w), v = hn::Mul(at(v_, x, y), w);
-    const VD turn = hn::Mul(hn::Set(d, denominator_.step_x), w);
+    const Values n_u = values(u_, x, y), n_v = values(v_, x, y);
+    const Values denominator = values(denominator_, x, y);
+    const VD w = hn::Div(hn::Set(d, 1.0), denominator.at);
+    const VD u = hn::Mul(n_u.at, w), v = hn::Mul(n_v.at, w);
+    const VD turn = hn::Mul(denominator.step, w);
     return {whole_less_bits(u), whole_less_bits(v), narrow(turn),
-            narrow(hn::NegMulAdd(u, turn, hn::Mul(hn::Set(d, u_.step_x), w))),
-            narrow(hn::NegMulAdd(v, turn, hn::Mul(hn::Set(d, v_.step_x), w)))};
+            narrow(hn::NegMulAdd(u, turn, hn::Mul(n_u.step, w))),
+            narrow(hn::NegMulAdd(v, turn, hn::Mul(n_v.step, w)))};
   }
   static HWY_INLINE VHalfFloat narrow(VD value) { return hn::DemoteTo(DHalfFloat(), value); }
   // The anchor's lane of a value, less kWholeNumbers, as bits.
@@ -179,7 +192,8 @@ class AnchoredVectors {
     return hn::Sub(hn::DemoteTo(d, hn::Floor(low)), bits);
   }
 
-  Linear u_, v_, denominator_;
+  Form u_, v_, denominator_;
+  bool is_ruled_;
   int32_t first_px_, first_row_;
   double lowered_fx16_;
   WalkConstants constants_;

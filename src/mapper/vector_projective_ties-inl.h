@@ -48,11 +48,12 @@ HWY_INLINE void draw_near_ties_by(const BatchRows& rows, const ProjectiveSpans& 
                              });
 }
 
-// Draws a batch that was drawn from one window in vain, if that lies within the texture.
+// Draws a batch of rows of a plane that was drawn from one window in vain, if that lies within the
+// texture.
 template <class Pixel>
 [[nodiscard]] HWY_INLINE bool draw_near_ties(const ProjectiveSpans& spans, const Surface& surface,
                                              const AnchoredVectors& vectors) {
-  if (!TexelRanges(spans.texels).within(surface.texture)) return false;
+  if (spans.exact.is_ruled() || !TexelRanges(spans.texels).within(surface.texture)) return false;
   const BatchRows rows(spans.exact, spans.batch);
   if (rows.are_short(spans.batch, spare_bits_fx16(vectors.lack_fx16()))) {
     draw_near_ties_by<Pixel, OneLimb>(rows, spans, surface, vectors);

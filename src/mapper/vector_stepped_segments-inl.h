@@ -126,7 +126,7 @@ class SteppedLanes {
   }
 
  private:
-  using Linear = ProjectiveField::Linear;
+  using Linear = ProjectiveField::Form;
 
   // As ProjectiveField::of().
   static HWY_INLINE VD row_start(const Linear& line, VD x, VD y) {

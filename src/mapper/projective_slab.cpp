@@ -1,0 +1,117 @@
+#include "mapper/projective_slab.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "mapper/to_double.h"
+
+namespace selvage::mapper {
+namespace {
+
+inline constexpr double kLaneUnit = 4294967296.0;  // 2^kLaneFraction
+inline constexpr double kMostTexel_fx32 = kLaneUnit * (1 << (kTexelBits - kTexelFraction));
+
+// A number at the part's first column, in its first three rows, and from there to the next column.
+struct FirstRows {
+  std::array<int128, kLeastFieldRows> start, step;
+};
+
+// By differences: n(y) = n_0 + y first + y (y - 1) / 2 second. Twice a coefficient is whole.
+[[nodiscard]] ProjectiveField::Form form_of(const FirstRows& rows, double unit) {
+  const auto& [n, step] = rows;
+  const int128 first = n[1] - n[0], second = n[2] - n[1] - first;
+  const double half = unit / 2;
+  return {to_double(n[0]) * unit, to_double(step[0]) * unit, to_double(2 * first - second) * half,
+          to_double(step[1] - step[0]) * unit, to_double(second) * half};
+}
+
+// How far it may get from 0 in so many columns and rows, and so its change from a pixel to the next
+// one right of it.
+[[nodiscard]] double most_step(const ProjectiveField::Form& form, double rows) {
+  return std::abs(form.step_x) + rows * std::abs(form.step_xy);
+}
+[[nodiscard]] double most(const ProjectiveField::Form& form, double columns, double rows) {
+  return std::abs(form.start) + columns * most_step(form, rows) +
+         rows * (std::abs(form.step_y) + rows * std::abs(form.step_yy));
+}
+
+// What the outline's vertices have at most and, of q, at least.
+struct Extremes {
+  double texel_fx16 = 0;
+  int32_t least_q = SELVAGE_Q_MAX, most_q = 1;
+
+  explicit Extremes(const Polygon& outline) {
+    for (const selvage_vertex& vertex : outline.vertices) {
+      texel_fx16 = std::max({texel_fx16, std::abs(static_cast<double>(vertex.u)),
+                             std::abs(static_cast<double>(vertex.v))});
+      least_q = std::min(least_q, vertex.q);
+      most_q = std::max(most_q, vertex.q);
+    }
+  }
+};
+
+[[nodiscard]] double height_fx8(const Edge& edge) {
+  return static_cast<double>(edge.bottom().y) - edge.top().y;
+}
+
+// In `part` both weights of a pixel are distances of no more than the outline's width, and a sum of
+// a few numbers of up to so many bits is one of 128.
+[[nodiscard]] bool fit_128_bits(const RuledMap& map, const Polygon& outline,
+                                const Extremes& extremes) {
+  constexpr double kMostNumerator = 0x1p122;
+  const double heights = height_fx8(map.left()) * height_fx8(map.right());
+  const double width_fx8 = (outline.right_px - outline.left_px + 1.0) * kSubpixels;
+  const double most_u = std::max(extremes.texel_fx16, 1.0 * (1 << kTexelFraction));
+  return most_u * extremes.most_q * heights * 2 * width_fx8 < kMostNumerator;
+}
+
+// No more than the denominator of any pixel: the width between the edges is linear in the row.
+[[nodiscard]] double least_denominator(const RuledMap& map, const selvage_rect& part,
+                                       int32_t least_q) {
+  const auto width = [&](int32_t row) {
+    const EdgePoint left = map.left().at(row), right = map.right().at(row);
+    return to_double(int128{right.x} * left.height - int128{left.x} * right.height);
+  };
+  constexpr double kRoundedDown = 1 - 0x1p-50;
+  return std::min(width(part.top), width(part.bottom - 1)) * least_q * (1 << kTexelFraction) *
+         kRoundedDown;
+}
+
+}  // namespace
+
+// The bound is derived as that of ProjectivePlane::set_lanes (spec/proofs/projective_plane.g).
+std::optional<ProjectiveField> ruled_field(const RuledMap& map, const Polygon& outline,
+                                           const selvage_rect& part) {
+  const Extremes extremes(outline);
+  const double rows = part.bottom - part.top, columns = part.right - part.left;
+  if (rows < kLeastFieldRows || !fit_128_bits(map, outline, extremes)) return std::nullopt;
+
+  FirstRows u, v, d;
+  for (int32_t i = 0; i < kLeastFieldRows; ++i) {
+    const SpanMap at = map.at(part.top + i);
+    const auto row = static_cast<size_t>(i);
+    u.start[row] = at.u_numerator(part.left);
+    u.step[row] = at.u_numerator_step();
+    v.start[row] = at.v_numerator(part.left);
+    v.step[row] = at.v_numerator_step();
+    d.start[row] = at.denominator(part.left);
+    d.step[row] = at.denominator_step();
+  }
+  // Denominators are in units of the least one.
+  const double unit = 1 / least_denominator(map, part, extremes.least_q);
+  ProjectiveField field{part.left, part.top, form_of(u, unit * kLaneUnit),
+                        form_of(v, unit * kLaneUnit), form_of(d, unit), 0};
+  const double numerator =
+      std::max(most(field.u_fx32, columns, rows), most(field.v_fx32, columns, rows));
+  const double reach = numerator / kMostTexel_fx32 + most(field.denominator, columns, rows);
+  if (!(reach <= kMostReach)) return std::nullopt;
+  field.error_fx32 = static_cast<int64_t>(reach) + kProjectiveTruncations_fx32;
+  field.turn = most_step(field.denominator, rows);
+  field.steepest_fx32 = std::max(most_step(field.u_fx32, rows), most_step(field.v_fx32, rows)) +
+                        extremes.texel_fx16 * (1 << (kLaneFraction - kTexelFraction)) * field.turn;
+  field.is_ruled = true;
+  return field;
+}
+
+}  // namespace selvage::mapper

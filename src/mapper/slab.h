@@ -1,0 +1,92 @@
+// Slabs: a polygon cut at the rows where an edge ends.
+//
+// The same two edges bound all rows of a slab. Where they meet in a vertex they span a triangle,
+// and the slab has one map; elsewhere each row has its own, and the slab's are of one formula.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "mapper/edge.h"
+#include "mapper/polygon.h"
+#include "mapper/span.h"
+
+namespace selvage::mapper {
+
+// Rows [first_row, end_row) between two edges that cross all of them. Refers to the polygon's
+// vertices.
+struct Slab {
+  Edge a, b;  // either may be the left one
+  int32_t first_row, end_row;
+
+  [[nodiscard]] int32_t rows() const { return end_row - first_row; }
+};
+
+// From the first visible row to the last.
+class SlabWalk {
+ public:
+  SlabWalk(const Polygon& polygon, const selvage_rect& part)
+      : row_(part.top),
+        end_row_(part.bottom),
+        forward_(polygon, Chain::Direction::kForward),
+        backward_(polygon, Chain::Direction::kBackward) {}
+
+  // Empty where no row is left.
+  [[nodiscard]] std::optional<Slab> next() {
+    if (row_ >= end_row_) return std::nullopt;
+    const Edge& a = forward_.at_row(row_);
+    const Edge& b = backward_.at_row(row_);
+    const int32_t first_row = row_;
+    row_ = std::min({a.bottom_row(), b.bottom_row(), end_row_});
+    return Slab{a, b, first_row, row_};
+  }
+
+ private:
+  int32_t row_, end_row_;
+  Chain forward_, backward_;
+};
+
+// A polygon with the slab's two edges: the outline through their ends, once where they meet.
+class SlabOutline {
+ public:
+  explicit SlabOutline(const Slab& slab);
+  SlabOutline(const SlabOutline&) = delete;
+  SlabOutline& operator=(const SlabOutline&) = delete;
+
+  [[nodiscard]] const Polygon& polygon() const { return polygon_; }
+
+ private:
+  void add(const selvage_vertex& vertex);
+
+  std::array<selvage_vertex, 4> corners_;
+  size_t count_ = 0;
+  Polygon polygon_;
+};
+
+// The exact map of each row of a slab, the same edge on the left in all of them.
+class RuledMap {
+ public:
+  // Empty where the edges touch or cross within its rows.
+  [[nodiscard]] static std::optional<RuledMap> of(const Slab& slab);
+
+  // Below the last row, that of the last one.
+  [[nodiscard]] SpanMap at(int32_t row) const {
+    const int32_t row_in = std::min(row, last_row_);
+    return {left_.at(row_in), right_.at(row_in)};
+  }
+  [[nodiscard]] const Edge& left() const { return left_; }
+  [[nodiscard]] const Edge& right() const { return right_; }
+
+ private:
+  RuledMap(const Edge& left, const Edge& right, int32_t last_row)
+      : left_(left), right_(right), last_row_(last_row) {}
+
+  Edge left_, right_;
+  int32_t last_row_;
+};
+
+}  // namespace selvage::mapper
