@@ -1,8 +1,10 @@
-// The affine lanes of a slab's rows, each by the map between its own two edges.
+// The affine lanes of rows, each by the map between its own two edges.
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "mapper/lanes.h"
 #include "mapper/number.h"
@@ -48,16 +50,19 @@ class AffineEdge {
 
 class AffineSlab {
  public:
-  // Of a slab's map, from one of its rows on.
-  AffineSlab(const RuledMap& map, int32_t first_row)
-      : first_row_(first_row), left_(map.left(), first_row), right_(map.right(), first_row) {}
+  explicit AffineSlab(const Slab& slab)
+      : first_row_(slab.first_row), a_(slab.a, slab.first_row), b_(slab.b, slab.first_row) {}
 
-  // Of a batch of the slab's rows. Those of empty spans mean nothing.
-  void find_lanes(const SpanBatch& batch, RuledRows* rows) const;
+  // Of some of a batch's rows, the slab's. Those of empty spans are 0.
+  void find_lanes(const SpanBatch& batch, int32_t first_index, int32_t end_index,
+                  RuledRows* rows) const;
 
  private:
   int32_t first_row_;
-  AffineEdge left_, right_;
+  AffineEdge a_, b_;
 };
+
+// Of a batch of the slabs' rows.
+void find_lanes(std::span<const Slab> slabs, const SpanBatch& batch, RuledRows* rows);
 
 }  // namespace selvage::mapper

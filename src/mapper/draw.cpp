@@ -81,8 +81,9 @@ void draw_span(const SpanWalk& walk, const Polygon& polygon, const Surface& surf
   const selvage_rect rows =
       part_of(polygon, {part.left, slab.first_row, part.right, slab.end_row});
   if (is_empty(rows) || draw_plane(polygon, rows, surface, kernels)) return true;
-  const std::optional<RuledMap> map = RuledMap::of(slab);
-  return map && draw_ruled(*map, polygon, rows, surface, kernels);
+  if (!polygon.affine) return draw_ruled_projective(slab, polygon, rows, surface, kernels);
+  draw_ruled_affine(RuledMap(slab), polygon, rows, surface, kernels);
+  return true;
 }
 
 void draw_slabs(const Polygon& polygon, const selvage_rect& part, const Surface& surface,
@@ -96,6 +97,21 @@ void draw_slabs(const Polygon& polygon, const selvage_rect& part, const Surface&
       while (spans.next_above(slab->end_row)) draw_span(spans, polygon, surface, kernels);
     }
   }
+}
+
+// All of a small affine polygon of few slabs at once: a plane for each would cost more than its
+// rows do.
+[[nodiscard]] bool draw_small(const Polygon& polygon, const selvage_rect& part,
+                              const Surface& surface, const Kernels& kernels) {
+  constexpr int32_t kMostRows = 32;
+  if (!polygon.affine || part.bottom - part.top > kMostRows) return false;
+  RuledMap map;
+  SlabWalk slabs(polygon, part);
+  while (const std::optional<Slab> slab = slabs.next()) {
+    if (!map.add(*slab)) return false;
+  }
+  draw_ruled_affine(map, polygon, part, surface, kernels);
+  return true;
 }
 
 // Affine maps are drawn exactly in any case: their kernels were measured to be no slower than lanes
@@ -118,7 +134,9 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
   if (is_tolerant(polygon, options, kernels)) {
     return draw_tolerantly(surface, part, polygon, kernels, options.tolerance);
   }
-  if (!draw_plane(polygon, part, surface, kernels)) draw_slabs(polygon, part, surface, kernels);
+  if (draw_plane(polygon, part, surface, kernels)) return;
+  if (draw_small(polygon, part, surface, kernels)) return;
+  draw_slabs(polygon, part, surface, kernels);
 }
 
 selvage_choice choose(const Surface& surface, const selvage_rect& visible, const Polygon& polygon,

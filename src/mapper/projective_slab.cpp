@@ -57,20 +57,20 @@ struct Extremes {
 
 // In `part` both weights of a pixel are distances of no more than the outline's width, and a sum of
 // a few numbers of up to so many bits is one of 128.
-[[nodiscard]] bool fit_128_bits(const RuledMap& map, const Polygon& outline,
+[[nodiscard]] bool fit_128_bits(const Slab& slab, const Polygon& outline,
                                 const Extremes& extremes) {
   constexpr double kMostNumerator = 0x1p122;
-  const double heights = height_fx8(map.left()) * height_fx8(map.right());
+  const double heights = height_fx8(slab.a) * height_fx8(slab.b);
   const double width_fx8 = (outline.right_px - outline.left_px + 1.0) * kSubpixels;
   const double most_u = std::max(extremes.texel_fx16, 1.0 * (1 << kTexelFraction));
   return most_u * extremes.most_q * heights * 2 * width_fx8 < kMostNumerator;
 }
 
 // No more than the denominator of any pixel: the width between the edges is linear in the row.
-[[nodiscard]] double least_denominator(const RuledMap& map, const selvage_rect& part,
+[[nodiscard]] double least_denominator(const Slab& slab, const selvage_rect& part,
                                        int32_t least_q) {
   const auto width = [&](int32_t row) {
-    const EdgePoint left = map.left().at(row), right = map.right().at(row);
+    const EdgePoint left = slab.a.at(row), right = slab.b.at(row);
     return to_double(int128{right.x} * left.height - int128{left.x} * right.height);
   };
   constexpr double kRoundedDown = 1 - 0x1p-50;
@@ -81,15 +81,15 @@ struct Extremes {
 }  // namespace
 
 // The bound is derived as that of ProjectivePlane::set_lanes (spec/proofs/projective_plane.g).
-std::optional<ProjectiveField> ruled_field(const RuledMap& map, const Polygon& outline,
+std::optional<ProjectiveField> ruled_field(const Slab& slab, const Polygon& outline,
                                            const selvage_rect& part) {
   const Extremes extremes(outline);
   const double rows = part.bottom - part.top, columns = part.right - part.left;
-  if (rows < kLeastFieldRows || !fit_128_bits(map, outline, extremes)) return std::nullopt;
+  if (rows < kLeastFieldRows || !fit_128_bits(slab, outline, extremes)) return std::nullopt;
 
   FirstRows u, v, d;
   for (int32_t i = 0; i < kLeastFieldRows; ++i) {
-    const SpanMap at = map.at(part.top + i);
+    const SpanMap at(slab.a.at(part.top + i), slab.b.at(part.top + i));
     const auto row = static_cast<size_t>(i);
     u.start[row] = at.u_numerator(part.left);
     u.step[row] = at.u_numerator_step();
@@ -99,7 +99,7 @@ std::optional<ProjectiveField> ruled_field(const RuledMap& map, const Polygon& o
     d.step[row] = at.denominator_step();
   }
   // Denominators are in units of the least one.
-  const double unit = 1 / least_denominator(map, part, extremes.least_q);
+  const double unit = 1 / least_denominator(slab, part, extremes.least_q);
   ProjectiveField field{part.left, part.top, form_of(u, unit * kLaneUnit),
                         form_of(v, unit * kLaneUnit), form_of(d, unit), 0};
   const double numerator =

@@ -12,16 +12,16 @@
 
 namespace selvage::mapper {
 
-inline void draw_ruled_affine(const RuledMap& map, const Polygon& outline,
+// Affine rows of the map's slabs: the part of a polygon.
+inline void draw_ruled_affine(const RuledMap& map, const Polygon& polygon,
                               const selvage_rect& part, const Surface& surface,
                               const Kernels& kernels) {
-  const AffineSlab slab(map, part.top);
-  BatchWalk walk(outline, part, kernels.find_spans);
+  BatchWalk walk(polygon, part, kernels.find_spans);
   SpanBatch batch;
   RuledRows rows;
   while (walk.next(&batch)) {
-    slab.find_lanes(batch, &rows);
-    const RuledSpans spans{batch, rows, outline.texels, ExactMap(map)};
+    find_lanes(map.slabs(), batch, &rows);
+    const RuledSpans spans{batch, rows, polygon.texels, ExactMap(map)};
     if (kernels.draw_ruled != nullptr) {
       kernels.draw_ruled(spans, surface);
     } else {
@@ -30,16 +30,15 @@ inline void draw_ruled_affine(const RuledMap& map, const Polygon& outline,
   }
 }
 
-// Rows `part` of a slab with this outline; false where one formula is not for all of them.
-[[nodiscard]] inline bool draw_ruled(const RuledMap& map, const Polygon& outline,
-                                     const selvage_rect& part, const Surface& surface,
-                                     const Kernels& kernels) {
-  if (outline.affine) {
-    draw_ruled_affine(map, outline, part, surface, kernels);
-    return true;
-  }
-  const std::optional<ProjectiveField> field = ruled_field(map, outline, part);
+// A slab's rows in perspective, `part` of its outline; false where one formula is not for all.
+[[nodiscard]] inline bool draw_ruled_projective(const Slab& slab, const Polygon& outline,
+                                                const selvage_rect& part, const Surface& surface,
+                                                const Kernels& kernels) {
+  const std::optional<Slab> sided = from_left_to_right(slab);
+  if (!sided) return false;
+  const std::optional<ProjectiveField> field = ruled_field(*sided, outline, part);
   if (!field) return false;
+  const RuledMap map(*sided);
   BatchWalk walk(outline, part, kernels.find_spans);
   SpanBatch batch;
   while (walk.next(&batch)) {

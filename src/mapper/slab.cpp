@@ -7,10 +7,9 @@ namespace {
   return a.x == b.x && a.y == b.y && a.u == b.u && a.v == b.v && a.q == b.q;
 }
 
-// How far b is right of a where they cross a row, times both heights.
-[[nodiscard]] int128 right_by(const Edge& a, const Edge& b, int32_t row) {
-  const EdgePoint at_a = a.at(row), at_b = b.at(row);
-  return int128{at_b.x} * at_a.height - int128{at_a.x} * at_b.height;
+// How far b is right of a, times both heights.
+[[nodiscard]] int128 right_by(const EdgePoint& a, const EdgePoint& b) {
+  return int128{b.x} * a.height - int128{a.x} * b.height;
 }
 
 }  // namespace
@@ -28,13 +27,19 @@ void SlabOutline::add(const selvage_vertex& vertex) {
   if (count_ == 0 || !are_equal(vertex, corners_[count_ - 1])) corners_[count_++] = vertex;
 }
 
-std::optional<RuledMap> RuledMap::of(const Slab& slab) {
-  const int32_t last_row = slab.end_row - 1;
-  const int128 first = right_by(slab.a, slab.b, slab.first_row);
-  const int128 last = right_by(slab.a, slab.b, last_row);
-  if (first > 0 && last > 0) return RuledMap(slab.a, slab.b, last_row);
-  if (first < 0 && last < 0) return RuledMap(slab.b, slab.a, last_row);
+std::optional<Slab> from_left_to_right(const Slab& slab) {
+  const int128 first = right_by(slab.a.at(slab.first_row), slab.b.at(slab.first_row));
+  const int128 last = right_by(slab.a.at(slab.end_row - 1), slab.b.at(slab.end_row - 1));
+  if (first > 0 && last > 0) return slab;
+  if (first < 0 && last < 0) return Slab{slab.b, slab.a, slab.first_row, slab.end_row};
   return std::nullopt;
+}
+
+SpanMap RuledMap::at(int32_t row) const {
+  const Slab* slab = slabs_.data();
+  while (row >= slab->end_row) ++slab;
+  const EdgePoint a = slab->a.at(row), b = slab->b.at(row);
+  return right_by(a, b) > 0 ? SpanMap(a, b) : SpanMap(b, a);
 }
 
 }  // namespace selvage::mapper

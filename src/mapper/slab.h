@@ -20,8 +20,8 @@ namespace selvage::mapper {
 // Rows [first_row, end_row) between two edges that cross all of them. Refers to the polygon's
 // vertices.
 struct Slab {
-  Edge a, b;  // either may be the left one
-  int32_t first_row, end_row;
+  Edge a, b;  // either may be the left one, from row to row
+  int32_t first_row = 0, end_row = 0;
 
   [[nodiscard]] int32_t rows() const { return end_row - first_row; }
 };
@@ -67,26 +67,31 @@ class SlabOutline {
   Polygon polygon_;
 };
 
-// The exact map of each row of a slab, the same edge on the left in all of them.
+// The slab with its left edge as `a`; empty where the edges touch or cross within its rows.
+[[nodiscard]] std::optional<Slab> from_left_to_right(const Slab& slab);
+
+// The exact map of each row of some slabs.
 class RuledMap {
  public:
-  // Empty where the edges touch or cross within its rows.
-  [[nodiscard]] static std::optional<RuledMap> of(const Slab& slab);
+  static constexpr size_t kMostSlabs = 4;
 
-  // Below the last row, that of the last one.
-  [[nodiscard]] SpanMap at(int32_t row) const {
-    const int32_t row_in = std::min(row, last_row_);
-    return {left_.at(row_in), right_.at(row_in)};
+  RuledMap() = default;
+  explicit RuledMap(const Slab& slab) : count_(1), slabs_{slab} {}
+
+  // The rows right below those before; false where there are kMostSlabs.
+  [[nodiscard]] bool add(const Slab& slab) {
+    if (count_ == kMostSlabs) return false;
+    slabs_[count_++] = slab;
+    return true;
   }
-  [[nodiscard]] const Edge& left() const { return left_; }
-  [[nodiscard]] const Edge& right() const { return right_; }
+  [[nodiscard]] std::span<const Slab> slabs() const { return {slabs_.data(), count_}; }
+
+  // Of a row with pixels.
+  [[nodiscard]] SpanMap at(int32_t row) const;
 
  private:
-  RuledMap(const Edge& left, const Edge& right, int32_t last_row)
-      : left_(left), right_(right), last_row_(last_row) {}
-
-  Edge left_, right_;
-  int32_t last_row_;
+  size_t count_ = 0;
+  std::array<Slab, kMostSlabs> slabs_;
 };
 
 }  // namespace selvage::mapper

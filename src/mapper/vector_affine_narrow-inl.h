@@ -53,15 +53,16 @@ struct PackedLanes {
 };
 
 // Packs lanes of which no fraction is left, so that none is a near-tie.
-template <class Address>
-HWY_NOINLINE void pack_decided(const AffineSpans& spans, const AffineBatch<Address>& batch,
+template <class Address, class LanesOf>
+HWY_NOINLINE void pack_decided(const SpanBatch& batch, const ExactMap& exact,
+                               const FixedLanes<Address>& fixed, const LanesOf& lanes_of,
                                PackedLanes* packed) {
-  BatchTies batch_ties(spans.exact, spans.batch, batch.spare_bits());
+  BatchTies batch_ties(exact, batch, fixed.spare_bits());
   batch_ties.with_ties([&](auto* ties) HWY_ATTR {
-    packed->pack(spans.batch, [&](int32_t px, int32_t row) HWY_ATTR {
-      if (row != ties->span().row) ties->go_to({row, px, px});
-      const LaneVectors lanes = batch.lanes_from(batch.anchor(spans.field.at(px, row)));
-      const TexelVectors texels = batch.decided(*ties, px - ties->span().left_px, lanes);
+    packed->pack(batch, [&](int32_t px, int32_t row) HWY_ATTR {
+      if (row != ties->span().row) ties->go_to({row, px, batch.span(row - batch.first_row).right_px});
+      const TexelVectors texels =
+          fixed.decided(*ties, px - ties->span().left_px, lanes_of(px, row));
       return LaneVectors{hn::ShiftLeft<kTexelFraction>(texels.s),
                          hn::ShiftLeft<kTexelFraction>(texels.t)};
     });
@@ -69,25 +70,35 @@ HWY_NOINLINE void pack_decided(const AffineSpans& spans, const AffineBatch<Addre
 }
 
 // Spans up to kNarrow_px wide: the lanes of all are packed, so that vectors are full although rows
-// are short; each row is stored under a mask.
-template <class Address>
-void draw_narrow(const AffineSpans& spans, const Surface& surface) {
-  const AffineBatch<Address> batch(spans, surface);
+// are short; each row is stored under a mask. lanes_of(px, row) are those of a vector of pixels.
+template <class Address, class LanesOf>
+HWY_INLINE void draw_packed(const SpanBatch& batch, const ExactMap& exact,
+                            const FixedLanes<Address>& fixed, const Surface& surface,
+                            const LanesOf& lanes_of) {
   PackedLanes packed;
-  packed.pack(spans.batch, [&](int32_t px, int32_t row) HWY_ATTR {
-    return batch.lanes_from(batch.anchor(spans.field.at(px, row)));
-  });
+  packed.pack(batch, lanes_of);
   HWY_ALIGN int32_t place[kLanes];
   HWY_ALIGN char texels[(PackedLanes::kMost + kMostLanes) * sizeof(uint32_t)];
   const ptrdiff_t bytes = bytes_per_pixel(surface.target.format);
   for (int32_t first = 0; first < packed.count; first += kLanes) {
-    if (HWY_UNLIKELY(batch.any_near(packed.from(first)))) pack_decided(spans, batch, &packed);
-    hn::Store(batch.places(packed.from(first)), D32(), place);
+    if (HWY_UNLIKELY(fixed.any_near(packed.from(first)))) {
+      pack_decided(batch, exact, fixed, lanes_of, &packed);
+    }
+    hn::Store(fixed.places(packed.from(first)), D32(), place);
     fetch(surface.texture, place, kLanes, texels + first * bytes);
   }
   with_pixel(surface.target.format, [&](auto pixel) {
-    store_rows(reinterpret_cast<const decltype(pixel)*>(texels), spans.batch, surface);
+    store_rows(reinterpret_cast<const decltype(pixel)*>(texels), batch, surface);
   });
+}
+
+template <class Address>
+void draw_narrow(const AffineSpans& spans, const Surface& surface) {
+  const AffineBatch<Address> batch(spans, surface);
+  draw_packed<Address>(spans.batch, spans.exact, batch, surface,
+                       [&](int32_t px, int32_t row) HWY_ATTR {
+                         return batch.lanes_from(batch.anchor(spans.field.at(px, row)));
+                       });
 }
 
 }  // namespace

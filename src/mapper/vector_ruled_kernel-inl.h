@@ -71,6 +71,21 @@ struct RuledFromWindow {
   }
 };
 
+// As narrow spans of a plane.
+template <class Address>
+void draw_narrow_ruled(const RuledSpans& spans, const Surface& surface) {
+  const SpanBatch& batch = spans.batch;
+  const FixedLanes<Address> fixed(surface.texture, lack_fx16(spans.rows.margin_fx32));
+  draw_packed<Address>(batch, spans.exact, fixed, surface, [&](int32_t px, int32_t row) HWY_ATTR {
+    const auto i = static_cast<size_t>(row - batch.first_row);
+    const Lane step = spans.rows.step[i];
+    const Lane lane = plus(spans.rows.start[i], px - batch.left_px[i], step);
+    const D32 d;
+    return LaneVectors{hn::Add(hn::Set(d, floor_fx16(lane.u_fx32)), steps_fx16(step.u_fx32)),
+                       hn::Add(hn::Set(d, floor_fx16(lane.v_fx32)), steps_fx16(step.v_fx32))};
+  });
+}
+
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_ruled_as(const RuledSpans& spans, const Surface& surface) {
   V32 changed;
@@ -80,6 +95,7 @@ HWY_NOINLINE void draw_ruled_as(const RuledSpans& spans, const Surface& surface)
       !any_bits(changed, ~0xFFFF)) {
     return;
   }
+  if (spans.batch.widest_px <= kNarrow_px) return draw_narrow_ruled<Address>(spans, surface);
   for_each_row(spans, [&](const AffineSpans& row) { draw_affine_as<Pixel, Address>(row, surface); });
 }
 
