@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <random>
 
 #include "reports/bench/outlines.h"
 
@@ -71,6 +72,60 @@ Workload tilted_quad(int32_t texture_side_texel) {
   return load;
 }
 
+// W4 as a scene has it: a plane in space between fractions of the grid, of which the corners and
+// their q are rounded, each by itself. No one projective map is left for all of it.
+Workload rounded_quad() {
+  constexpr std::array<double, 4> w{12.1, 8.07, 6.03, 10.06};
+  std::array<double, 4> x_px{190.33, 880.2, 0, 100.7}, y_px{150.15, 95.4, 0, 680.9};
+  const auto opposite = [&](const std::array<double, 4>& at) {
+    return (w[1] * at[1] + w[3] * at[3] - w[0] * at[0]) / w[2];
+  };
+  x_px[2] = opposite(x_px);
+  y_px[2] = opposite(y_px);
+  Workload load = tilted_quad(256);
+  load.id = "W4-rounded";
+  load.title += ", rounded";
+  load.description =
+      "the like of W4, its corners and their q rounded to the grid each by itself, so that it lies "
+      "in no plane";
+  for (size_t i = 0; i < 4; ++i) {
+    selvage_vertex& corner = load.polygons[0][i];
+    corner.x = px_to_fx8(x_px[i]);
+    corner.y = px_to_fx8(y_px[i]);
+    corner.q = static_cast<int32_t>(std::lround((1 << 23) * w[2] / w[i]));
+  }
+  return load;
+}
+
+// Parts of the texture as large as the squares are, a texel a pixel, turned by any angle.
+Workload small_squares(uint64_t seed) {
+  constexpr int32_t kAcross = 24, kSide_px = 28;
+  constexpr double kPitch_px = static_cast<double>(kTarget_px) / kAcross;
+  Workload load;
+  load.id = "W9";
+  load.title = "576 small squares, 256 x 256";
+  load.description =
+      "squares of 28 px, turned by any angle, with as many texels of a texture of 256 x 256, their "
+      "corners rounded to the grid each by itself, so that half of them lie in no plane";
+  std::mt19937_64 random(seed);
+  const auto any = [&](double end) { return static_cast<double>(random() >> 11) * 0x1p-53 * end; };
+  for (int32_t i = 0; i < kAcross * kAcross; ++i) {
+    const double x_px = (i % kAcross + 0.5) * kPitch_px + any(1);
+    const double y_px = (i / kAcross + 0.5) * kPitch_px + any(1);
+    const double turn = any(6.28318530717958647692);
+    const double c = std::cos(turn) * kSide_px / 2, s = std::sin(turn) * kSide_px / 2;
+    const int32_t u = texel_to_fx16(std::floor(any(256 - kSide_px)));
+    const int32_t v = texel_to_fx16(std::floor(any(256 - kSide_px)));
+    const int32_t side_fx16 = texel_to_fx16(kSide_px);
+    load.polygons.push_back(
+        {{px_to_fx8(x_px - c + s), px_to_fx8(y_px - s - c), u, v, 1},
+         {px_to_fx8(x_px + c + s), px_to_fx8(y_px + s - c), u + side_fx16, v, 1},
+         {px_to_fx8(x_px + c - s), px_to_fx8(y_px + s + c), u + side_fx16, v + side_fx16, 1},
+         {px_to_fx8(x_px - c - s), px_to_fx8(y_px - s + c), u, v + side_fx16, 1}});
+  }
+  return load;
+}
+
 Workload bilinear_square() {
   Workload load = half_covering_square(256);
   load.id = "W5";
@@ -113,12 +168,14 @@ std::vector<Workload> workloads(uint64_t seed) {
           tilted_quad(256),
           mesh("W4-2000", 40, 25, "2 000", "460", seed, MeshDepth::kTilted),
           mesh("W4-20000", 100, 100, "20 000", "48", seed, MeshDepth::kTilted),
+          rounded_quad(),
           bilinear_square(),
           square("W6", "quad of 10 x the target, 256 x 256",
                  "a square of 10240 px turned by 23 degrees: all but the middle lies outside",
                  10.0 * kTarget_px, 256),
           by_area(minified, "W7"),
-          by_area(tilted_quad(2048), "W8")};
+          by_area(tilted_quad(2048), "W8"),
+          small_squares(seed)};
 }
 
 }  // namespace selvage::reports

@@ -1,5 +1,6 @@
-// What is drawn and timed. Every polygon's map is affine or projective throughout, exactly: so that
-// mappers that only know such maps can be asked for the same picture.
+// What is drawn and timed. Every polygon's map is affine or projective throughout, exactly, or,
+// where that is said, but for the rounding of its corners to the grid: so that mappers that only
+// know such maps can be asked for the same picture.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +25,7 @@ struct Workload {
   std::string ordinary_id;  // of an adversarial item: the same shape with nothing hard about it
 };
 
-// W1 to W8. The seed moves the jittered meshes only.
+// W1 to W9. The seed moves the jittered meshes and the small squares only.
 [[nodiscard]] std::vector<Workload> workloads(uint64_t seed);
 
 // Maps of which every sample, or each third, lies on a boundary between two texels or next to one,

@@ -137,6 +137,38 @@ std::vector<Polygon> points_in_deep_cells(int32_t cell_px, int32_t off_fx16) {
   return triangles;
 }
 
+// A quad in each cell, all on the point (1024, 1024) but for off, with u lowered by 1/65536 texel
+// at one corner and v at two: in no plane.
+std::vector<Polygon> points_in_quads(int32_t cell_px, int32_t off_fx16) {
+  constexpr int32_t kTarget_px = 1024;
+  const int32_t point_fx16 = 1024 * kTexel_fx16 + off_fx16;
+  std::vector<Polygon> quads;
+  for (int32_t y_px = 0; y_px < kTarget_px; y_px += cell_px) {
+    for (int32_t x_px = 0; x_px < kTarget_px; x_px += cell_px) {
+      const auto corner = [&](int32_t right, int32_t below) {
+        return selvage_vertex{(x_px + right * cell_px) * SELVAGE_SUBPIXELS,
+                              (y_px + below * cell_px) * SELVAGE_SUBPIXELS,
+                              point_fx16 - right * below, point_fx16 - below, 1};
+      };
+      quads.push_back({corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)});
+    }
+  }
+  return quads;
+}
+
+// The same in perspective: q falls by a sixteenth to the corners to the right, to one of them by a
+// unit more, which alone takes the quad off its plane.
+std::vector<Polygon> points_in_deep_quads(int32_t cell_px, int32_t off_fx16) {
+  std::vector<Polygon> quads = points_in_quads(cell_px, off_fx16);
+  for (Polygon& quad : quads) {
+    for (selvage_vertex& vertex : quad) vertex.u = vertex.v = 1024 * kTexel_fx16 + off_fx16;
+    quad[0].q = quad[3].q = SELVAGE_Q_MAX;
+    quad[1].q = SELVAGE_Q_MAX / 16 * 15;
+    quad[2].q = quad[1].q - 1;
+  }
+  return quads;
+}
+
 // Two triangles in each cell, a sixteenth of a texel a pixel, in perspective that moves no sample
 // by more than 2^-23 texel. Without off, every 16th sample of a row and of a column is as near to a
 // boundary, of one texel after another.
@@ -235,6 +267,13 @@ std::vector<Workload> adversarial_workloads() {
            "strips 8 pixels wide at 45 degrees to their texture, 1.4 texels a pixel, u and v of "
            "every sample 2^-32 to 2^-20 texel below a boundary",
            slanted_strips(0, 1), slanted_strips(half_fx16, 1));
+  add_pair(loads, "A13", "near-ties in quads in no plane",
+           "quads of 64 px, of one texel each, whose rows have each a map of their own, u and v of "
+           "every sample 2^-23 to 2^-16 texel below a boundary",
+           points_in_quads(64, 0), points_in_quads(64, half_fx16));
+  add_pair(loads, "A14", "ties in perspective in quads in no plane",
+           "the like of A13 in perspective, u and v of every sample exactly on a boundary",
+           points_in_deep_quads(64, 0), points_in_deep_quads(64, half_fx16));
   return loads;
 }
 

@@ -30,10 +30,10 @@ struct RowBend {
 
 class Slope {
  public:
-  using Linear = ProjectiveField::Form;
+  using Form = ProjectiveField::Form;
 
   // Of rows 0 to `rows` of a field.
-  Slope(const Linear& n, const Linear& d, double rows)
+  Slope(const Form& n, const Form& d, double rows)
       : first_(n.step_x * d.start - n.start * d.step_x),
         down_(n.step_x * d.step_y - n.step_y * d.step_x),
         error_(kSlopeError *
@@ -52,7 +52,7 @@ class Slope {
   double first_, down_, error_;
 };
 
-// Of the rows of a field.
+// Of the rows of a field under one map.
 class PlaneBend {
  public:
   PlaneBend(const ProjectiveField& field, int32_t rows)

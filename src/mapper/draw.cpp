@@ -77,9 +77,8 @@ void draw_span(const SpanWalk& walk, const Polygon& polygon, const Surface& surf
   constexpr int32_t kLeastRows = 4;
   if (slab.rows() < kLeastRows) return false;
   const SlabOutline outline(slab);
-  const Polygon& polygon = outline.polygon();
-  const selvage_rect rows =
-      part_of(polygon, {part.left, slab.first_row, part.right, slab.end_row});
+  const Polygon polygon = outline.polygon();
+  const selvage_rect rows = part_of(polygon, {part.left, slab.first_row, part.right, slab.end_row});
   if (is_empty(rows) || draw_plane(polygon, rows, surface, kernels)) return true;
   if (!polygon.affine) return draw_ruled_projective(slab, polygon, rows, surface, kernels);
   draw_ruled_affine(RuledMap(slab), polygon, rows, surface, kernels);

@@ -19,8 +19,13 @@ SlabOutline::SlabOutline(const Slab& slab) {
   add(slab.a.bottom());
   add(slab.b.bottom());
   if (!are_equal(slab.b.top(), corners_[0])) add(slab.b.top());
-  // Two edges that cross the same rows are y-monotone, whatever joins their ends.
-  static_cast<void>(examine({corners_.data(), count_}, &polygon_));
+}
+
+// Two edges that cross the same rows are y-monotone, whatever joins their ends.
+Polygon SlabOutline::polygon() const {
+  Polygon polygon;
+  static_cast<void>(examine({corners_.data(), count_}, &polygon));
+  return polygon;
 }
 
 void SlabOutline::add(const selvage_vertex& vertex) {

@@ -50,21 +50,19 @@ class SlabWalk {
   Chain forward_, backward_;
 };
 
-// A polygon with the slab's two edges: the outline through their ends, once where they meet.
+// A polygon with the slab's two edges: through their ends, once where they meet.
 class SlabOutline {
  public:
   explicit SlabOutline(const Slab& slab);
-  SlabOutline(const SlabOutline&) = delete;
-  SlabOutline& operator=(const SlabOutline&) = delete;
 
-  [[nodiscard]] const Polygon& polygon() const { return polygon_; }
+  // Refers to the outline. Without vertices where both edges are one, and so without pixels.
+  [[nodiscard]] Polygon polygon() const;
 
  private:
   void add(const selvage_vertex& vertex);
 
   std::array<selvage_vertex, 4> corners_;
   size_t count_ = 0;
-  Polygon polygon_;
 };
 
 // The slab with its left edge as `a`; empty where the edges touch or cross within its rows.

@@ -34,7 +34,8 @@ template <class Pixel>
   const TexelRanges texels(spans.texels);
   if (!texels.within(surface.texture)) return false;
   const AffineBatch<Addressed<InsideVector>> lanes(spans, surface);
-  PlaneTies<OneLimb> ties(BatchRows(spans.exact, spans.batch), spans.batch);
+  const Span first = spans.batch.span(0);
+  PlaneTies<OneLimb> ties(BatchRows(spans.exact, first), first);
   with_decided_window<Pixel>(texels, surface, lanes.lack_fx16(), &ties, [&](const auto& window) {
     draw_decided<Pixel>(window, lanes, spans, surface);
   });

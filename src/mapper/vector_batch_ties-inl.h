@@ -20,12 +20,12 @@ class BatchTies {
   HWY_INLINE BatchTies(const ExactMap& map, const SpanBatch& batch, int spare_bits)
       : map_(map), batch_(batch), spare_bits_(spare_bits) {}
 
-  // Calls decide(ties) with PlaneTies, or with RowOfTies of rows that are in no plane.
+  // Calls decide(ties) with PlaneTies, or with RuledTies.
   template <class Decide>
   HWY_INLINE void with_ties(const Decide& decide) {
-    if (!short_ && !long_ && !rows_) find();
-    if (rows_) {
-      decide(&*rows_);
+    if (!short_ && !long_ && !ruled_) find();
+    if (ruled_) {
+      decide(&*ruled_);
     } else if (short_) {
       decide(&*short_);
     } else {
@@ -36,14 +36,15 @@ class BatchTies {
  private:
   HWY_NOINLINE void find() {
     if (map_.is_ruled() && batch_.rows > 1) {
-      rows_ = RowOfTies(map_, batch_.span(0), 0, spare_bits_);
+      ruled_ = RuledTies(map_, batch_);
       return;
     }
-    const BatchRows rows(map_, batch_);
+    const Span first = batch_.span(0);
+    const BatchRows rows(map_, first);
     if (rows.are_short(batch_, spare_bits_)) {
-      short_ = PlaneTies<OneLimb>(rows, batch_);
+      short_ = PlaneTies<OneLimb>(rows, first);
     } else {
-      long_ = PlaneTies<TwoLimbs>(rows, batch_);
+      long_ = PlaneTies<TwoLimbs>(rows, first);
     }
   }
 
@@ -52,7 +53,7 @@ class BatchTies {
   int spare_bits_;
   std::optional<PlaneTies<OneLimb>> short_;
   std::optional<PlaneTies<TwoLimbs>> long_;
-  std::optional<RowOfTies> rows_;
+  std::optional<RuledTies> ruled_;
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // Near-ties of a batch by vectors. Included once for each SIMD target.
 //
-// n and d are linear in both directions of the target, or the batch is one row. The sign of n - k d
-// is wanted, and where |n - k d| < 2^(bits - 1) it is that of the same number modulo 2^bits,
+// n and d are linear in both directions of the target, or each row is by itself. The sign of n - k
+// d is wanted, and where |n - k d| < 2^(bits - 1) it is that of the same number modulo 2^bits,
 // however large n and k d are.
 #if defined(SELVAGE_VECTOR_PLANE_TIES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_PLANE_TIES_INL_H
@@ -30,9 +30,11 @@ static_assert(kDenominatorBits - kLeastSpareBits < TwoLimbs::kBits - 1, "|n - k 
 struct BatchRows {
   ExactRow first, below;
 
-  HWY_INLINE BatchRows(const ExactMap& map, const SpanBatch& batch)
-      : first(map.row_from(batch.left_px[0], batch.first_row)),
-        below(map.row_below(batch.left_px[0], batch.first_row)) {}
+  HWY_INLINE BatchRows(const ExactMap& map, const Span& first_span)
+      : first(map.row_from(first_span.left_px, first_span.row)),
+        below(map.row_below(first_span.left_px, first_span.row)) {}
+  // Of one row.
+  HWY_INLINE explicit BatchRows(const ExactRow& row) : first(row), below(row) {}
 
   // Whether one limb tells near-ties that are no further from the whole number than 2^-spare_bits.
   [[nodiscard]] HWY_INLINE bool are_short(const SpanBatch& batch, int spare_bits) const {
@@ -67,10 +69,10 @@ class PlaneWalk {
 template <class Number>
 class PlaneTies {
  public:
-  HWY_INLINE PlaneTies(const BatchRows& rows, const SpanBatch& batch)
-      : first_px_(batch.left_px[0]),
-        first_row_(batch.first_row),
-        span_(batch.span(0)),
+  HWY_INLINE PlaneTies(const BatchRows& rows, const Span& first_span)
+      : first_px_(first_span.left_px),
+        first_row_(first_span.row),
+        span_(first_span),
         u_(biased(rows.first.u, rows.below.u, rows)),
         v_(biased(rows.first.v, rows.below.v, rows)),
         d_(plane<typename Number::Divisor>(rows.first.d, rows.below.d.start)) {}
@@ -118,6 +120,35 @@ class PlaneTies {
   Span span_;
   PlaneWalk<typename Number::Numerator, Scalar> u_, v_;
   PlaneWalk<typename Number::Divisor, Scalar> d_;
+};
+
+// The same of rows in no plane, of any denominators: each is found where it is gone to.
+class RuledTies {
+ public:
+  HWY_INLINE RuledTies(const ExactMap& map, const SpanBatch& batch)
+      : map_(&map), ties_(of(first_with_pixels(batch))) {}
+
+  HWY_NOINLINE void go_to(const Span& span) { ties_ = of(span); }
+  [[nodiscard]] HWY_INLINE const Span& span() const { return ties_.span(); }
+  HWY_INLINE void decide(int32_t offset_px, const NearTies& near, V32* HWY_RESTRICT s,
+                         V32* HWY_RESTRICT t) const {
+    ties_.decide(offset_px, near, s, t);
+  }
+
+ private:
+  using Ties = PlaneTies<TwoLimbs>;
+
+  [[nodiscard]] static HWY_INLINE Span first_with_pixels(const SpanBatch& batch) {
+    int32_t i = 0;
+    while (i + 1 < batch.rows && batch.span(i).empty()) ++i;
+    return batch.span(i);
+  }
+  [[nodiscard]] HWY_INLINE Ties of(const Span& span) const {
+    return Ties(BatchRows(map_->row_from(span.left_px, span.row)), span);
+  }
+
+  const ExactMap* map_;
+  Ties ties_;
 };
 
 }  // namespace

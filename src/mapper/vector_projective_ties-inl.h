@@ -38,27 +38,30 @@ HWY_NOINLINE void draw_decided(const Window& window, const SpanBatch& batch,
   }
 }
 
-template <class Pixel, class Number>
-HWY_INLINE void draw_near_ties_by(const BatchRows& rows, const ProjectiveSpans& spans,
-                                  const Surface& surface, const AnchoredVectors& vectors) {
-  PlaneTies<Number> ties(rows, spans.batch);
+template <class Pixel, class Ties>
+HWY_INLINE void draw_near_ties_by(Ties ties, const ProjectiveSpans& spans, const Surface& surface,
+                                  const AnchoredVectors& vectors) {
   with_decided_window<Pixel>(TexelRanges(spans.texels), surface, vectors.lack_fx16(), &ties,
                              [&](const auto& window) {
                                draw_decided<Pixel>(window, spans.batch, surface.target, vectors);
                              });
 }
 
-// Draws a batch of rows of a plane that was drawn from one window in vain, if that lies within the
-// texture.
+// Draws a batch that was drawn from one window in vain, if that lies within the texture.
 template <class Pixel>
 [[nodiscard]] HWY_INLINE bool draw_near_ties(const ProjectiveSpans& spans, const Surface& surface,
                                              const AnchoredVectors& vectors) {
-  if (spans.exact.is_ruled() || !TexelRanges(spans.texels).within(surface.texture)) return false;
-  const BatchRows rows(spans.exact, spans.batch);
+  if (!TexelRanges(spans.texels).within(surface.texture)) return false;
+  if (spans.exact.is_ruled()) {
+    draw_near_ties_by<Pixel>(RuledTies(spans.exact, spans.batch), spans, surface, vectors);
+    return true;
+  }
+  const Span first = spans.batch.span(0);
+  const BatchRows rows(spans.exact, first);
   if (rows.are_short(spans.batch, spare_bits_fx16(vectors.lack_fx16()))) {
-    draw_near_ties_by<Pixel, OneLimb>(rows, spans, surface, vectors);
+    draw_near_ties_by<Pixel>(PlaneTies<OneLimb>(rows, first), spans, surface, vectors);
   } else {
-    draw_near_ties_by<Pixel, TwoLimbs>(rows, spans, surface, vectors);
+    draw_near_ties_by<Pixel>(PlaneTies<TwoLimbs>(rows, first), spans, surface, vectors);
   }
   return true;
 }

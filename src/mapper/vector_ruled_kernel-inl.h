@@ -41,9 +41,10 @@ struct RuledFromWindow {
       const Lane start = spans.rows.start[static_cast<size_t>(i)];
       const Lane step = spans.rows.step[static_cast<size_t>(i)];
       const LaneVectors steps{steps_fx16(step.u_fx32), steps_fx16(step.v_fx32)};
-      changed = hn::Or(changed, draw_row(window, fixed, {start.u_fx32 - origin.u_fx32,
-                                                         start.v_fx32 - origin.v_fx32},
-                                         step, steps, span));
+      changed =
+          hn::Or(changed, draw_row(window, fixed,
+                                   {start.u_fx32 - origin.u_fx32, start.v_fx32 - origin.v_fx32},
+                                   step, steps, span));
     }
     *changed_by_near = changed;
     return true;
@@ -71,18 +72,49 @@ struct RuledFromWindow {
   }
 };
 
+// Lanes of a vector of pixels from an offset in the i-th span on.
+[[nodiscard]] HWY_INLINE LaneVectors lanes_of(const RuledRows& rows, int32_t i, int32_t offset_px) {
+  const D32 d;
+  const Lane step = rows.step[static_cast<size_t>(i)];
+  const Lane lane = plus(rows.start[static_cast<size_t>(i)], offset_px, step);
+  return {hn::Add(hn::Set(d, floor_fx16(lane.u_fx32)), steps_fx16(step.u_fx32)),
+          hn::Add(hn::Set(d, floor_fx16(lane.v_fx32)), steps_fx16(step.v_fx32))};
+}
+
+template <class Pixel, class Window>
+HWY_NOINLINE void draw_decided(const Window& window, const RuledSpans& spans,
+                               const Surface& surface) {
+  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+    const Span span = spans.batch.span(i);
+    if (span.empty()) continue;
+    auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
+    for (int32_t px = 0; px < span.width_px(); px += kLanes) {
+      window.draw(window.offset_px(span) + px, lanes_of(spans.rows, i, px), span.width_px() - px,
+                  to + px);
+    }
+  }
+}
+
+// Draws a batch that was drawn from one window in vain, if that lies within the texture.
+template <class Pixel>
+[[nodiscard]] HWY_INLINE bool draw_near_ties(const RuledSpans& spans, const Surface& surface) {
+  const TexelRanges texels(spans.texels);
+  if (!texels.within(surface.texture)) return false;
+  RuledTies ties(spans.exact, spans.batch);
+  with_decided_window<Pixel>(
+      texels, surface, lack_fx16(spans.rows.margin_fx32), &ties,
+      [&](const auto& window) { draw_decided<Pixel>(window, spans, surface); });
+  return true;
+}
+
 // As narrow spans of a plane.
 template <class Address>
 void draw_narrow_ruled(const RuledSpans& spans, const Surface& surface) {
   const SpanBatch& batch = spans.batch;
   const FixedLanes<Address> fixed(surface.texture, lack_fx16(spans.rows.margin_fx32));
   draw_packed<Address>(batch, spans.exact, fixed, surface, [&](int32_t px, int32_t row) HWY_ATTR {
-    const auto i = static_cast<size_t>(row - batch.first_row);
-    const Lane step = spans.rows.step[i];
-    const Lane lane = plus(spans.rows.start[i], px - batch.left_px[i], step);
-    const D32 d;
-    return LaneVectors{hn::Add(hn::Set(d, floor_fx16(lane.u_fx32)), steps_fx16(step.u_fx32)),
-                       hn::Add(hn::Set(d, floor_fx16(lane.v_fx32)), steps_fx16(step.v_fx32))};
+    const int32_t i = row - batch.first_row;
+    return lanes_of(spans.rows, i, px - batch.left_px[static_cast<size_t>(i)]);
   });
 }
 
@@ -91,12 +123,14 @@ HWY_NOINLINE void draw_ruled_as(const RuledSpans& spans, const Surface& surface)
   V32 changed;
   if (pays_one_window(spans.batch) &&
       with_one_window<Pixel, Address>(spans.texels, surface.texture,
-                                      RuledFromWindow<Pixel>{spans, surface, &changed}) &&
-      !any_bits(changed, ~0xFFFF)) {
-    return;
+                                      RuledFromWindow<Pixel>{spans, surface, &changed})) {
+    const InOneWindow in_one = in_one_window(changed, spans.batch.widest_px);
+    if (in_one == InOneWindow::kDrawn) return;
+    if (in_one == InOneWindow::kManyNearTies && draw_near_ties<Pixel>(spans, surface)) return;
   }
   if (spans.batch.widest_px <= kNarrow_px) return draw_narrow_ruled<Address>(spans, surface);
-  for_each_row(spans, [&](const AffineSpans& row) { draw_affine_as<Pixel, Address>(row, surface); });
+  for_each_row(spans,
+               [&](const AffineSpans& row) { draw_affine_as<Pixel, Address>(row, surface); });
 }
 
 void draw_ruled(const RuledSpans& spans, const Surface& surface) {

@@ -113,7 +113,7 @@ class SteppedLanes {
       const VD q = row_start(field_.denominator, x, y);
       const VD w_from = hn::Div(one, at(field_.denominator, q, from));
       const VD w_to = hn::Div(one, at(field_.denominator, q, to));
-      const auto make_lanes = [&](const Linear& numerator, SegmentLanes* lanes) HWY_ATTR {
+      const auto make_lanes = [&](const Form& numerator, SegmentLanes* lanes) HWY_ATTR {
         const VD start = row_start(numerator, x, y);
         const VD a = quotient_fx16(at(numerator, start, from), w_from);
         const VD b = quotient_fx16(at(numerator, start, to), w_to);
@@ -126,15 +126,15 @@ class SteppedLanes {
   }
 
  private:
-  using Linear = ProjectiveField::Form;
+  using Form = ProjectiveField::Form;
 
   // As ProjectiveField::of().
-  static HWY_INLINE VD row_start(const Linear& line, VD x, VD y) {
+  static HWY_INLINE VD row_start(const Form& line, VD x, VD y) {
     const DD d;
     const VD row = hn::Add(hn::Set(d, line.start), hn::Mul(y, hn::Set(d, line.step_y)));
     return hn::Add(row, hn::Mul(x, hn::Set(d, line.step_x)));
   }
-  static HWY_INLINE VD at(const Linear& line, VD start, VD px) {
+  static HWY_INLINE VD at(const Form& line, VD start, VD px) {
     return hn::Add(start, hn::Mul(px, hn::Set(DD(), line.step_x)));
   }
   HWY_INLINE VD quotient_fx16(VD numerator_fx32, VD w) const {

@@ -41,8 +41,9 @@ TEST(Items, AreThoseOfTheTable) {
   const auto loads = workloads(1);
   std::vector<std::string> ids;
   for (const Workload& load : loads) ids.push_back(load.id);
-  EXPECT_EQ(ids, (std::vector<std::string>{"W1", "W1-2048", "W2", "W3", "W3-20000", "W4", "W4-2000",
-                                           "W4-20000", "W5", "W6", "W7", "W8"}));
+  EXPECT_EQ(ids,
+            (std::vector<std::string>{"W1", "W1-2048", "W2", "W3", "W3-20000", "W4", "W4-2000",
+                                      "W4-20000", "W4-rounded", "W5", "W6", "W7", "W8", "W9"}));
   EXPECT_NEAR(share_of_target(find(loads, "W1")), 0.5, 0.001);
   EXPECT_EQ(find(loads, "W1-2048").polygons.front().front().x,
             find(loads, "W1").polygons.front().front().x);
@@ -64,6 +65,28 @@ TEST(Items, AreThoseOfTheTable) {
             find(loads, "W2").polygons.front().front().x);
   EXPECT_EQ(find(loads, "W8").filter, kArea);
   EXPECT_TRUE(find(loads, "W8").perspective);
+  EXPECT_TRUE(find(loads, "W4-rounded").perspective);
+  EXPECT_NEAR(share_of_target(find(loads, "W4-rounded")), share_of_target(find(loads, "W4")), 0.01);
+  EXPECT_EQ(find(loads, "W9").polygons.size(), 576u);
+  EXPECT_NEAR(static_cast<double>(count_covered(find(loads, "W9"))) / 576, 28 * 28, 3);
+}
+
+// Of a map that all of a quad has, opposite corners' sums are alike, each times 1 / q.
+TEST(Items, AreInNoPlaneWhereTheySaySo) {
+  const auto loads = workloads(1);
+  const auto& quad = find(loads, "W4-rounded").polygons.front();
+  const auto w = [&](size_t i) { return 1.0 / quad[i].q; };
+  const double off = (w(0) + w(2) - w(1) - w(3)) / w(0);
+  EXPECT_NE(off, 0);
+  EXPECT_LT(std::abs(off), 1e-5);
+  int in_no_plane = 0;
+  for (const auto& square : find(loads, "W9").polygons) {
+    const int32_t x_off = square[0].x + square[2].x - square[1].x - square[3].x;
+    const int32_t y_off = square[0].y + square[2].y - square[1].y - square[3].y;
+    EXPECT_LE(std::max(std::abs(x_off), std::abs(y_off)), 2);
+    in_no_plane += x_off != 0 || y_off != 0;
+  }
+  EXPECT_NEAR(in_no_plane, 576 / 2, 60);
 }
 
 TEST(Items, MoveTheirMeshesWithTheSeed) {
@@ -87,7 +110,7 @@ TEST(Items, AreNearTiesWhereTheySaySo) {
     }
   }
   for (const auto& [id, least_log2] :
-       {std::pair("A7", -22), std::pair("A8", -27), std::pair("A12", -32)}) {
+       {std::pair("A7", -22), std::pair("A8", -27), std::pair("A12", -32), std::pair("A13", -31)}) {
     for (const auto& row : some_rows(find(loads, id), 8).pixels) {
       for (const ModelPixel& pixel : row) {
         for (const double x : {pixel.u, pixel.v})
@@ -106,6 +129,9 @@ TEST(Items, AreNearTiesWhereTheySaySo) {
     for (const ModelPixel& pixel : row) ASSERT_EQ(pixel.u, 1024);
   }
   for (const auto& row : some_rows(find(loads, "A5"), 8).pixels) {
+    for (const ModelPixel& pixel : row) ASSERT_TRUE(pixel.u == 1024 && pixel.v == 1024);
+  }
+  for (const auto& row : some_rows(find(loads, "A14"), 8).pixels) {
     for (const ModelPixel& pixel : row) ASSERT_TRUE(pixel.u == 1024 && pixel.v == 1024);
   }
 }
@@ -154,7 +180,7 @@ TEST(Items, HaveTwinsWithoutNearTies) {
         ASSERT_TRUE(above(pixel.u) > least && below(pixel.u) > least) << twin.id << ' ' << pixel.u;
     }
   }
-  EXPECT_EQ(twins, 12u);
+  EXPECT_EQ(twins, 14u);
 }
 
 // The formula of spec/README.md, written out: weights of 1/256, halves rounded up.
@@ -240,7 +266,7 @@ TEST(Items, OfTheCurveOfThreadsAreTheWorkItemsUpToTwiceTheCores) {
     EXPECT_EQ(curve.load_at(2).polygons.size(), find(workloads(1), id).polygons.size());
     for (const Series& series : curve.series) EXPECT_TRUE(series.subject_at(2).threads);
   }
-  EXPECT_THROW((void)curve_threads("W9"), std::logic_error);
+  EXPECT_THROW((void)curve_threads("W99"), std::logic_error);
 }
 
 TEST(Plan, HasEachItemOnceAndSaysWhatThereIsNot) {
@@ -253,7 +279,7 @@ TEST(Plan, HasEachItemOnceAndSaysWhatThereIsNot) {
       std::any_of(plan.unavailable.begin(), plan.unavailable.end(),
                   [](const std::string& sentence) { return sentence.rfind("W5 ", 0) == 0; });
   EXPECT_NE(said, bilinear);
-  EXPECT_EQ(plan.work_items, 11u + (bilinear ? 1 : 0) + 24);
+  EXPECT_EQ(plan.work_items, 13u + (bilinear ? 1 : 0) + 28);
   EXPECT_EQ(plan.curves.size(), curves().size());
   EXPECT_EQ(plan.subjects.front().id, "exact");
   EXPECT_EQ(plan.subjects.back().id, "fill");

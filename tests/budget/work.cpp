@@ -134,6 +134,19 @@ Work area_sums() {
   return work;
 }
 
+// A work item of the report, all of it.
+std::optional<Work> report_item(std::string_view id) {
+  const auto loads = reports::workloads(kSeed);
+  const auto load = std::ranges::find(loads, id, &reports::Workload::id);
+  if (load == loads.end()) return std::nullopt;
+  return Work{"px",
+              load->polygons,
+              load->target_side_px,
+              load->target_side_px,
+              load->texture_side_texel,
+              load->filter};
+}
+
 // An adversarial item of the report, or the ordinary twin of one: what there is of it in 64 rows.
 std::optional<Work> adversarial(std::string_view id) {
   constexpr int32_t height_px = 64;
@@ -164,6 +177,8 @@ std::optional<Work> work_of(std::string_view kind) {
   if (kind == "area-tilted") return area_tilted();
   if (kind == "area-ruled") return area_ruled();
   if (kind == "area-sums") return area_sums();
+  if (kind == "quads") return report_item("W9");
+  if (kind == "quad-tilted") return report_item("W4-rounded");
   return adversarial(kind);
 }
 

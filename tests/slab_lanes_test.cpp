@@ -1,0 +1,290 @@
+// The lanes and the exact maps of a slab's rows, against those of spans one by one and the model.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "mapper/affine_slab.h"
+#include "mapper/exact_row.h"
+#include "mapper/lane_divisor.h"
+#include "mapper/projective_slab.h"
+#include "mapper/slab.h"
+#include "mapper/span_walk.h"
+#include "mapper/to_double.h"
+#include "spec/exact.h"
+#include "spec/generate.h"
+#include "spec/random.h"
+
+namespace selvage::mapper {
+namespace {
+
+using spec::Rational;
+
+inline constexpr selvage_rect kEverywhere = {-40000, -40000, 40000, 40000};
+
+// A quad of any place and size, its corners rounded or far from where they were.
+[[nodiscard]] std::vector<selvage_vertex> any_quad(spec::Random& random, bool affine) {
+  const double side = random.pick({300, 3000, 30000, 300000, 3000000});
+  const double turn = random.in(0, 628) / 100.0;
+  const int32_t texels_fx16 = 1 << random.in(4, 30), nudge = random.pick({0, 1, 1, 200});
+  const int32_t q = random.pick({1, 100, 1 << 20, 1 << 23}), depth = random.in(0, 100);
+  std::vector<selvage_vertex> quad;
+  for (int k = 0; k < 4; ++k) {
+    const double at = turn + k * 1.5707963;
+    const bool right = k == 1 || k == 2, below = k >= 2;
+    selvage_vertex v{static_cast<int32_t>(std::lround(side * std::cos(at))),
+                     static_cast<int32_t>(std::lround(side * std::sin(at))),
+                     right ? texels_fx16 : 0, below ? texels_fx16 : 0, q};
+    v.x += random.in(-nudge, nudge + 1);
+    v.y += random.in(-nudge, nudge + 1);
+    if (!affine) v.q = q + static_cast<int32_t>(int64_t{q} * depth * random.in(0, 100) / 10000);
+    quad.push_back(v);
+  }
+  return quad;
+}
+
+// Calls visit(vertices, polygon, slab) for the slabs of many quads.
+template <class Visit>
+void for_each_slab(uint64_t quads, bool affine, const Visit& visit) {
+  for (uint64_t seed = 1; seed <= quads; ++seed) {
+    spec::Random random(seed);
+    const std::vector<selvage_vertex> vertices = any_quad(random, affine);
+    Polygon polygon;
+    if (examine(vertices, &polygon) != SELVAGE_OK) continue;
+    SlabWalk walk(polygon, part_of(polygon, kEverywhere));
+    while (const auto slab = walk.next()) {
+      ASSERT_NO_FATAL_FAILURE(visit(vertices, polygon, *slab)) << "seed " << seed;
+    }
+  }
+}
+
+// The floors are those that spans find one by one.
+TEST(AffineSlab, HasTheLanesOfItsSpans) {
+  int spans = 0;
+  for_each_slab(2000, true, [&](const auto&, const Polygon& polygon, const Slab& slab) {
+    const int32_t first_row = slab.first_row + slab.rows() / 3;
+    SpanWalk walk(polygon, {-40000, first_row, 40000, std::min(slab.end_row, first_row + 9)});
+    SpanBatch batch;
+    batch.first_row = first_row;
+    batch.rows = std::min(slab.end_row - first_row, 9);
+    batch.widest_px = 0;
+    for (int32_t i = 0; i < batch.rows; ++i) batch.left_px[i] = batch.right_px[i] = 0;
+    std::vector<AffineLanes> wanted;
+    std::vector<int32_t> rows;
+    while (walk.next()) {
+      const Span span = walk.span();
+      const auto i = static_cast<size_t>(span.row - first_row);
+      batch.left_px[i] = span.left_px;
+      batch.right_px[i] = span.right_px;
+      batch.widest_px = std::max(batch.widest_px, span.width_px());
+      wanted.emplace_back(walk.map(), span);
+      rows.push_back(span.row - first_row);
+    }
+    RuledRows lanes;
+    find_lanes(std::span(&slab, 1), batch, &lanes);
+    EXPECT_EQ(lanes.margin_fx32, static_cast<uint32_t>(batch.widest_px));
+    for (size_t k = 0; k < rows.size(); ++k) {
+      ++spans;
+      for (const int32_t px : {0, 1, 5}) {
+        if (px >= batch.span(rows[k]).width_px()) continue;
+        ASSERT_EQ(lanes.lanes(rows[k]).at(px).u_fx32, wanted[k].at(px).u_fx32);
+        ASSERT_EQ(lanes.lanes(rows[k]).at(px).v_fx32, wanted[k].at(px).v_fx32);
+      }
+    }
+  });
+  EXPECT_GT(spans, 10000);
+}
+
+// Of a batch that begins above some slabs and ends in others, each row has its own; none is 0.
+TEST(AffineSlab, FindsTheRowsOfAllSlabsInABatch) {
+  const std::vector<selvage_vertex> vertices = {{0, 0, 0, 0, 1},
+                                                {5000, 1000, 1 << 20, 0, 1},
+                                                {5010, 4000, 1 << 20, 1 << 20, 1},
+                                                {-9, 3000, 0, 1 << 20, 1}};
+  Polygon polygon;
+  ASSERT_EQ(examine(vertices, &polygon), SELVAGE_OK);
+  RuledMap map;
+  SlabWalk slabs(polygon, part_of(polygon, kEverywhere));
+  while (const auto slab = slabs.next()) ASSERT_TRUE(map.add(*slab));
+  ASSERT_EQ(map.slabs().size(), 3U);
+  BatchWalk batches(polygon, part_of(polygon, kEverywhere), find_spans_scalar);
+  SpanBatch batch;
+  ASSERT_TRUE(batches.next(&batch));
+  RuledRows rows;
+  find_lanes(map.slabs(), batch, &rows);
+  for (int32_t i = 0; i < batch.rows; ++i) {
+    const Span span = batch.span(i);
+    if (span.empty()) {
+      EXPECT_EQ(rows.start[static_cast<size_t>(i)].u_fx32, 0);
+      continue;
+    }
+    const AffineLanes lanes(map.at(span.row), span);
+    EXPECT_EQ(rows.lanes(i).at(0).u_fx32, lanes.at(0).u_fx32) << i;
+    EXPECT_EQ(rows.lanes(i).at(0).v_fx32, lanes.at(0).v_fx32) << i;
+  }
+}
+
+// The exact rows of a ruled map are those of the model, whichever edge is on the left.
+TEST(RuledMap, DecidesAsTheModelDoes) {
+  int pixels = 0;
+  for (const bool affine : {true, false}) {
+    for_each_slab(400, affine, [&](const auto& vertices, const Polygon& polygon, const Slab& slab) {
+      const RuledMap map(slab);
+      EXPECT_TRUE(ExactMap(map).is_ruled());
+      SpanWalk walk(polygon,
+                    {-40000, slab.first_row, 40000, std::min(slab.end_row, slab.first_row + 5)});
+      while (walk.next()) {
+        const Span span = walk.span();
+        const ExactRow row = ExactMap(map).row_from(span.left_px, span.row);
+        const ExactRow below = ExactMap(map).row_below(span.left_px, span.row);
+        ASSERT_TRUE(below.u.start == row.u.start && below.d.start == row.d.start);
+        for (const int32_t px : {0, span.width_px() - 1}) {
+          const auto exact = spec::sample(vertices, span.left_px + px, span.row);
+          const int32_t s = spec::floor(exact->u), t = spec::floor(exact->v);
+          for (const int32_t beyond : {0, 1}) {
+            ASSERT_EQ(row.reaches(row.u, px, s + beyond), beyond == 0);
+            ASSERT_EQ(row.reaches(row.v, px, t + beyond), beyond == 0);
+          }
+          ++pixels;
+        }
+      }
+    });
+  }
+  EXPECT_GT(pixels, 5000);
+}
+
+// The law of the filter for a field of a slab, over rows and columns.
+TEST(ProjectiveSlab, LanesAreLowByLessThanTheirMargin) {
+  int fields = 0, slabs = 0, pixels = 0;
+  for_each_slab(2500, false, [&](const auto& vertices, const Polygon&, const Slab& slab) {
+    const SlabOutline corners_of(slab);
+    const Polygon outline = corners_of.polygon();
+    const auto sided = from_left_to_right(slab);
+    if (!sided || outline.vertices.size() < 4 || slab.rows() < kLeastFieldRows) return;
+    ++slabs;
+    const selvage_rect part = part_of(outline, {-300, slab.first_row, 300, slab.end_row});
+    if (is_empty(part)) return;
+    const auto field = ruled_field(*sided, outline, part);
+    if (!field) return;
+    ++fields;
+    EXPECT_TRUE(field->is_ruled);
+    EXPECT_LE(field->error_fx32, kMostReach + kProjectiveTruncations_fx32);
+    SpanWalk walk(outline, part);
+    const int32_t apart = std::max(slab.rows() / 3, 1);
+    while (walk.next()) {
+      const Span span = walk.span();
+      if ((span.row - part.top) % apart != 0 && span.row != part.bottom - 1) continue;
+      const DividedLanes lanes = field->of(span);
+      for (const int32_t px : {0, span.width_px() / 2, span.width_px() - 1}) {
+        const auto exact = spec::sample(vertices, span.left_px + px, span.row);
+        const Lane lane = lanes.at(px);
+        const auto holds = [&](int64_t lane_fx32, const Rational& texel) {
+          const Rational true_fx32 = texel * Rational(4294967296.0);
+          return lane_fx32 <= true_fx32 && true_fx32 < Rational(lane_fx32) + lanes.margin_fx32();
+        };
+        ASSERT_TRUE(holds(lane.u_fx32, exact->u) && holds(lane.v_fx32, exact->v));
+        ASSERT_GE(lanes.denominator().start + px * lanes.denominator().step, 1 - 0x1p-20);
+        ++pixels;
+      }
+      // What anchored lanes go by.
+      ASSERT_LE(std::abs(lanes.denominator().step), field->turn * (1 + 0x1p-40));
+      const double least =
+          std::min(lanes.denominator().start,
+                   lanes.denominator().start + (span.width_px() - 1) * lanes.denominator().step);
+      for (const auto& n : {lanes.u_numerator_fx32(), lanes.v_numerator_fx32()}) {
+        const double u = n.start / lanes.denominator().start;
+        ASSERT_LE(std::abs(n.step - u * lanes.denominator().step) / least,
+                  field->steepest_fx32 * (1 + 0x1p-20) + 1);
+      }
+    }
+  });
+  EXPECT_GT(fields, slabs / 2);
+  EXPECT_GT(pixels, 8000);
+}
+
+// Where two rows are all there are, or numbers too large, there is no field.
+TEST(ProjectiveSlab, HasNoFieldWhereNumbersMayNotFit) {
+  const auto field_of = [](int32_t side, int32_t q, int32_t u, int32_t rows) {
+    const std::vector<selvage_vertex> vertices = {{-side, -side, 0, 0, q},
+                                                  {side, -side, u, 0, q},
+                                                  {side - 1, side, u, u, q - 1},
+                                                  {-side, side, 0, u, q}};
+    Polygon polygon;
+    EXPECT_EQ(examine(vertices, &polygon), SELVAGE_OK);
+    SlabWalk walk(polygon, part_of(polygon, kEverywhere));
+    const auto slab = from_left_to_right(*walk.next());
+    const SlabOutline corners_of(*slab);
+    const Polygon outline = corners_of.polygon();
+    return ruled_field(*slab, outline, {-100, slab->first_row, 100, slab->first_row + rows});
+  };
+  EXPECT_TRUE(field_of(1 << 16, 1 << 20, 1 << 24, 3));
+  EXPECT_FALSE(field_of(1 << 16, 1 << 20, 1 << 24, 2));
+  EXPECT_TRUE(field_of(1 << 20, 1 << 20, 1 << 24, 8));
+  EXPECT_FALSE(field_of(SELVAGE_X_END - 1, SELVAGE_Q_MAX, INT32_MAX, 8));
+}
+
+// Half way to the apex of edges that nearly meet, the reach is too large.
+TEST(ProjectiveSlab, HasNoFieldWhereItReachesTooFar) {
+  for (const int32_t apart : {1, 1 << 16}) {
+    const std::vector<selvage_vertex> vertices = {{0, 128, 0, 0, 1 << 20},
+                                                  {apart, 128, 0, 0, 1 << 20},
+                                                  {1 << 22, 1 << 16, 99, 0, 1 << 19},
+                                                  {-1 << 22, 1 << 16, 0, 99, 1 << 20}};
+    Polygon polygon;
+    ASSERT_EQ(examine(vertices, &polygon), SELVAGE_OK);
+    SlabWalk walk(polygon, part_of(polygon, kEverywhere));
+    const auto slab = from_left_to_right(*walk.next());
+    ASSERT_TRUE(slab);
+    const SlabOutline corners_of(*slab);
+    const Polygon outline = corners_of.polygon();
+    const selvage_rect part{-2000, slab->first_row, 2000, slab->end_row};
+    EXPECT_EQ(ruled_field(*slab, outline, part).has_value(), apart > 1);
+  }
+}
+
+[[nodiscard]] int128 any_integer(spec::Random& random) {
+  int128 n = 0;
+  for (int i = 0; i < 4; ++i)
+    n = (n << 32) | static_cast<uint32_t>(random.in(INT32_MIN, INT32_MAX));
+  return n >> random.in(0, 127);
+}
+
+// Within two roundings of what one would be.
+TEST(ToDouble, RoundsTwiceAtMost) {
+  spec::Random random(5);
+  for (int i = 0; i < 100000; ++i) {
+    const int128 n = any_integer(random);
+    const auto once = static_cast<double>(n);
+    ASSERT_LE(std::abs(to_double(n) - once), 0x1p-52 * std::abs(once)) << i;
+  }
+  for (const int shift : {0, 51, 52, 53, 103, 104, 126}) {
+    for (const int sign : {-1, 1}) {
+      const int128 power = sign * (int128{1} << shift);
+      EXPECT_EQ(to_double(power), sign * std::ldexp(1, shift)) << shift;
+      if (shift < 53) {
+        EXPECT_EQ(to_double(power - 1), sign * std::ldexp(1, shift) - 1) << shift;
+      }
+    }
+  }
+  EXPECT_EQ(to_double(~(int128{1} << 127)), 0x1p127);
+  EXPECT_EQ(to_double(int128{0}), 0);
+}
+
+// Of numbers that fit when they are shifted, so that the remainder tells.
+TEST(LaneDivisor, Floors) {
+  spec::Random random(6);
+  for (int i = 0; i < 100000; ++i) {
+    const int128 d = (any_integer(random) & ((int128{1} << 77) - 1)) + 1;
+    const int128 whole = d * random.in(-32768, 32768);
+    const int128 n =
+        random.percent(30) ? whole + random.in(-2, 3) : whole + any_integer(random) % d;
+    const int64_t floor = LaneDivisor(d).floor_fx32(n);
+    const int128 rest = n * (int128{1} << kLaneFraction) - int128{floor} * d;
+    ASSERT_TRUE(rest >= 0 && rest < d) << i;
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper
