@@ -33,7 +33,7 @@ template <class Pixel>
   std::vector<Pixel> row(kWidth_px);
   const auto line = [](int64_t start_fx32, int64_t step_fx32) {
     return ProjectiveField::Form{static_cast<double>(start_fx32), static_cast<double>(step_fx32),
-                                   0};
+                                 0};
   };
   const ProjectiveField field{
       0, 0, line(start.u_fx32, step.u_fx32), line(start.v_fx32, step.v_fx32), {1, 0, 0}, 0};

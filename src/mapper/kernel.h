@@ -63,8 +63,9 @@ struct ProjectiveSpans {
 };
 
 // Each draw_... writes all pixels of the spans by its filter, exactly; draw_stepped, which only
-// nearest has, shows the texels of its lanes. Without draw_ruled, rows are drawn one by one. Those of the area filter draw boxes of any sides, and
-// its other two, which are the bilinear ones, the least boxes.
+// nearest has, shows the texels of its lanes. Without draw_ruled, rows are drawn one by one. Those
+// of the area filter draw boxes of any sides, and its other two, which are the bilinear ones, the
+// least boxes.
 struct Kernels {
   FindSpans find_spans;
   FindLanes find_lanes;

@@ -54,8 +54,7 @@ bool ProjectivePlane::is_of(std::span<const selvage_vertex> vertices) const {
 }
 
 template <class Integer>
-ProjectiveField::Form ProjectivePlane::line(const Quantity<Integer>& quantity,
-                                              double unit) const {
+ProjectiveField::Form ProjectivePlane::line(const Quantity<Integer>& quantity, double unit) const {
   const double step = unit * kSubpixels;
   return {to_double(at(quantity, lanes_.first_px, lanes_.first_row)) * unit,
           to_double(quantity.along_x) * step, to_double(quantity.along_y) * step};

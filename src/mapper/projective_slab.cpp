@@ -100,8 +100,9 @@ std::optional<ProjectiveField> ruled_field(const Slab& slab, const Polygon& outl
   }
   // Denominators are in units of the least one.
   const double unit = 1 / least_denominator(slab, part, extremes.least_q);
-  ProjectiveField field{part.left, part.top, form_of(u, unit * kLaneUnit),
-                        form_of(v, unit * kLaneUnit), form_of(d, unit), 0};
+  ProjectiveField field{
+      part.left,        part.top, form_of(u, unit * kLaneUnit), form_of(v, unit * kLaneUnit),
+      form_of(d, unit), 0};
   const double numerator =
       std::max(most(field.u_fx32, columns, rows), most(field.v_fx32, columns, rows));
   const double reach = numerator / kMostTexel_fx32 + most(field.denominator, columns, rows);

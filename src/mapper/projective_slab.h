@@ -23,7 +23,8 @@ static_assert(kSlabErrorPerReach_fx32 < 1, "the reach itself serves as a bound")
 inline constexpr int32_t kLeastFieldRows = 3;
 
 // Of all pixels of the outline of a slab from_left_to_right() in `part`, of which the rows are the
-// slab's. Empty where the reach is too large, as ProjectivePlane's, or numbers may not fit 128 bits.
+// slab's. Empty where the reach is too large, as ProjectivePlane's, or numbers may not fit 128
+// bits.
 [[nodiscard]] std::optional<ProjectiveField> ruled_field(const Slab& slab, const Polygon& outline,
                                                          const selvage_rect& part);
 

@@ -13,9 +13,8 @@
 namespace selvage::mapper {
 
 // Affine rows of the map's slabs: the part of a polygon.
-inline void draw_ruled_affine(const RuledMap& map, const Polygon& polygon,
-                              const selvage_rect& part, const Surface& surface,
-                              const Kernels& kernels) {
+inline void draw_ruled_affine(const RuledMap& map, const Polygon& polygon, const selvage_rect& part,
+                              const Surface& surface, const Kernels& kernels) {
   BatchWalk walk(polygon, part, kernels.find_spans);
   SpanBatch batch;
   RuledRows rows;

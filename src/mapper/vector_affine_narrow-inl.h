@@ -60,7 +60,8 @@ HWY_NOINLINE void pack_decided(const SpanBatch& batch, const ExactMap& exact,
   BatchTies batch_ties(exact, batch, fixed.spare_bits());
   batch_ties.with_ties([&](auto* ties) HWY_ATTR {
     packed->pack(batch, [&](int32_t px, int32_t row) HWY_ATTR {
-      if (row != ties->span().row) ties->go_to({row, px, batch.span(row - batch.first_row).right_px});
+      if (row != ties->span().row)
+        ties->go_to({row, px, batch.span(row - batch.first_row).right_px});
       const TexelVectors texels =
           fixed.decided(*ties, px - ties->span().left_px, lanes_of(px, row));
       return LaneVectors{hn::ShiftLeft<kTexelFraction>(texels.s),
