@@ -251,5 +251,40 @@ TEST(NearTies, MayBeAllPixelsOfASpan) {
   for (const int32_t least_q : {3, 4}) expect_alike_over_a_steep_span(least_q);
 }
 
+// Quads on one texel's corner, whose rows have each a map of their own: from one window, packed,
+// and row by row; texels in the texture of 32 x 32 and beyond it.
+[[nodiscard]] std::vector<selvage_vertex> quad_on_a_point(spec::Random& random) {
+  const int32_t side_px = random.pick({3, 8, 16, 30, 33, 64, 65, 200, 299});
+  const int32_t height_px = random.pick({2, 4, 6, 40});
+  const int32_t texel = random.pick({1, 9, 9, 20, 31, 32, 40, -3});
+  const int32_t off_fx16 = random.pick({0, 0, -1, 1, -2});
+  const int32_t far = random.pick({0, 0, 1, 5, 20});  // texels that u goes on to
+  const bool deep = random.percent(50);
+  const int32_t q = deep ? SELVAGE_Q_MAX >> random.pick({0, 1, 8}) : random.pick({1, 1000});
+  std::vector<selvage_vertex> quad;
+  for (const auto& [right, below] :
+       {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)}) {
+    const int32_t slant_px = below * random.pick({0, 0, 1, 7});
+    const int32_t point_fx16 = texel * SELVAGE_SUBTEXELS + off_fx16;
+    quad.push_back(
+        {(right * side_px + slant_px) * SELVAGE_SUBPIXELS, below * height_px * SELVAGE_SUBPIXELS,
+         point_fx16 + right * far * SELVAGE_SUBTEXELS - right * below,
+         point_fx16 - below * random.in(0, 2), deep ? q - right * (q / 16) - right * below : q});
+  }
+  return quad;
+}
+
+TEST(NearTies, OfRowsInNoPlaneAreDecidedAlikeByAllKernels) {
+  for (uint64_t seed = 1; seed <= 3000; ++seed) {
+    spec::Random random(seed);
+    const std::vector<selvage_vertex> quad = quad_on_a_point(random);
+    ASSERT_NO_FATAL_FAILURE(
+        expect_alike(quad,
+                     {.height_px = 40,
+                      .format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888})},
+                     seed));
+  }
+}
+
 }  // namespace
 }  // namespace selvage::mapper

@@ -8,6 +8,7 @@
 
 #include "mapper/affine_slab.h"
 #include "mapper/exact_row.h"
+#include "mapper/kernel.h"
 #include "mapper/lane_divisor.h"
 #include "mapper/projective_slab.h"
 #include "mapper/slab.h"
@@ -16,6 +17,7 @@
 #include "spec/exact.h"
 #include "spec/generate.h"
 #include "spec/random.h"
+#include "tests/kernel_support.h"
 
 namespace selvage::mapper {
 namespace {
@@ -126,6 +128,29 @@ TEST(AffineSlab, FindsTheRowsOfAllSlabsInABatch) {
   }
 }
 
+// Slabs above a batch and below it have none of its rows.
+TEST(AffineSlab, LeavesRowsOfOtherBatchesAlone) {
+  const selvage_vertex v[] = {
+      {0, 0, 0, 0, 1}, {0, 50000, 0, 0, 1}, {900, 0, 9, 0, 1}, {900, 50000, 99, 0, 1}};
+  const auto rows = [&](int32_t first, int32_t end) {
+    return Slab{Edge(v[0], v[1]), Edge(v[2], v[3]), first, end};
+  };
+  const Slab slabs[] = {rows(0, 10), rows(10, 13), rows(13, 40)};
+  SpanBatch batch;
+  batch.first_row = 10;
+  batch.rows = 3;
+  batch.widest_px = 2;
+  for (size_t i = 0; i < 5; ++i) {
+    batch.left_px[i] = 1;
+    batch.right_px[i] = 3;
+  }
+  RuledRows lanes;
+  for (size_t i = 0; i < 5; ++i) lanes.start[i].u_fx32 = lanes.step[i].u_fx32 = -77;
+  find_lanes(slabs, batch, &lanes);
+  for (size_t i = 0; i < 3; ++i) EXPECT_GT(lanes.start[i].u_fx32, 0);
+  for (size_t i = 3; i < 5; ++i) EXPECT_EQ(lanes.start[i].u_fx32, -77);
+}
+
 // The exact rows of a ruled map are those of the model, whichever edge is on the left.
 TEST(RuledMap, DecidesAsTheModelDoes) {
   int pixels = 0;
@@ -225,6 +250,14 @@ TEST(ProjectiveSlab, HasNoFieldWhereNumbersMayNotFit) {
   EXPECT_FALSE(field_of(SELVAGE_X_END - 1, SELVAGE_Q_MAX, INT32_MAX, 8));
 }
 
+TEST(ProjectiveSlab, HasNoFieldWhereItsEdgesCross) {
+  const selvage_vertex v[] = {
+      {0, 0, 0, 0, 1}, {900, 9000, 0, 0, 2}, {900, 0, 9, 0, 1}, {0, 9000, 99, 0, 1}};
+  const Slab slab{Edge(v[0], v[1]), Edge(v[2], v[3]), 0, 30};
+  const SlabOutline corners_of(slab);
+  EXPECT_FALSE(ruled_field(slab, corners_of.polygon(), {0, 0, 3, 30}));
+}
+
 // Half way to the apex of edges that nearly meet, the reach is too large.
 TEST(ProjectiveSlab, HasNoFieldWhereItReachesTooFar) {
   for (const int32_t apart : {1, 1 << 16}) {
@@ -241,6 +274,61 @@ TEST(ProjectiveSlab, HasNoFieldWhereItReachesTooFar) {
     const Polygon outline = corners_of.polygon();
     const selvage_rect part{-2000, slab->first_row, 2000, slab->end_row};
     EXPECT_EQ(ruled_field(*slab, outline, part).has_value(), apart > 1);
+  }
+}
+
+// Rows without pixels far from both edges, above rows with near-ties: the exact map is not asked
+// for the former, whose numbers may not fit. The target's rows overlap, and only its last ones are
+// drawn.
+TEST(RuledRows, AreNotDecidedWhereTheyAreEmpty) {
+  constexpr int32_t kLast_fx8 = 20000 * 256, kFar_fx8 = 8388000, kPitch = 64;
+  std::vector<uint8_t> pixels(20010 * kPitch + 32768), texels(1024);
+  for (size_t i = 0; i < texels.size(); ++i) texels[i] = static_cast<uint8_t>(i * 37 >> 2);
+  const selvage_texture texture{texels.data(),       32,     32, 32, SELVAGE_INDEX8,
+                                SELVAGE_LAYOUT_ROWS, nullptr};
+  const Surface surface{
+      {pixels.data(), 32768, 20010, kPitch, SELVAGE_INDEX8}, texture, SELVAGE_ADDRESS_WRAP};
+  spec::Random random(8);
+  for (int i = 0; i < 400; ++i) {
+    const int32_t u = random.in(-(1 << 20), 1 << 20), least = INT32_MIN + 65536;
+    const std::vector<selvage_vertex> vertices = {
+        {SELVAGE_X_MIN, SELVAGE_X_MIN, least, least, SELVAGE_Q_MAX},
+        {SELVAGE_X_MIN, kLast_fx8, least, least, SELVAGE_Q_MAX},
+        {kFar_fx8, kLast_fx8 + 1024, u, u, SELVAGE_Q_MAX},
+        {kFar_fx8, kLast_fx8 + 2048, u, u, SELVAGE_Q_MAX},
+        {SELVAGE_X_MIN + 1, kLast_fx8, INT32_MAX, INT32_MAX, SELVAGE_Q_MAX},
+        {SELVAGE_X_MIN + 1, SELVAGE_X_MIN, INT32_MAX, INT32_MAX, SELVAGE_Q_MAX}};
+    Polygon polygon;
+    ASSERT_EQ(examine(vertices, &polygon), SELVAGE_OK);
+    const selvage_rect part = part_of(polygon, {32740, 19980, 32760, 20006});
+    RuledMap map;
+    SlabWalk slabs(polygon, part);
+    while (const auto slab = slabs.next()) ASSERT_TRUE(map.add(*slab));
+    BatchWalk walk(polygon, part, find_spans_scalar);
+    SpanBatch batch;
+    ASSERT_TRUE(walk.next(&batch));
+    ASSERT_TRUE(batch.span(0).empty());
+    ASSERT_GT(batch.widest_px, 0);
+    RuledRows rows;
+    find_lanes(map.slabs(), batch, &rows);
+    const RuledSpans spans{batch, rows, polygon.texels, ExactMap(map)};
+    for_each_row(spans, [&](const AffineSpans& row) {
+      scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(row, surface);
+    });
+    const std::vector<uint8_t> wanted = pixels;
+    for (const selvage_kernel kernel : usable_kernels()) {
+      const Kernels* const kernels = vector_kernels(kernel, SELVAGE_FILTER_NEAREST);
+      if (kernels == nullptr) continue;
+      std::ranges::fill(pixels, uint8_t{0});
+      kernels->draw_ruled(spans, surface);
+      for (int32_t row = 20004; row < 20006; ++row) {
+        const Span span = batch.span(row - batch.first_row);
+        for (int32_t px = span.left_px; px < span.right_px; ++px) {
+          const auto at = static_cast<size_t>(row * kPitch + px);
+          ASSERT_EQ(pixels[at], wanted[at]) << i << ", kernel " << kernel;
+        }
+      }
+    }
   }
 }
 

@@ -151,6 +151,8 @@ TEST(Slabs, RunFromLeftToRightUnlessTheirEdgesMeet) {
   const selvage_vertex crossing[] = {
       {0, 0, 0, 0, 1}, {9, down, 0, 0, 1}, {9, 0, 0, 0, 1}, {0, down, 0, 0, 1}};
   EXPECT_FALSE(from_left_to_right(between(crossing, 8)));
+  EXPECT_FALSE(
+      from_left_to_right({Edge(crossing[2], crossing[3]), Edge(crossing[0], crossing[1]), 0, 8}));
   const selvage_vertex touching[] = {
       {0, 128, 0, 0, 1}, {0, down, 0, 0, 1}, {0, 128, 0, 0, 1}, {9, down, 0, 0, 1}};
   EXPECT_FALSE(from_left_to_right(between(touching, 8)));
@@ -158,6 +160,27 @@ TEST(Slabs, RunFromLeftToRightUnlessTheirEdgesMeet) {
       {0, 0, 0, 0, 1}, {5, 7 * 256 + 128, 0, 0, 1}, {9, 0, 0, 0, 1}, {5, 7 * 256 + 128, 0, 0, 1}};
   EXPECT_FALSE(from_left_to_right(between(closing, 8)));
   EXPECT_TRUE(from_left_to_right(between(closing, 7)));
+}
+
+// Where all but one number of two ends are the same, they are two corners.
+TEST(Slabs, HaveACornerForEachOfTheEndsThatDiffer) {
+  const selvage_vertex end{0, 0, 5, 6, 7};
+  const auto corners = [&](const selvage_vertex& other) {
+    const selvage_vertex bottom{-900, 2000, 0, 0, 1}, other_bottom{900, 2000, 0, 0, 1};
+    const Slab slab{Edge(end, bottom), Edge(other, other_bottom), 0, 8};
+    return SlabOutline(slab).polygon().vertices.size();
+  };
+  EXPECT_EQ(corners(end), 3U);
+  for (int32_t selvage_vertex::*number :
+       {&selvage_vertex::x, &selvage_vertex::y, &selvage_vertex::u, &selvage_vertex::v,
+        &selvage_vertex::q}) {
+    selvage_vertex other = end;
+    ++(other.*number);
+    EXPECT_EQ(corners(other), 4U);
+  }
+  const selvage_vertex bottom{0, 2000, 0, 0, 1};
+  const Slab one{Edge(end, bottom), Edge(end, bottom), 0, 8};
+  EXPECT_TRUE(SlabOutline(one).polygon().vertices.empty());
 }
 
 TEST(Slabs, FewFitAMap) {

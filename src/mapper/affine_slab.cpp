@@ -67,8 +67,7 @@ void find_lanes(std::span<const Slab> slabs, const SpanBatch& batch, RuledRows* 
   const int32_t end_row = batch.first_row + batch.rows;
   for (const Slab& slab : slabs) {
     const int32_t first = std::max(slab.first_row, batch.first_row);
-    const int32_t end = std::min(slab.end_row, end_row);
-    if (first >= end) continue;
+    const int32_t end = std::min(slab.end_row, end_row);  // before the first one: no row
     AffineSlab(slab).find_lanes(batch, first - batch.first_row, end - batch.first_row, rows);
   }
   rows->margin_fx32 = kAffineErrorPerPixel_fx32 * static_cast<uint32_t>(batch.widest_px);

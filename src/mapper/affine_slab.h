@@ -15,7 +15,6 @@ namespace selvage::mapper {
 
 // Exact floors of the lanes of spans' first pixels and of their steps.
 struct RuledRows {
-  // With room for a vector of rows that begins in the last one.
   std::array<Lane, kRowsPerBatch> start, step;
   uint32_t margin_fx32;  // of the lane furthest from its start
 

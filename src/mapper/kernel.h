@@ -36,7 +36,7 @@ struct AffineSpans {
   ExactMap exact;          // decides near-ties
 };
 
-// Spans of consecutive rows of a slab, each under an affine map of its own.
+// Spans of consecutive rows, each under an affine map of its own.
 struct RuledSpans {
   const SpanBatch& batch;
   const RuledRows& rows;

@@ -81,8 +81,11 @@ struct Extremes {
 }  // namespace
 
 // The bound is derived as that of ProjectivePlane::set_lanes (spec/proofs/projective_plane.g).
-std::optional<ProjectiveField> ruled_field(const Slab& slab, const Polygon& outline,
+std::optional<ProjectiveField> ruled_field(const Slab& any, const Polygon& outline,
                                            const selvage_rect& part) {
+  const std::optional<Slab> sided = from_left_to_right(any);
+  if (!sided) return std::nullopt;
+  const Slab& slab = *sided;
   const Extremes extremes(outline);
   const double rows = part.bottom - part.top, columns = part.right - part.left;
   if (rows < kLeastFieldRows || !fit_128_bits(slab, outline, extremes)) return std::nullopt;

@@ -22,9 +22,9 @@ static_assert(kSlabErrorPerReach_fx32 < 1, "the reach itself serves as a bound")
 // So many rows at least: fewer are drawn one by one.
 inline constexpr int32_t kLeastFieldRows = 3;
 
-// Of all pixels of the outline of a slab from_left_to_right() in `part`, of which the rows are the
-// slab's. Empty where the reach is too large, as ProjectivePlane's, or numbers may not fit 128
-// bits.
+// Of all pixels of the outline of a slab in `part`, of which the rows are the slab's. Empty where
+// edges touch or cross, where the reach is too large, as ProjectivePlane's, or where numbers may
+// not fit 128 bits.
 [[nodiscard]] std::optional<ProjectiveField> ruled_field(const Slab& slab, const Polygon& outline,
                                                          const selvage_rect& part);
 

@@ -1,4 +1,4 @@
-// Drawing the rows of a slab that lies in no plane: each has a map of its own.
+// Drawing rows that lie in no plane together: each has a map of its own.
 #pragma once
 
 #include <optional>
@@ -33,11 +33,9 @@ inline void draw_ruled_affine(const RuledMap& map, const Polygon& polygon, const
 [[nodiscard]] inline bool draw_ruled_projective(const Slab& slab, const Polygon& outline,
                                                 const selvage_rect& part, const Surface& surface,
                                                 const Kernels& kernels) {
-  const std::optional<Slab> sided = from_left_to_right(slab);
-  if (!sided) return false;
-  const std::optional<ProjectiveField> field = ruled_field(*sided, outline, part);
+  const std::optional<ProjectiveField> field = ruled_field(slab, outline, part);
   if (!field) return false;
-  const RuledMap map(*sided);
+  const RuledMap map(slab);
   BatchWalk walk(outline, part, kernels.find_spans);
   SpanBatch batch;
   while (walk.next(&batch)) {

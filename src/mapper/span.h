@@ -20,7 +20,8 @@ struct Span {
 // three are linear along the span. With weights w to the other edge's point, (u q, q) is their
 // mean:
 //   u = (left.uq w_left + right.uq w_right) / (left.q w_left + right.q w_right)
-// for the common factor 1 / (height_left height_right width) cancels.
+// for the common factor 1 / (height_left height_right width) cancels. Numbers fit 128 bits at
+// pixels between the edges (number.h); who asks elsewhere sees to it.
 class SpanMap {
  public:
   SpanMap(const EdgePoint& left, const EdgePoint& right) : left_(left), right_(right) {}

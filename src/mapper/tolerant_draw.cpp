@@ -89,7 +89,8 @@ struct Choose {
   }
   void exact(const ProjectivePlane& /*plane*/, const Polygon& polygon,
              const selvage_rect& part) const {
-    if (SpanWalk(polygon, part).next()) add({SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0});
+    SpanWalk walk(polygon, part);
+    while (walk.next()) add({SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0});
   }
   template <class Rows>
   void rows(Rows&& of) const {

@@ -129,7 +129,8 @@ class SlabRows {
   SlabRows(const Slab& slab, const Polygon& outline, const selvage_rect& part, FindSpans find_spans,
            const Tolerance& tolerance)
       : map_(slab),
-        field_(field_of(slab, outline)),
+        field_(ruled_field(slab, outline,
+                           {outline.left_px, slab.first_row, outline.right_px, slab.end_row})),
         texels_(outline.texels),
         rows_(outline, part, find_spans),
         tolerance_(tolerance) {}
@@ -140,13 +141,10 @@ class SlabRows {
     const SpanBatch& whole = rows_.whole();
     SomeRows exact(whole);
     for (int32_t i = 0; i < whole.rows; ++i) {
-      const Span row = whole.span(i), span = rows_.visible(i);
-      const bool is_exact = span.empty() || !draw_stepped(row, span, surface, kernels);
+      const Span span = rows_.visible(i);
+      const bool is_exact = !draw_stepped(whole.span(i), span, surface, kernels);
       exact.put(i, span, is_exact && field_);
-      if (is_exact && !field_ && !span.empty()) {
-        const SpanMap map = map_.at(row.row);
-        draw_in_perspective(map, span, ProjectiveLanes(map, span), texels_, surface, kernels);
-      }
+      if (is_exact && !field_) draw_exactly(span, surface, kernels);
     }
     if (exact.any()) {
       kernels.draw_projective({exact.get(), *field_, texels_, ExactMap(map_)}, surface);
@@ -169,21 +167,19 @@ class SlabRows {
   }
 
  private:
-  // Of all of the slab's rows and columns, whatever is visible.
-  [[nodiscard]] static std::optional<ProjectiveField> field_of(const Slab& slab,
-                                                               const Polygon& outline) {
-    const std::optional<Slab> sided = from_left_to_right(slab);
-    if (!sided) return std::nullopt;
-    return ruled_field(*sided, outline,
-                       {outline.left_px, slab.first_row, outline.right_px, slab.end_row});
-  }
-
-  // By the formula, and so roughly; it costs far less than the row's own lanes.
+  // By the formula, and so roughly, which may leave a row exact that need not be; it costs far less
+  // than the row's own lanes.
   [[nodiscard]] bool is_surely_exact(const Span& row) const {
     if (row.width_px() < tolerance_.stepping.least_row_px) return true;
     const int32_t twice_fx16 = std::min(tolerance_.fx16, INT32_MAX / 2) * 2;
     return field_ && bends_too_much(bend_of(field_->of(row), row.width_px()), twice_fx16,
                                     tolerance_.stepping);
+  }
+
+  void draw_exactly(const Span& span, const Surface& surface, const Kernels& kernels) const {
+    if (span.empty()) return;
+    const SpanMap map = map_.at(span.row);
+    draw_in_perspective(map, span, ProjectiveLanes(map, span), texels_, surface, kernels);
   }
 
   // False, and nothing is drawn, where the row is exact.

@@ -35,6 +35,7 @@ struct PackedLanes {
     count = 0;
     for (int32_t i = 0; i < batch.rows; ++i) {
       const Span span = batch.span(i);
+      if (span.empty()) continue;  // exact maps are of pixels
       int32_t done = 0;
       do {
         const LaneVectors lanes = lanes_of(span.left_px + done, span.row);

@@ -36,7 +36,7 @@ class BatchTies {
  private:
   HWY_NOINLINE void find() {
     if (map_.is_ruled() && batch_.rows > 1) {
-      ruled_ = RuledTies(map_, batch_);
+      ruled_ = RuledTies(map_);
       return;
     }
     const Span first = batch_.span(0);

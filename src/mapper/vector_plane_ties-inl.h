@@ -10,6 +10,8 @@
 #define SELVAGE_VECTOR_PLANE_TIES_INL_H
 #endif
 
+#include <optional>
+
 #include "mapper/near_tie_bits.h"
 #include "mapper/span_batch.h"
 #include "mapper/vector_limbs-inl.h"
@@ -125,30 +127,25 @@ class PlaneTies {
 // The same of rows in no plane, of any denominators: each is found where it is gone to.
 class RuledTies {
  public:
-  HWY_INLINE RuledTies(const ExactMap& map, const SpanBatch& batch)
-      : map_(&map), ties_(of(first_with_pixels(batch))) {}
+  HWY_INLINE explicit RuledTies(const ExactMap& map) : map_(&map) {}
 
-  HWY_NOINLINE void go_to(const Span& span) { ties_ = of(span); }
-  [[nodiscard]] HWY_INLINE const Span& span() const { return ties_.span(); }
+  HWY_NOINLINE void go_to(const Span& span) {
+    span_ = span;
+    ties_ = Ties(BatchRows(map_->row_from(span.left_px, span.row)), span);
+  }
+  // Before the first: of a row that there is not.
+  [[nodiscard]] HWY_INLINE const Span& span() const { return span_; }
   HWY_INLINE void decide(int32_t offset_px, const NearTies& near, V32* HWY_RESTRICT s,
                          V32* HWY_RESTRICT t) const {
-    ties_.decide(offset_px, near, s, t);
+    ties_->decide(offset_px, near, s, t);
   }
 
  private:
   using Ties = PlaneTies<TwoLimbs>;
 
-  [[nodiscard]] static HWY_INLINE Span first_with_pixels(const SpanBatch& batch) {
-    int32_t i = 0;
-    while (i + 1 < batch.rows && batch.span(i).empty()) ++i;
-    return batch.span(i);
-  }
-  [[nodiscard]] HWY_INLINE Ties of(const Span& span) const {
-    return Ties(BatchRows(map_->row_from(span.left_px, span.row)), span);
-  }
-
   const ExactMap* map_;
-  Ties ties_;
+  Span span_{INT32_MIN, 0, 0};
+  std::optional<Ties> ties_;
 };
 
 }  // namespace

@@ -26,11 +26,11 @@ HWY_NOINLINE void draw_decided(const Window& window, const SpanBatch& batch,
     for (int32_t k = 0; k < pieces.count; k += kLanes) vectors.find_lanes(pieces, k, &anchors);
     for (int32_t k = 0; k < pieces.count; ++k) {
       const Span piece = pieces.rest(k, 0);
-      int32_t offset_px = window.offset_px(piece), count_px = piece.width_px();
+      int32_t count_px = piece.width_px();
       Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.to_byte[k]);
       for (int32_t at = 0; at < kVectorsPerPiece && count_px > 0; ++at) {
-        window.draw(offset_px, lanes.lanes(anchors, k, at), count_px, to);
-        offset_px += kLanes;
+        window.draw(window.offset_px(piece) + at * kLanes, lanes.lanes(anchors, k, at), count_px,
+                    to);
         count_px -= kLanes;
         to += kLanes;
       }
@@ -53,7 +53,7 @@ template <class Pixel>
                                              const AnchoredVectors& vectors) {
   if (!TexelRanges(spans.texels).within(surface.texture)) return false;
   if (spans.exact.is_ruled()) {
-    draw_near_ties_by<Pixel>(RuledTies(spans.exact, spans.batch), spans, surface, vectors);
+    draw_near_ties_by<Pixel>(RuledTies(spans.exact), spans, surface, vectors);
     return true;
   }
   const Span first = spans.batch.span(0);

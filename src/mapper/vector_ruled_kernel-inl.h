@@ -37,7 +37,6 @@ struct RuledFromWindow {
     V32 changed = hn::Zero(D32());
     for (int32_t i = 0; i < spans.batch.rows; ++i) {
       const Span span = spans.batch.span(i);
-      if (span.empty()) continue;
       const Lane start = spans.rows.start[static_cast<size_t>(i)];
       const Lane step = spans.rows.step[static_cast<size_t>(i)];
       const LaneVectors steps{steps_fx16(step.u_fx32), steps_fx16(step.v_fx32)};
@@ -86,7 +85,6 @@ HWY_NOINLINE void draw_decided(const Window& window, const RuledSpans& spans,
                                const Surface& surface) {
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
-    if (span.empty()) continue;
     auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
     for (int32_t px = 0; px < span.width_px(); px += kLanes) {
       window.draw(window.offset_px(span) + px, lanes_of(spans.rows, i, px), span.width_px() - px,
@@ -100,7 +98,7 @@ template <class Pixel>
 [[nodiscard]] HWY_INLINE bool draw_near_ties(const RuledSpans& spans, const Surface& surface) {
   const TexelRanges texels(spans.texels);
   if (!texels.within(surface.texture)) return false;
-  RuledTies ties(spans.exact, spans.batch);
+  RuledTies ties(spans.exact);
   with_decided_window<Pixel>(
       texels, surface, lack_fx16(spans.rows.margin_fx32), &ties,
       [&](const auto& window) { draw_decided<Pixel>(window, spans, surface); });
