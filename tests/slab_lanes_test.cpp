@@ -72,7 +72,8 @@ TEST(AffineSlab, HasTheLanesOfItsSpans) {
     batch.first_row = first_row;
     batch.rows = std::min(slab.end_row - first_row, 9);
     batch.widest_px = 0;
-    for (int32_t i = 0; i < batch.rows; ++i) batch.left_px[i] = batch.right_px[i] = 0;
+    batch.left_px.fill(0);
+    batch.right_px.fill(0);
     std::vector<AffineLanes> wanted;
     std::vector<int32_t> rows;
     while (walk.next()) {
