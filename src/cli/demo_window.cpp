@@ -113,8 +113,12 @@ DemoWindow::DemoWindow(const std::string& title, scene::Size size)
     : handles_(std::make_unique<Handles>()) {
   handles_->window.reset(SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED,
                                           SDL_WINDOWPOS_CENTERED, size.width_px, size.height_px,
-                                          SDL_WINDOW_RESIZABLE));
-  if (!handles_->window) fail("no window can be opened");
+                                          SDL_WINDOW_RESIZABLE | SDL_WINDOW_HIDDEN));
+  // The first surface may make the window anew, which would lose keys pressed until then.
+  if (!handles_->window || SDL_GetWindowSurface(handles_->window.get()) == nullptr) {
+    fail("no window can be opened");
+  }
+  SDL_ShowWindow(handles_->window.get());
 }
 
 DemoWindow::~DemoWindow() = default;

@@ -10,6 +10,7 @@
 #include "mapper/vector_affine_ties-inl.h"
 #include "mapper/vector_affine_wide-inl.h"
 #include "mapper/vector_affine_window-inl.h"
+#include "mapper/vector_entries-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -30,6 +31,8 @@ HWY_NOINLINE void draw_affine_as(const AffineSpans& spans, const Surface& surfac
   draw_wide<Pixel, Address>(spans, surface, shape);
 }
 
+}  // namespace
+
 void draw_affine(const AffineSpans& spans, const Surface& surface) {
   with_address(surface, [&](auto address) {
     with_pixel(surface.target.format, [&](auto pixel) {
@@ -38,7 +41,6 @@ void draw_affine(const AffineSpans& spans, const Surface& surface) {
   });
 }
 
-}  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

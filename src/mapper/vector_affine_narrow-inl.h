@@ -35,7 +35,6 @@ struct PackedLanes {
     count = 0;
     for (int32_t i = 0; i < batch.rows; ++i) {
       const Span span = batch.span(i);
-      if (span.empty()) continue;  // exact maps are of pixels
       int32_t done = 0;
       do {
         const LaneVectors lanes = lanes_of(span.left_px + done, span.row);
@@ -61,10 +60,10 @@ HWY_NOINLINE void pack_decided(const SpanBatch& batch, const ExactMap& exact,
   BatchTies batch_ties(exact, batch, fixed.spare_bits());
   batch_ties.with_ties([&](auto* ties) HWY_ATTR {
     packed->pack(batch, [&](int32_t px, int32_t row) HWY_ATTR {
-      if (row != ties->span().row)
-        ties->go_to({row, px, batch.span(row - batch.first_row).right_px});
-      const TexelVectors texels =
-          fixed.decided(*ties, px - ties->span().left_px, lanes_of(px, row));
+      const Span span = batch.span(row - batch.first_row);
+      if (span.empty()) return lanes_of(px, row);  // exact maps are of pixels
+      if (row != ties->span().row) ties->go_to(span);
+      const TexelVectors texels = fixed.decided(*ties, px - span.left_px, lanes_of(px, row));
       return LaneVectors{hn::ShiftLeft<kTexelFraction>(texels.s),
                          hn::ShiftLeft<kTexelFraction>(texels.t)};
     });

@@ -13,6 +13,7 @@
 #include "mapper/vector_blend_pairs-inl.h"
 #include "mapper/vector_blend_points-inl.h"
 #include "mapper/vector_blend_projective_windows-inl.h"
+#include "mapper/vector_entries-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -223,7 +224,7 @@ void blend_affine(const AffineSpans& spans, const Surface& surface) {
 }
 
 template <bool kFour>
-void draw_blended_affine(const AffineSpans& spans, const Surface& surface) {
+HWY_INLINE void draw_blended_affine(const AffineSpans& spans, const Surface& surface) {
   with_address(surface,
                [&](auto address) { blend_affine<kFour, decltype(address)>(spans, surface); });
 }
@@ -251,13 +252,27 @@ HWY_NOINLINE void blend_projective(const ProjectiveSpans& spans, const Surface& 
   }
 }
 
-template <bool kFour>
-void draw_blended_projective(const ProjectiveSpans& spans, const Surface& surface) {
+HWY_INLINE void draw_blended_projective(const ProjectiveSpans& spans, const Surface& surface,
+                                        bool four) {
   with_address(surface,
-               [&](auto address) { blend_projective<decltype(address)>(spans, surface, kFour); });
+               [&](auto address) { blend_projective<decltype(address)>(spans, surface, four); });
 }
 
 }  // namespace
+
+void draw_four_affine(const AffineSpans& spans, const Surface& surface) {
+  draw_blended_affine<true>(spans, surface);
+}
+void draw_bilinear_affine(const AffineSpans& spans, const Surface& surface) {
+  draw_blended_affine<false>(spans, surface);
+}
+void draw_four_projective(const ProjectiveSpans& spans, const Surface& surface) {
+  draw_blended_projective(spans, surface, true);
+}
+void draw_bilinear_projective(const ProjectiveSpans& spans, const Surface& surface) {
+  draw_blended_projective(spans, surface, false);
+}
+
 }  // namespace selvage::mapper::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

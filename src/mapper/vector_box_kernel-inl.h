@@ -12,8 +12,9 @@
 
 #include "mapper/box_row.h"
 #include "mapper/plane_footprint.h"
-#include "mapper/vector_blend_kernel-inl.h"
+#include "mapper/vector_blend_points-inl.h"
 #include "mapper/vector_box_mean-inl.h"
+#include "mapper/vector_entries-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -142,8 +143,8 @@ HWY_NOINLINE void draw_projective_means(const ProjectiveSpans& spans,
     for_each_box_piece(span, [&](const Span& piece) {
       const FootprintRow row = footprint.row(piece);
       if (row.is_least(piece.width_px())) {
-        return draw_blended_projective<false>(
-            {one_span(piece), spans.field, spans.texels, spans.exact}, surface);
+        return draw_bilinear_projective({one_span(piece), spans.field, spans.texels, spans.exact},
+                                        surface);
       }
       find_points(steps, piece, &ties, &boxes);
       find_sides(footprint, row, piece, &boxes);
@@ -169,6 +170,8 @@ HWY_INLINE void with_means(const Surface& surface, const Draw& draw) {
   });
 }
 
+}  // namespace
+
 void draw_boxes_affine(const AffineSpans& spans, BoxSides sides, const Surface& surface) {
   with_means(surface, [&](auto means) {
     draw_affine_means<typename decltype(means)::type>(spans, sides, surface);
@@ -188,7 +191,6 @@ void draw_boxes(const BoxRow& boxes, const Span& piece, const Surface& surface) 
   });
 }
 
-}  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

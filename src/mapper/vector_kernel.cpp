@@ -1,11 +1,8 @@
-// The vector kernels of every SIMD target: Highway includes this file again for each.
+// The tables of the vector kernels: Highway includes this file again for each SIMD target.
 #include "mapper/vector_kernel.h"
 
-// Its checks, which debug and sanitizer builds switch on, would call into its library.
-#define HWY_IS_DEBUG_BUILD 0
-// What lies between SSE4, AVX2 and AVX-512 has nothing that these kernels use.
-#define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#include "mapper/vector_targets.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "mapper/vector_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -13,16 +10,7 @@
 #include <hwy/highway.h>
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
-#include "mapper/vector_affine_kernel-inl.h"
-#include "mapper/vector_blend_kernel-inl.h"
-#include "mapper/vector_box_kernel-inl.h"
-#include "mapper/vector_plane_kernel-inl.h"
-#include "mapper/vector_projective_kernel-inl.h"
-#include "mapper/vector_projective_pieces-inl.h"
-#include "mapper/vector_projective_wide-inl.h"
-#include "mapper/vector_row_kernel-inl.h"
-#include "mapper/vector_ruled_kernel-inl.h"
-#include "mapper/vector_stepped_kernel-inl.h"
+#include "mapper/vector_entries-inl.h"
 
 namespace selvage::mapper::HWY_NAMESPACE {
 
@@ -35,15 +23,14 @@ constexpr Kernels kNearest = {
     .draw_stepped = draw_stepped,
     .stepping = HWY_TARGET == HWY_AVX3 ? kWideStepping : kUsualStepping,
 };
-constexpr Kernels kFour = {find_spans, find_lanes, draw_blended_affine<true>,
-                           draw_blended_projective<true>};
-constexpr Kernels kBilinear = {find_spans, find_lanes, draw_blended_affine<false>,
-                               draw_blended_projective<false>};
+constexpr Kernels kFour = {find_spans, find_lanes, draw_four_affine, draw_four_projective};
+constexpr Kernels kBilinear = {find_spans, find_lanes, draw_bilinear_affine,
+                               draw_bilinear_projective};
 constexpr Kernels kArea = {
     .find_spans = find_spans,
     .find_lanes = find_lanes,
-    .draw_affine = draw_blended_affine<false>,
-    .draw_projective = draw_blended_projective<false>,
+    .draw_affine = draw_bilinear_affine,
+    .draw_projective = draw_bilinear_projective,
     .draw_boxes_affine = draw_boxes_affine,
     .draw_boxes_projective = draw_boxes_projective,
     .draw_boxes = draw_boxes,

@@ -12,6 +12,7 @@
 #endif
 
 #include "mapper/plane_lanes.h"
+#include "mapper/vector_entries-inl.h"
 #include "mapper/vector_pair-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -84,14 +85,15 @@ HWY_INLINE void store_lane(IntegerPair lane, Lane* to) {
   return product.is_below(kMostExactProduct) && estimate.is_below(kMostRounded_fx32);
 }
 
-[[nodiscard]] bool find_lanes(const PlaneFrame& frame, AffineField* lanes) {
+}  // namespace
+
+bool find_lanes(const PlaneFrame& frame, AffineField* lanes) {
 #if HWY_NATIVE_FMA
   if (HWY_LIKELY(find_lanes_in_double(frame, lanes))) return true;
 #endif
   return find_lanes_scalar(frame, lanes);
 }
 
-}  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

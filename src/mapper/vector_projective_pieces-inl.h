@@ -8,6 +8,7 @@
 
 #include "mapper/interior.h"
 #include "mapper/vector_batch_ties-inl.h"
+#include "mapper/vector_entries-inl.h"
 #include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_piece_queue-inl.h"
 #include "mapper/vector_projective_ties-inl.h"
@@ -178,6 +179,8 @@ HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& su
   }
 }
 
+}  // namespace
+
 void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
   const bool by_pieces = are_anchored(spans.field);
   with_address(surface, [&](auto address) {
@@ -195,7 +198,6 @@ void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
   });
 }
 
-}  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

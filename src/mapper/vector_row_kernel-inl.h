@@ -7,6 +7,7 @@
 #endif
 
 #include "mapper/span_batch.h"
+#include "mapper/vector_entries-inl.h"
 #include "mapper/vector_pair-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -133,6 +134,8 @@ HWY_INLINE void find_in_triangle(const TriangleCorners& corners, SpanMaker* span
   }
 }
 
+}  // namespace
+
 void find_spans(Outline* outline, int32_t left_px, int32_t right_px, SpanBatch* batch) {
   SpanMaker spans(left_px, right_px, batch);
   if (outline->is_triangle()) {
@@ -143,7 +146,6 @@ void find_spans(Outline* outline, int32_t left_px, int32_t right_px, SpanBatch* 
   batch->widest_px = spans.widest_px();
 }
 
-}  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

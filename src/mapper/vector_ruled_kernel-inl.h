@@ -7,6 +7,7 @@
 #endif
 
 #include "mapper/vector_affine_kernel-inl.h"
+#include "mapper/vector_entries-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -131,6 +132,8 @@ HWY_NOINLINE void draw_ruled_as(const RuledSpans& spans, const Surface& surface)
                [&](const AffineSpans& row) { draw_affine_as<Pixel, Address>(row, surface); });
 }
 
+}  // namespace
+
 void draw_ruled(const RuledSpans& spans, const Surface& surface) {
   with_address(surface, [&](auto address) {
     with_pixel(surface.target.format, [&](auto pixel) {
@@ -139,7 +142,6 @@ void draw_ruled(const RuledSpans& spans, const Surface& surface) {
   });
 }
 
-}  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

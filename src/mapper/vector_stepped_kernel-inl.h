@@ -8,6 +8,7 @@
 #define SELVAGE_VECTOR_STEPPED_KERNEL_INL_H
 #endif
 
+#include "mapper/vector_entries-inl.h"
 #include "mapper/vector_stepped_segments-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -234,6 +235,8 @@ void draw_segments(const SteppedSpans& spans, const Surface& surface) {
   }
 }
 
+}  // namespace
+
 void draw_stepped(const SteppedSpans& spans, const Surface& surface) {
   with_address(surface, [&](auto address) {
     with_pixel(surface.target.format, [&](auto pixel) {
@@ -242,7 +245,6 @@ void draw_stepped(const SteppedSpans& spans, const Surface& surface) {
   });
 }
 
-}  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif
