@@ -8,6 +8,8 @@
 #include "mapper/plane.h"
 #include "mapper/polygon.h"
 #include "mapper/projective_plane.h"
+#include "mapper/projective_slab.h"
+#include "mapper/slab.h"
 #include "mapper/span_walk.h"
 #include "mapper/texel_index.h"
 #include "mapper/vector_kernel.h"
@@ -81,25 +83,24 @@ class Counter {
   int64_t extra_fx32_;
 };
 
-void count_plane(const mapper::Plane& plane, mapper::SpanWalk& walk, Counter* counter) {
-  const mapper::AffineField& field = plane.lanes();
+void count_affine_field(const mapper::AffineField& field, mapper::SpanWalk walk, Counter* counter) {
   while (walk.next()) {
     const Span& span = walk.span();
     counter->count(span, field.margin_fx32, [&](int32_t px) { return field.at(px, span.row); });
   }
 }
 
-void count_projective_plane(const mapper::ProjectivePlane& plane, mapper::SpanWalk& walk,
-                            Counter* counter) {
+void count_field(const mapper::ProjectiveField& field, mapper::SpanWalk walk, Counter* counter) {
   while (walk.next()) {
     const Span& span = walk.span();
-    const mapper::DividedLanes lanes = plane.lanes().of(span);
+    const mapper::DividedLanes lanes = field.of(span);
     counter->count(span, lanes.margin_fx32(),
                    [&](int32_t px) { return lanes.at(px - span.left_px); });
   }
 }
 
-void count_ruled_affine(mapper::SpanWalk& walk, Counter* counter) {
+// Of rows drawn together, too: their lanes are the same.
+void count_ruled_affine(mapper::SpanWalk walk, Counter* counter) {
   while (walk.next()) {
     const Span& span = walk.span();
     const mapper::AffineField field = mapper::AffineLanes(walk.map(), span).field(span);
@@ -107,25 +108,70 @@ void count_ruled_affine(mapper::SpanWalk& walk, Counter* counter) {
   }
 }
 
-void count_in_depth(mapper::SpanWalk& walk, Counter* counter) {
-  while (walk.next()) {
-    const mapper::SpanMap map = walk.map();
-    int32_t pieces = 0;
-    const auto count = [&](const Span& piece) {
-      const mapper::ProjectiveLanes lanes(map, piece);
-      ++pieces;
-      counter->count(piece, lanes.margin_fx32(),
-                     [&](int32_t px) { return lanes.at(px - piece.left_px); });
-    };
-    const mapper::ProjectiveLanes whole(map, walk.span());
-    const double growth = whole.denominator().step;
-    if (growth != 0) counter->found.kind = MapKind::kInDepth;
-    if (whole.ratio() <= mapper::kGentleRatio) {
-      count(walk.span());
+// A row by its own lanes, whole or in gentle pieces.
+void count_row(const mapper::SpanWalk& walk, Counter* counter) {
+  const mapper::SpanMap map = walk.map();
+  int32_t pieces = 0;
+  const auto count = [&](const Span& piece) {
+    const mapper::ProjectiveLanes lanes(map, piece);
+    ++pieces;
+    counter->count(piece, lanes.margin_fx32(),
+                   [&](int32_t px) { return lanes.at(px - piece.left_px); });
+  };
+  const mapper::ProjectiveLanes whole(map, walk.span());
+  const double growth = whole.denominator().step;
+  if (growth != 0) counter->found.kind = MapKind::kInDepth;
+  if (whole.ratio() <= mapper::kGentleRatio) {
+    count(walk.span());
+  } else {
+    mapper::for_each_gentle_piece(walk.span(), growth > 0, count);
+  }
+  if (pieces > mapper::kMostPieces) counter->fail("too many pieces");
+}
+
+// A polygon by one map of all its rows, if it has one.
+[[nodiscard]] bool count_plane(const mapper::Polygon& polygon, const selvage_rect& part,
+                               Counter* counter) {
+  if (const auto plane = mapper::Plane::of(polygon, part)) {
+    count_affine_field(plane->lanes(), mapper::SpanWalk(polygon, part), counter);
+    return true;
+  }
+  const auto plane = mapper::ProjectivePlane::of(polygon, part);
+  if (polygon.affine || !plane) return false;
+  counter->found.kind = MapKind::kInDepth;
+  count_field(plane->lanes(), mapper::SpanWalk(polygon, part), counter);
+  return true;
+}
+
+// As draw() takes a slab: by its plane, or by the formula of its rows.
+[[nodiscard]] bool count_slab(const mapper::Slab& slab, const selvage_rect& part,
+                              Counter* counter) {
+  if (slab.rows() < mapper::kLeastSlabRows) return false;
+  const mapper::SlabOutline outline(slab);
+  const mapper::Polygon polygon = outline.polygon();
+  const selvage_rect rows =
+      mapper::part_of(polygon, {part.left, slab.first_row, part.right, slab.end_row});
+  if (mapper::is_empty(rows) || count_plane(polygon, rows, counter)) return true;
+  if (polygon.affine) {
+    count_ruled_affine(mapper::SpanWalk(polygon, rows), counter);
+    return true;
+  }
+  const auto field = mapper::ruled_field(slab, polygon, rows);
+  if (!field) return false;
+  counter->found.kind = MapKind::kRuledInDepth;
+  count_field(*field, mapper::SpanWalk(polygon, rows), counter);
+  return true;
+}
+
+void count_slabs(const mapper::Polygon& polygon, const selvage_rect& part, Counter* counter) {
+  mapper::SlabWalk slabs(polygon, part);
+  mapper::SpanWalk spans(polygon, part);
+  while (const auto slab = slabs.next()) {
+    if (count_slab(*slab, part, counter)) {
+      spans.skip_to(slab->end_row);
     } else {
-      mapper::for_each_gentle_piece(walk.span(), growth > 0, count);
+      while (spans.next_above(slab->end_row)) count_row(spans, counter);
     }
-    if (pieces > mapper::kMostPieces) counter->fail("too many pieces");
   }
 }
 
@@ -138,19 +184,16 @@ NearTies count_near_ties(const spec::Case& c) {
       visible.left >= visible.right || visible.top >= visible.bottom) {
     return {};
   }
+  const selvage_rect part = mapper::part_of(polygon, visible);
+  if (mapper::is_empty(part)) return {};
   Counter counter(c);
-  mapper::SpanWalk walk(polygon, visible);
-  if (const std::optional<mapper::Plane> plane = mapper::Plane::of(polygon, visible)) {
-    count_plane(*plane, walk, &counter);
-  } else if (polygon.affine) {
+  if (count_plane(polygon, part, &counter)) return counter.found;
+  if (polygon.affine) {
     counter.found.kind = MapKind::kRuledAffine;
-    count_ruled_affine(walk, &counter);
-  } else if (const auto in_depth = mapper::ProjectivePlane::of(polygon, visible)) {
-    counter.found.kind = MapKind::kInDepth;
-    count_projective_plane(*in_depth, walk, &counter);
+    count_ruled_affine(mapper::SpanWalk(polygon, part), &counter);
   } else {
     counter.found.kind = MapKind::kSameDepthAlongRows;
-    count_in_depth(walk, &counter);
+    count_slabs(polygon, part, &counter);
   }
   return counter.found;
 }

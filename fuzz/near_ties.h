@@ -8,8 +8,8 @@
 
 namespace selvage::fuzz {
 
-enum class MapKind { kPlane, kRuledAffine, kSameDepthAlongRows, kInDepth };
-inline constexpr int kMapKinds = 4;
+enum class MapKind { kPlane, kRuledAffine, kSameDepthAlongRows, kInDepth, kRuledInDepth };
+inline constexpr int kMapKinds = 5;
 inline constexpr int32_t kRun_px = 16;
 
 struct NearTies {

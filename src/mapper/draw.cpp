@@ -70,12 +70,10 @@ void draw_span(const SpanWalk& walk, const Polygon& polygon, const Surface& surf
   return plane.has_value();
 }
 
-// A slab by its plane or by the formula of its rows, if there is either. It costs less than rows
-// one by one where there are some.
+// A slab by its plane or by the formula of its rows, if there is either.
 [[nodiscard]] bool draw_slab(const Slab& slab, const selvage_rect& part, const Surface& surface,
                              const Kernels& kernels) {
-  constexpr int32_t kLeastRows = 4;
-  if (slab.rows() < kLeastRows) return false;
+  if (slab.rows() < kLeastSlabRows) return false;
   const SlabOutline outline(slab);
   const Polygon polygon = outline.polygon();
   const selvage_rect rows = part_of(polygon, {part.left, slab.first_row, part.right, slab.end_row});

@@ -26,6 +26,9 @@ struct Slab {
   [[nodiscard]] int32_t rows() const { return end_row - first_row; }
 };
 
+// Fewer rows are drawn one by one, which costs less than setting up a slab.
+inline constexpr int32_t kLeastSlabRows = 4;
+
 // From the first visible row to the last.
 class SlabWalk {
  public:
