@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "mapper/affine_slab.h"
 #include "mapper/filter_point.h"
 #include "mapper/gentle_pieces.h"
 #include "mapper/plane.h"
@@ -10,6 +11,7 @@
 #include "mapper/projective_plane.h"
 #include "mapper/projective_slab.h"
 #include "mapper/slab.h"
+#include "mapper/span_batch.h"
 #include "mapper/span_walk.h"
 #include "mapper/texel_index.h"
 #include "mapper/vector_kernel.h"
@@ -99,13 +101,27 @@ void count_field(const mapper::ProjectiveField& field, mapper::SpanWalk walk, Co
   }
 }
 
-// Of rows drawn together, too: their lanes are the same.
-void count_ruled_affine(mapper::SpanWalk walk, Counter* counter) {
-  while (walk.next()) {
-    const Span& span = walk.span();
-    const mapper::AffineField field = mapper::AffineLanes(walk.map(), span).field(span);
-    counter->count(span, field.margin_fx32, [&](int32_t px) { return field.at(px, span.row); });
+void count_ruled_affine(const mapper::Slab& slab, const mapper::Polygon& polygon,
+                        const selvage_rect& rows, Counter* counter) {
+  mapper::BatchWalk walk(polygon, rows, mapper::find_spans_scalar);
+  mapper::SpanBatch batch;
+  mapper::RuledRows lanes;
+  while (walk.next(&batch)) {
+    mapper::find_lanes(std::span(&slab, 1), batch, &lanes);
+    for (int32_t i = 0; i < batch.rows; ++i) {
+      const Span span = batch.span(i);
+      const mapper::AffineLanes row = lanes.lanes(i);
+      counter->count(span, lanes.margin_fx32,
+                     [&](int32_t px) { return row.at(px - span.left_px); });
+    }
   }
+}
+
+void count_affine_row(const mapper::SpanWalk& walk, Counter* counter) {
+  const Span& span = walk.span();
+  const mapper::AffineLanes lanes(walk.map(), span);
+  counter->count(span, lanes.margin_fx32(),
+                 [&](int32_t px) { return lanes.at(px - span.left_px); });
 }
 
 // A row by its own lanes, whole or in gentle pieces.
@@ -153,7 +169,7 @@ void count_row(const mapper::SpanWalk& walk, Counter* counter) {
       mapper::part_of(polygon, {part.left, slab.first_row, part.right, slab.end_row});
   if (mapper::is_empty(rows) || count_plane(polygon, rows, counter)) return true;
   if (polygon.affine) {
-    count_ruled_affine(mapper::SpanWalk(polygon, rows), counter);
+    count_ruled_affine(slab, polygon, rows, counter);
     return true;
   }
   const auto field = mapper::ruled_field(slab, polygon, rows);
@@ -170,7 +186,8 @@ void count_slabs(const mapper::Polygon& polygon, const selvage_rect& part, Count
     if (count_slab(*slab, part, counter)) {
       spans.skip_to(slab->end_row);
     } else {
-      while (spans.next_above(slab->end_row)) count_row(spans, counter);
+      const auto count = polygon.affine ? count_affine_row : count_row;
+      while (spans.next_above(slab->end_row)) count(spans, counter);
     }
   }
 }
@@ -188,13 +205,8 @@ NearTies count_near_ties(const spec::Case& c) {
   if (mapper::is_empty(part)) return {};
   Counter counter(c);
   if (count_plane(polygon, part, &counter)) return counter.found;
-  if (polygon.affine) {
-    counter.found.kind = MapKind::kRuledAffine;
-    count_ruled_affine(mapper::SpanWalk(polygon, part), &counter);
-  } else {
-    counter.found.kind = MapKind::kSameDepthAlongRows;
-    count_slabs(polygon, part, &counter);
-  }
+  counter.found.kind = polygon.affine ? MapKind::kRuledAffine : MapKind::kSameDepthAlongRows;
+  count_slabs(polygon, part, &counter);
   return counter.found;
 }
 

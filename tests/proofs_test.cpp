@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "mapper/affine_slab.h"
 #include "mapper/bend.h"
 #include "mapper/edge.h"
 #include "mapper/filter_point.h"
@@ -130,6 +131,11 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
        {denominator_bits,
         {"PER_PIXEL", number(int64_t{kAffineErrorPerPixel_fx32}),
          barely_less(kAffineErrorPerPixel_fx32)}}},
+      {"ruled_rows",
+       {{"LANE_BITS", number(kCoordinateBits + kLaneFraction), "48"},
+        {"ERROR", number(kRuledError_fx32), "0.34"},
+        {"SLACK", number(kRuledSlack_fx32), "0.35"},
+        {"PER_PIXEL", number(int64_t{kRuledErrorPerPixel_fx32}), "1.85"}}},
       {"quotient",
        {{"CONVERSION", number(kConversionRoundings * 0x1p-53), "0x4p-53"},
         {"QUOTIENT_BITS", number(kCoordinateBits + 1 + kLaneFraction), "51"},

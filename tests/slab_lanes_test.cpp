@@ -62,42 +62,44 @@ void for_each_slab(uint64_t quads, bool affine, const Visit& visit) {
   }
 }
 
-// The floors are those that spans find one by one.
-TEST(AffineSlab, HasTheLanesOfItsSpans) {
-  int spans = 0;
-  for_each_slab(2000, true, [&](const auto&, const Polygon& polygon, const Slab& slab) {
+// The law of the filter for one lane.
+[[nodiscard]] bool holds(int64_t lane_fx32, int64_t margin_fx32, const Rational& texel) {
+  const Rational true_fx32 = texel * Rational(4294967296.0);
+  return lane_fx32 <= true_fx32 && true_fx32 < Rational(lane_fx32) + margin_fx32;
+}
+
+// The law of the filter, and that no lane is lower than its own pixels account for.
+TEST(AffineSlab, LanesAreLowByLessThanTheirMargin) {
+  int pixels = 0;
+  for_each_slab(2000, true, [&](const auto& vertices, const Polygon& polygon, const Slab& slab) {
     const int32_t first_row = slab.first_row + slab.rows() / 3;
-    SpanWalk walk(polygon, {-40000, first_row, 40000, std::min(slab.end_row, first_row + 9)});
+    const selvage_rect part =
+        part_of(polygon, {-40000, first_row, 40000, std::min(slab.end_row, first_row + 9)});
+    if (is_empty(part)) return;
+    BatchWalk batches(polygon, part, find_spans_scalar);
     SpanBatch batch;
-    batch.first_row = first_row;
-    batch.rows = std::min(slab.end_row - first_row, 9);
-    batch.widest_px = 0;
-    batch.left_px.fill(0);
-    batch.right_px.fill(0);
-    std::vector<AffineLanes> wanted;
-    std::vector<int32_t> rows;
-    while (walk.next()) {
-      const Span span = walk.span();
-      const auto i = static_cast<size_t>(span.row - first_row);
-      batch.left_px[i] = span.left_px;
-      batch.right_px[i] = span.right_px;
-      batch.widest_px = std::max(batch.widest_px, span.width_px());
-      wanted.emplace_back(walk.map(), span);
-      rows.push_back(span.row - first_row);
-    }
-    RuledRows lanes;
-    find_lanes(std::span(&slab, 1), batch, &lanes);
-    EXPECT_EQ(lanes.margin_fx32, static_cast<uint32_t>(batch.widest_px));
-    for (size_t k = 0; k < rows.size(); ++k) {
-      ++spans;
-      for (const int32_t px : {0, 1, 5}) {
-        if (px >= batch.span(rows[k]).width_px()) continue;
-        ASSERT_EQ(lanes.lanes(rows[k]).at(px).u_fx32, wanted[k].at(px).u_fx32);
-        ASSERT_EQ(lanes.lanes(rows[k]).at(px).v_fx32, wanted[k].at(px).v_fx32);
+    ASSERT_TRUE(batches.next(&batch));
+    RuledRows rows;
+    find_lanes(std::span(&slab, 1), batch, &rows);
+    EXPECT_EQ(rows.margin_fx32, kRuledErrorPerPixel_fx32 * static_cast<uint32_t>(batch.widest_px));
+    double most_denominator = 0;
+    for (int32_t i = 0; i < batch.rows; ++i) {
+      const Span span = batch.span(i);
+      if (span.empty()) continue;
+      const ExactRow row = ExactMap(RuledMap(slab)).row_from(span.left_px, span.row);
+      most_denominator = std::max(most_denominator, to_double(static_cast<int128>(row.d.start)));
+      for (const int32_t px : {0, span.width_px() / 2, span.width_px() - 1}) {
+        const auto exact = spec::sample(vertices, span.left_px + px, span.row);
+        const Lane lane = rows.lanes(i).at(px);
+        const int64_t least_margin_fx32 = kRuledErrorPerPixel_fx32 * int64_t{px + 1};
+        ASSERT_TRUE(holds(lane.u_fx32, least_margin_fx32, exact->u)) << "row " << span.row;
+        ASSERT_TRUE(holds(lane.v_fx32, least_margin_fx32, exact->v)) << "row " << span.row;
+        ++pixels;
       }
     }
+    EXPECT_NEAR(rows.most_denominator, most_denominator, most_denominator * 0x1p-50);
   });
-  EXPECT_GT(spans, 10000);
+  EXPECT_GT(pixels, 20000);
 }
 
 // Of a batch that begins above some slabs and ends in others, each row has its own; none is 0.
@@ -123,9 +125,9 @@ TEST(AffineSlab, FindsTheRowsOfAllSlabsInABatch) {
       EXPECT_EQ(rows.start[static_cast<size_t>(i)].u_fx32, 0);
       continue;
     }
-    const AffineLanes lanes(map.at(span.row), span);
-    EXPECT_EQ(rows.lanes(i).at(0).u_fx32, lanes.at(0).u_fx32) << i;
-    EXPECT_EQ(rows.lanes(i).at(0).v_fx32, lanes.at(0).v_fx32) << i;
+    const auto exact = spec::sample(vertices, span.left_px, span.row);
+    EXPECT_TRUE(holds(rows.start[static_cast<size_t>(i)].u_fx32, 2, exact->u)) << i;
+    EXPECT_TRUE(holds(rows.start[static_cast<size_t>(i)].v_fx32, 2, exact->v)) << i;
   }
 }
 
@@ -206,11 +208,8 @@ TEST(ProjectiveSlab, LanesAreLowByLessThanTheirMargin) {
       for (const int32_t px : {0, span.width_px() / 2, span.width_px() - 1}) {
         const auto exact = spec::sample(vertices, span.left_px + px, span.row);
         const Lane lane = lanes.at(px);
-        const auto holds = [&](int64_t lane_fx32, const Rational& texel) {
-          const Rational true_fx32 = texel * Rational(4294967296.0);
-          return lane_fx32 <= true_fx32 && true_fx32 < Rational(lane_fx32) + lanes.margin_fx32();
-        };
-        ASSERT_TRUE(holds(lane.u_fx32, exact->u) && holds(lane.v_fx32, exact->v));
+        ASSERT_TRUE(holds(lane.u_fx32, lanes.margin_fx32(), exact->u));
+        ASSERT_TRUE(holds(lane.v_fx32, lanes.margin_fx32(), exact->v));
         ASSERT_GE(lanes.denominator().start + px * lanes.denominator().step, 1 - 0x1p-20);
         ++pixels;
       }

@@ -13,10 +13,18 @@
 
 namespace selvage::mapper {
 
-// Exact floors of the lanes of spans' first pixels and of their steps.
+// Lanes at the starts of spans are estimated in double, and so are steps where there are two pixels
+// or more. Estimates are off by at most so much; lowered by the slack and floored they are low, by
+// less than kRuledErrorPerPixel_fx32.
+inline constexpr double kRuledError_fx32 = 0.35, kRuledSlack_fx32 = 0.5;
+inline constexpr uint32_t kRuledErrorPerPixel_fx32 = 2;
+static_assert(kWidestMargin_fx32 >= int64_t{kRuledErrorPerPixel_fx32} << 16);
+
+// The lanes of spans' first pixels, and their steps.
 struct RuledRows {
   std::array<Lane, kRowsPerBatch> start, step;
-  uint32_t margin_fx32;  // of the lane furthest from its start
+  uint32_t margin_fx32;     // of the lane furthest from its start
+  double most_denominator;  // that of a row's exact map is no greater, but for 2^-50 of it
 
   [[nodiscard]] AffineLanes lanes(int32_t index) const {
     const auto i = static_cast<size_t>(index);
@@ -27,37 +35,40 @@ struct RuledRows {
 // An edge of one q, by numbers that are linear in the row, all of them times its height.
 //
 //   name   unit                      bits
-//   x      1/256 px * height           49
-//   u, v   1/65536 texel * height      56
+//   x      1/256 px * height           49   exact in double
+//   u, v   1/65536 texel * height      56   rounded
 class AffineEdge {
  public:
   AffineEdge(const Edge& edge, int32_t first_row);
 
   struct Point {
-    int64_t x, u, v;
+    double x, u, v;
   };
   [[nodiscard]] Point at(int32_t rows_below) const {
-    return {first_.x + rows_below * down_.x, first_.u + rows_below * down_.u,
-            first_.v + rows_below * down_.v};
+    const double n = rows_below;
+    return {first_.x + n * down_.x, first_.u + n * down_.u, first_.v + n * down_.v};
   }
-  [[nodiscard]] int64_t height() const { return height_; }
+  [[nodiscard]] double height() const { return height_; }
 
  private:
-  int64_t height_;
+  double height_;
   Point first_, down_;
 };
 
 class AffineSlab {
  public:
   explicit AffineSlab(const Slab& slab)
-      : first_row_(slab.first_row), a_(slab.a, slab.first_row), b_(slab.b, slab.first_row) {}
+      : first_row_(slab.first_row),
+        q_(slab.a.top().q),
+        a_(slab.a, slab.first_row),
+        b_(slab.b, slab.first_row) {}
 
-  // Of some of a batch's rows, the slab's. Those of empty spans are 0.
+  // Of some of a batch's rows, the slab's. Those of empty spans are 0. Raises most_denominator.
   void find_lanes(const SpanBatch& batch, int32_t first_index, int32_t end_index,
                   RuledRows* rows) const;
 
  private:
-  int32_t first_row_;
+  int32_t first_row_, q_;
   AffineEdge a_, b_;
 };
 

@@ -36,7 +36,7 @@ class BatchTies {
  private:
   HWY_NOINLINE void find() {
     if (map_.is_ruled() && batch_.rows > 1) {
-      ruled_ = RuledTies(map_);
+      ruled_ = RuledTies<TwoLimbs>(map_);
       return;
     }
     const Span first = batch_.span(0);
@@ -53,7 +53,7 @@ class BatchTies {
   int spare_bits_;
   std::optional<PlaneTies<OneLimb>> short_;
   std::optional<PlaneTies<TwoLimbs>> long_;
-  std::optional<RuledTies> ruled_;
+  std::optional<RuledTies<TwoLimbs>> ruled_;
 };
 
 }  // namespace

@@ -124,14 +124,15 @@ class PlaneTies {
   PlaneWalk<typename Number::Divisor, Scalar> d_;
 };
 
-// The same of rows in no plane, of any denominators: each is found where it is gone to.
+// The same of rows in no plane: each is found where it is gone to.
+template <class Number>
 class RuledTies {
  public:
   HWY_INLINE explicit RuledTies(const ExactMap& map) : map_(&map) {}
 
   HWY_NOINLINE void go_to(const Span& span) {
     span_ = span;
-    ties_ = Ties(BatchRows(map_->row_from(span.left_px, span.row)), span);
+    ties_ = PlaneTies<Number>(BatchRows(map_->row_from(span.left_px, span.row)), span);
   }
   // Before the first: of a row that there is not.
   [[nodiscard]] HWY_INLINE const Span& span() const { return span_; }
@@ -141,11 +142,9 @@ class RuledTies {
   }
 
  private:
-  using Ties = PlaneTies<TwoLimbs>;
-
   const ExactMap* map_;
   Span span_{INT32_MIN, 0, 0};
-  std::optional<Ties> ties_;
+  std::optional<PlaneTies<Number>> ties_;
 };
 
 }  // namespace

@@ -94,15 +94,25 @@ HWY_NOINLINE void draw_decided(const Window& window, const RuledSpans& spans,
   }
 }
 
+template <class Pixel, class Ties>
+HWY_INLINE void draw_near_ties_by(Ties ties, const TexelRanges& texels, const RuledSpans& spans,
+                                  const Surface& surface) {
+  with_decided_window<Pixel>(
+      texels, surface, lack_fx16(spans.rows.margin_fx32), &ties,
+      [&](const auto& window) { draw_decided<Pixel>(window, spans, surface); });
+}
+
 // Draws a batch that was drawn from one window in vain, if that lies within the texture.
 template <class Pixel>
 [[nodiscard]] HWY_INLINE bool draw_near_ties(const RuledSpans& spans, const Surface& surface) {
   const TexelRanges texels(spans.texels);
   if (!texels.within(surface.texture)) return false;
-  RuledTies ties(spans.exact);
-  with_decided_window<Pixel>(
-      texels, surface, lack_fx16(spans.rows.margin_fx32), &ties,
-      [&](const auto& window) { draw_decided<Pixel>(window, spans, surface); });
+  const int32_t lack = lack_fx16(spans.rows.margin_fx32);
+  if (are_64_enough(static_cast<int128>(spans.rows.most_denominator), spare_bits_fx16(lack))) {
+    draw_near_ties_by<Pixel>(RuledTies<OneLimb>(spans.exact), texels, spans, surface);
+  } else {
+    draw_near_ties_by<Pixel>(RuledTies<TwoLimbs>(spans.exact), texels, spans, surface);
+  }
   return true;
 }
 
