@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -141,6 +142,27 @@ TEST(RowKernel, FindsSpansOfTheLargestTriangles) {
     }
     ASSERT_FALSE(HasFailure());
   }
+}
+
+// From the top to the bottom, in whatever order the vertices are given.
+TEST(Outline, KnowsTheCornersOfATriangle) {
+  const selvage_vertex a{0, 0, 0, 0, 1}, b{900, 500, 0, 0, 1}, c{-300, 800, 0, 0, 1};
+  const std::array<std::array<selvage_vertex, 3>, 6> orders = {
+      {{a, b, c}, {b, c, a}, {c, a, b}, {a, c, b}, {c, b, a}, {b, a, c}}};
+  for (const auto& order : orders) {
+    Polygon polygon;
+    ASSERT_EQ(examine(order, &polygon), SELVAGE_OK);
+    const Outline outline(polygon);
+    ASSERT_TRUE(outline.is_triangle());
+    const auto& [top, middle, bottom] = outline.corners();
+    EXPECT_EQ(top.y, a.y);
+    EXPECT_EQ(middle.y, b.y);
+    EXPECT_EQ(bottom.y, c.y);
+  }
+  const selvage_vertex quad[] = {a, b, {500, 900, 0, 0, 1}, c};
+  Polygon polygon;
+  ASSERT_EQ(examine(quad, &polygon), SELVAGE_OK);
+  EXPECT_FALSE(Outline(polygon).is_triangle());
 }
 
 }  // namespace
