@@ -1,7 +1,6 @@
 // The outline: a polygon's edges as its rows meet them.
 #pragma once
 
-#include <cstddef>
 #include <optional>
 
 #include "mapper/edge.h"
@@ -34,15 +33,8 @@ class Outline {
   }
 
   [[nodiscard]] bool is_triangle() const { return polygon_->vertices.size() == 3; }
-  // Found without a guess: of the lower two, either is as often in the middle.
-  [[nodiscard]] TriangleCorners corners() const {
-    const selvage_vertex* const v = polygon_->vertices.data();
-    const size_t first = polygon_->top, second = first == 2 ? 0 : first + 1,
-                 third = 3 - first - second;
-    const size_t is_second_last = v[second].y > v[third].y;
-    const size_t middle = second + is_second_last * (third - second);
-    return {v[first], v[middle], v[second + third - middle]};
-  }
+  // Of a triangle.
+  [[nodiscard]] TriangleCorners corners() const;
 
  private:
   const Polygon* polygon_;
