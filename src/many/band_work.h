@@ -1,6 +1,7 @@
 // How much there is to draw in each band, about.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
@@ -10,33 +11,36 @@ namespace selvage::many {
 
 class BandWork {
  public:
-  // In each of these bands.
+  // In each of these bands; not negative.
   void add(BandRange bands, double cost_px) {
-    for (size_t band = bands.first; band < bands.end; ++band) work_[band] += cost_px;
+    steps_[bands.first] += cost_px;
+    steps_[bands.end] -= cost_px;
   }
   void add(const BandWork& other) {
-    for (size_t band = 0; band < kMostBands; ++band) work_[band] += other.work_[band];
+    for (size_t band = 0; band < steps_.size(); ++band) steps_[band] += other.steps_[band];
   }
 
   // One of so many parts of these bands, with about as much work as each other; one may be empty.
   // All of them together are all bands, in order.
   [[nodiscard]] BandRange part(BandRange bands, size_t index, size_t parts) const {
-    double all = 0;
-    for (size_t band = bands.first; band < bands.end; ++band) all += work_[band];
-    const double share = all / static_cast<double>(parts);
+    std::array<double, kMostBands + 1> before{};  // the work of these bands up to each
+    double of_band = 0;
+    for (size_t band = 0; band < bands.end; ++band) {
+      of_band += steps_[band];
+      before[band + 1] = before[band] + (band < bands.first ? 0 : of_band);
+    }
+    const double share = before[bands.end] / static_cast<double>(parts);
     const auto boundary = [&](size_t i) {
-      double before = 0;
-      size_t band = bands.first;
-      for (; band < bands.end && before < share * static_cast<double>(i); ++band) {
-        before += work_[band];
-      }
-      return band;
+      const auto first = before.begin() + static_cast<ptrdiff_t>(bands.first),
+                 end = before.begin() + static_cast<ptrdiff_t>(bands.end);
+      const double wanted = share * static_cast<double>(i);
+      return static_cast<size_t>(std::lower_bound(first, end, wanted) - before.begin());
     };
     return {boundary(index), index + 1 == parts ? bands.end : boundary(index + 1)};
   }
 
  private:
-  std::array<double, kMostBands> work_{};
+  std::array<double, kMostBands + 1> steps_{};  // from the band before
 };
 
 }  // namespace selvage::many

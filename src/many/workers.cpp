@@ -39,9 +39,9 @@ int32_t worker_count(int32_t threads) {
 // program. Where oneTBB has no memory for its tasks it throws, but not before those that it started
 // have ended; the caller's thread then does what is left.
 void run_workers(int32_t workers, Work work, void* context) {
-  const auto task = [&](int32_t) {
+  const auto task = [&](int32_t worker) {
     comes_after_that(context);
-    work(context);
+    work(context, static_cast<size_t>(worker));
     happened_so_far(context);
   };
   happened_so_far(context);
@@ -49,7 +49,7 @@ void run_workers(int32_t workers, Work work, void* context) {
     tbb::this_task_arena::isolate(
         [&] { tbb::parallel_for(0, workers, task, tbb::simple_partitioner()); });
   } catch (...) {
-    work(context);
+    work(context, 0);
   }
   comes_after_that(context);
 }
@@ -62,7 +62,7 @@ namespace selvage::many {
 
 int32_t worker_count(int32_t) { return 1; }
 
-void run_workers(int32_t, Work work, void* context) { work(context); }
+void run_workers(int32_t, Work work, void* context) { work(context, 0); }
 
 }  // namespace selvage::many
 

@@ -1,6 +1,7 @@
 // Workers: the only room that knows of threads. share_out.h is what the others call.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace selvage::many {
@@ -9,11 +10,13 @@ namespace selvage::many {
 // without oneTBB.
 [[nodiscard]] int32_t worker_count(int32_t threads);
 
-using Work = void (*)(void* context);
+using Work = void (*)(void* context, size_t worker);
 
-// Calls work(context), on the caller's thread and at the same time on up to `workers` - 1 others,
-// as far as the machine has them. Returns when all calls have; there is at least one. They see what
-// the caller wrote before, and the caller what they wrote. Work must not throw.
+// Calls work(context, worker), on the caller's thread and at the same time on up to `workers` - 1
+// others, as far as the machine has them. `worker` is below `workers`, another one in each call but
+// for one that may come twice, and mostly 0 on the caller's thread. Returns when all calls have;
+// there is at least one. They see what the caller wrote before, and the caller what they wrote.
+// Work must not throw.
 void run_workers(int32_t workers, Work work, void* context);
 
 }  // namespace selvage::many
