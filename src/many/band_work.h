@@ -11,7 +11,7 @@ namespace selvage::many {
 
 class BandWork {
  public:
-  // In each of these bands; not negative.
+  // In each of these bands, if there are any; not negative.
   void add(BandRange bands, double cost_px) {
     steps_[bands.first] += cost_px;
     steps_[bands.end] -= cost_px;
@@ -27,7 +27,8 @@ class BandWork {
     double of_band = 0;
     for (size_t band = 0; band < bands.end; ++band) {
       of_band += steps_[band];
-      before[band + 1] = before[band] + (band < bands.first ? 0 : of_band);
+      // Where many costs were rounded, of_band may be a little below 0.
+      before[band + 1] = before[band] + (band < bands.first ? 0 : std::max(of_band, 0.0));
     }
     const double share = before[bands.end] / static_cast<double>(parts);
     const auto boundary = [&](size_t i) {
@@ -40,7 +41,7 @@ class BandWork {
   }
 
  private:
-  std::array<double, kMostBands + 1> steps_{};  // from the band before
+  std::array<double, kMostBands + 1> steps_{};  // by how much a band has more than the one before
 };
 
 }  // namespace selvage::many

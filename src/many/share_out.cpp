@@ -12,8 +12,9 @@ namespace {
 constexpr size_t kMostStretches = 64;
 constexpr size_t kCacheLine_bytes = 64;
 
-// The tasks in as many stretches as workers. Each worker begins with its own, and when that is done
-// helps with the one after it, and so on round: call after call it meets what it has in its cache.
+// The tasks in a stretch for each worker, as far as there are stretches. Each begins with its own,
+// and when that is done helps with the one after it, and so on round: where oneTBB gives a thread
+// the same number again, it meets what it has in its cache.
 class Queue {
  public:
   Queue(size_t count, size_t workers, Task task, const void* context)
@@ -40,7 +41,6 @@ class Queue {
     }
   }
 
-  // There are at least as many tasks as stretches.
   [[nodiscard]] size_t begin_of(size_t stretch) const {
     return count_ / stretches_ * stretch + std::min(stretch, count_ % stretches_);
   }

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
 
@@ -35,9 +36,10 @@ int32_t worker_count(int32_t threads) {
 }
 
 // As many tasks as workers, in the arena that the caller is in: making one of its own would cost
-// more than a small picture. Isolated: while the caller waits it takes up no other work of the
-// program. Where oneTBB has no memory for its tasks it throws, but not before those that it started
-// have ended; the caller's thread then does what is left.
+// more than a small picture. Isolated twice: while the caller waits it takes up no other work of
+// the program, and where the program cancels the task that it is in, these go on. Where oneTBB has
+// no memory for its tasks it throws, but not before those that it started have ended; the caller's
+// thread then does what is left.
 void run_workers(int32_t workers, Work work, void* context) {
   const auto task = [&](int32_t worker) {
     comes_after_that(context);
@@ -46,8 +48,9 @@ void run_workers(int32_t workers, Work work, void* context) {
   };
   happened_so_far(context);
   try {
+    tbb::task_group_context group(tbb::task_group_context::isolated);
     tbb::this_task_arena::isolate(
-        [&] { tbb::parallel_for(0, workers, task, tbb::simple_partitioner()); });
+        [&] { tbb::parallel_for(0, workers, task, tbb::simple_partitioner(), group); });
   } catch (...) {
     work(context, 0);
   }

@@ -1,0 +1,36 @@
+// A caller's oneTBB tasks may be cancelled. What it asked of selvage_draw_many is drawn all the
+// same.
+#include <gtest/gtest.h>
+#include <tbb/task_group.h>
+
+#include "support.h"
+
+namespace selvage::many {
+namespace {
+
+[[nodiscard]] Target drawn(const List& list, int32_t threads) {
+  Target target;
+  Scratch scratch(list.polygons.size());
+  const selvage_image image = target.image();
+  EXPECT_EQ(selvage_draw_many(&image, nullptr, list.polygons.data(), list.polygons.size(), nullptr,
+                              threads, scratch.memory.data(), scratch.bytes, nullptr),
+            SELVAGE_OK);
+  return target;
+}
+
+TEST(Cancelled, DrawsAll) {
+  for (const size_t count : {30U, 3000U}) {
+    const List list(count, /*seed=*/count);
+    const Target expected = drawn(list, 1);
+    Target target;
+    tbb::task_group group;
+    group.run_and_wait([&] {
+      group.cancel();
+      target = drawn(list, 4);
+    });
+    EXPECT_TRUE(target == expected) << count << " polygons";
+  }
+}
+
+}  // namespace
+}  // namespace selvage::many
