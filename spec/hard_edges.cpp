@@ -1,5 +1,6 @@
 // Hard for coverage: slivers, needles, edges through samples and edges that just miss them.
 #include <algorithm>
+#include <cstdlib>
 
 #include "spec/generate_near_ties.h"
 #include "spec/hard_makers.h"

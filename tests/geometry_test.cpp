@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "spec/geometry.h"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 
 #include <gmpxx.h>
 
+#include <algorithm>
 #include <compare>
 
 #include "spec/random.h"

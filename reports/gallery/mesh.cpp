@@ -1,5 +1,6 @@
 #include "reports/gallery/mesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <utility>

@@ -1,5 +1,6 @@
 #include "cli/jpeg.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "sample_pictures.h"

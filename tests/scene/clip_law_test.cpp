@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 #include <optional>
+#include <string>
 
 #include "plane_face.h"
 #include "scene/screen_face.h"
