@@ -1,8 +1,8 @@
-#include <algorithm>
-
 #include "spec/geometry.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "spec/exact.h"
 #include "spec/generate.h"
