@@ -86,7 +86,7 @@ TEST(Capabilities, TakeSomeLawsTheirSay) {
 }
 
 // The built-in mapper, asked for less, holds all laws that are left, and each has its say.
-TEST(Capabilities, LeaveARightMapperRight) {
+TEST(CapabilitiesAtLength, LeaveARightMapperRight) {
   for (const Capabilities& claims : some_claims()) {
     Subject subject = built_in();
     subject.claims = claims;

@@ -97,7 +97,7 @@ TEST(GenerateHistoric, MeansTheSameCasesOnEveryMachine) {
   return is_valid(c) && (changes(c, 1) || changes(c, -1));
 }
 
-TEST(GenerateHistoric, ReachesWhatIsHard) {
+TEST(GenerateHistoricAtLength, ReachesWhatIsHard) {
   for (const Profile& profile : profiles().subspan(1)) {
     const std::vector<Case> cases = cases_of(profile.id);
     expect_share(cases, "targets of hundreds of pixels", 4, 9, is_long);

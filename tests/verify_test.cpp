@@ -253,7 +253,7 @@ TEST(Simpler, OffersAReasonableNumberLargeStepsFirst) {
 }
 
 // Even where only the last and least simplification ever works, descent ends.
-TEST(Simpler, EndsOnTheSlowestWay) {
+TEST(SimplerAtLength, EndsOnTheSlowestWay) {
   Case c = generate(5);
   c.vertices.resize(std::min<size_t>(c.vertices.size(), 3));
   for (selvage_vertex& vertex : c.vertices) vertex.q = 1 + vertex.q % 50;

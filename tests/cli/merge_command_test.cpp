@@ -63,7 +63,9 @@ class Merge : public InDirectory {
   }
 };
 
-TEST_F(Merge, GivesTheVerdictOfTheRunInOnePiece) {
+using MergeAtLength = Merge;
+
+TEST_F(MergeAtLength, GivesTheVerdictOfTheRunInOnePiece) {
   for (const int count : {1, 2, 3, 8}) {
     const auto right = put_shards(spec::built_in(), count);
     EXPECT_EQ(without_times(merge(right, kExitFine)),

@@ -13,6 +13,7 @@
 
 #include "cli/error.h"
 #include "cli/raster.h"
+#include "tests/temporary_folder.h"
 
 namespace selvage::cli::test {
 
@@ -36,20 +37,14 @@ inline void expect_contains(const std::string& text, const std::string& part) {
 class InDirectory : public testing::Test {
  protected:
   InDirectory() : before_(std::filesystem::current_path()) {
-    std::string name = (std::filesystem::temp_directory_path() / "selvage-test-XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary directory");
-    directory_ = name;
-    std::filesystem::current_path(directory_);
+    std::filesystem::current_path(folder_.path());
   }
-  ~InDirectory() override {
-    std::filesystem::current_path(before_);
-    std::filesystem::remove_all(directory_);
-  }
+  ~InDirectory() override { std::filesystem::current_path(before_); }
 
   // The names of what lies in the directory, temporary files included.
   [[nodiscard]] std::vector<std::string> files() const {
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(directory_)) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
       names.push_back(entry.path().filename().string());
     }
     std::sort(names.begin(), names.end());
@@ -57,7 +52,8 @@ class InDirectory : public testing::Test {
   }
 
  private:
-  std::filesystem::path before_, directory_;
+  TemporaryFolder folder_;
+  std::filesystem::path before_;
 };
 
 inline void put(const std::string& name, std::span<const uint8_t> bytes) {

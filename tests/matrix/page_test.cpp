@@ -8,6 +8,7 @@
 #include "reports/page/known.h"
 #include "reports/page/matrix.h"
 #include "spec/case.h"
+#include "tests/page/contains.h"
 
 namespace selvage::reports {
 namespace {
@@ -62,10 +63,6 @@ const json kLaws = {{{"law", "COV"}, {"statement", "covered <is> covered"}},
           {"not_promised", {{{"law", "TOTAL"}, {"why", "names no errors"}}}}};
 }
 
-[[nodiscard]] bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 [[nodiscard]] json matrix_with(const json& findings, const std::string& group = "peers") {
   return matrix_of({{.group = group, .id = "one", .verdict = verdict(), .error = ""},
                     {.group = "peers", .id = "two", .verdict = nullptr, .error = "no <library>"}},
@@ -80,7 +77,7 @@ TEST(Matrix, ShowsWhatWasNotJudged) {
       {"law", "COV"}, {"verdict", "not judged"}, {"cases", 0}, {"judged_px", 0}, {"time_ns", 0}};
   const json matrix = matrix_of({row}, kLaws, json::object());
   EXPECT_EQ(matrix.at("subjects")[0].at("cells")[0].at("verdict"), "not judged");
-  EXPECT_TRUE(holds(matrix_section(matrix), "<td class=quiet>not judged"));
+  EXPECT_TRUE(contains(matrix_section(matrix), "<td class=quiet>not judged"));
   EXPECT_FALSE(ours_hold(matrix)) << "it has shown nothing";
 }
 
@@ -103,16 +100,16 @@ TEST(Matrix, IsNoFailureUnlessAMapperOfOursBreaksALaw) {
 
 TEST(Matrix, SectionShowsEveryKindOfCell) {
   const std::string html = matrix_section(matrix_with(json::object()));
-  EXPECT_TRUE(holds(html, "one 2.0"));
-  EXPECT_TRUE(holds(html, "title=\"covered &lt;is&gt; covered\""));
-  EXPECT_TRUE(holds(html, "0.250 of bound"));
-  EXPECT_TRUE(holds(html, "90 cases, 12&nbsp;345 px; not claimed: 3 cases: perspective"));
-  EXPECT_TRUE(holds(html, "href=\"matrix/one-MAP.html\""));
-  EXPECT_TRUE(holds(html, "unexamined"));
-  EXPECT_TRUE(holds(html, "names no errors"));
-  EXPECT_TRUE(holds(html, "not judged: no &lt;library&gt;"));
-  EXPECT_TRUE(holds(html, "<td class=quiet title=\"MAP &lt;does&gt;\"></td>"));
-  EXPECT_FALSE(holds(html, "promised\"></td>")) << "only what says nothing tells why";
+  EXPECT_TRUE(contains(html, "one 2.0"));
+  EXPECT_TRUE(contains(html, "title=\"covered &lt;is&gt; covered\""));
+  EXPECT_TRUE(contains(html, "0.250 of bound"));
+  EXPECT_TRUE(contains(html, "90 cases, 12&nbsp;345 px; not claimed: 3 cases: perspective"));
+  EXPECT_TRUE(contains(html, "href=\"matrix/one-MAP.html\""));
+  EXPECT_TRUE(contains(html, "unexamined"));
+  EXPECT_TRUE(contains(html, "names no errors"));
+  EXPECT_TRUE(contains(html, "not judged: no &lt;library&gt;"));
+  EXPECT_TRUE(contains(html, "<td class=quiet title=\"MAP &lt;does&gt;\"></td>"));
+  EXPECT_FALSE(contains(html, "promised\"></td>")) << "only what says nothing tells why";
   EXPECT_EQ(matrix_section(nullptr), "");
 }
 
@@ -126,12 +123,12 @@ TEST(Matrix, FindingsAreShownWhereTheLawWasBrokenAlone) {
   const json matrix = matrix_with(findings);
   EXPECT_FALSE(matrix.at("subjects")[0].at("cells")[0].contains("finding"));
   const std::string html = matrix_section(matrix);
-  EXPECT_TRUE(holds(html, ">defect</a>"));
-  EXPECT_TRUE(holds(html, "it promises &lt;more&gt;"));
-  EXPECT_TRUE(holds(html, "Source: its manual"));
-  EXPECT_TRUE(holds(html, "samples corners"));
-  EXPECT_TRUE(holds(html, "(examined: 1.9)"));
-  EXPECT_FALSE(holds(html, "unexamined"));
+  EXPECT_TRUE(contains(html, ">defect</a>"));
+  EXPECT_TRUE(contains(html, "it promises &lt;more&gt;"));
+  EXPECT_TRUE(contains(html, "Source: its manual"));
+  EXPECT_TRUE(contains(html, "samples corners"));
+  EXPECT_TRUE(contains(html, "(examined: 1.9)"));
+  EXPECT_FALSE(contains(html, "unexamined"));
 }
 
 // A finding is about the case that it was found on. Where that holds now it is stale, and another
@@ -143,9 +140,9 @@ TEST(Matrix, FindingsWhoseCaseHoldsAreStale) {
        {{"examined", "1"}, {"convention", "c"}, {"laws", {{"MAP", finding}, {"COV", finding}}}}}};
   const json matrix = matrix_with(findings);
   EXPECT_EQ(matrix["subjects"][0].at("stale"), json::array({"COV", "MAP"}));
-  EXPECT_TRUE(holds(matrix_section(matrix),
-                    "<strong>COV</strong>: the case that the finding is about holds now"));
-  EXPECT_TRUE(holds(matrix_section(matrix), "unexamined"));
+  EXPECT_TRUE(contains(matrix_section(matrix),
+                       "<strong>COV</strong>: the case that the finding is about holds now"));
+  EXPECT_TRUE(contains(matrix_section(matrix), "unexamined"));
   const auto open = open_questions(matrix);
   ASSERT_EQ(open.size(), 3u);
   EXPECT_EQ(open[1], "one: MAP: the finding is stale: its case holds");
@@ -226,25 +223,26 @@ TEST(Matrix, CounterexampleTellsAllThatIsNeeded) {
         "texel (0, 0)", "nothing", "case 12", "one-MAP.png", "drawn | expected | difference",
         "(1, 0), (0, 0), 1", "selvage verify --subject a.so --law MAP --case 02",
         "../index.html#matrix"})
-    EXPECT_TRUE(holds(html, part)) << part;
+    EXPECT_TRUE(contains(html, part)) << part;
 
-  EXPECT_FALSE(holds(html, "tile"));
+  EXPECT_FALSE(contains(html, "tile"));
 
   json cell = subject.at("cells")[1];
   cell["violation"]["notes"] = {"cut <short>"};
-  EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "cut &lt;short&gt;"));
+  EXPECT_TRUE(contains(counterexample_page(matrix, subject, cell), "cut &lt;short&gt;"));
   cell["violation"]["found_by"] = "hunt";
-  EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "in hunted case 12"));
+  EXPECT_TRUE(contains(counterexample_page(matrix, subject, cell), "in hunted case 12"));
   cell["violation"]["found_by"] = "corpus";
-  EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "known before, and tried first"));
+  EXPECT_TRUE(
+      contains(counterexample_page(matrix, subject, cell), "known before, and tried first"));
   cell["finding"] = {{"kind", "defect"}, {"text", "t"}};
-  EXPECT_FALSE(holds(counterexample_page(matrix, subject, cell), "by itself the case can hold"));
+  EXPECT_FALSE(contains(counterexample_page(matrix, subject, cell), "by itself the case can hold"));
   cell["finding"]["varies"] = true;
-  EXPECT_TRUE(holds(counterexample_page(matrix, subject, cell), "by itself the case can hold"));
+  EXPECT_TRUE(contains(counterexample_page(matrix, subject, cell), "by itself the case can hold"));
   cell["law"] = "PINWHEEL";
   const std::string fan = counterexample_page(matrix, subject, cell);
-  EXPECT_TRUE(holds(fan, "drawn in tiles: triangles from (4.5, 5.5) px to each side"));
-  EXPECT_TRUE(holds(fan, "blue is drawn by one tile"));
+  EXPECT_TRUE(contains(fan, "drawn in tiles: triangles from (4.5, 5.5) px to each side"));
+  EXPECT_TRUE(contains(fan, "blue is drawn by one tile"));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 // breaks its law, and no law is broken that no finding is about.
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -12,13 +11,13 @@
 #include "spec/case.h"
 #include "spec/verify.h"
 #include "testbed/host.h"
+#include "tests/matrix/patience.h"
 
 namespace selvage::testbed {
 namespace {
 
 using json = nlohmann::ordered_json;
 
-constexpr std::chrono::seconds kPatience{20};
 constexpr uint64_t kCases = 150;
 
 class PeerFindings : public testing::TestWithParam<std::string> {

@@ -10,11 +10,10 @@
 
 #include "spec/picture.h"
 #include "testbed/host.h"
+#include "tests/matrix/patience.h"
 
 namespace selvage::testbed {
 namespace {
-
-constexpr std::chrono::seconds kPatience{20};
 
 [[nodiscard]] std::set<std::filesystem::path> libraries() {
   std::set<std::filesystem::path> found;

@@ -10,19 +10,13 @@
 #include <sstream>
 #include <string>
 
+#include "tests/temporary_folder.h"
+
+namespace selvage {
 namespace {
 
 using json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
-
-const fs::path kOut = fs::path(testing::TempDir()) / "selvage_matrix_test";
-
-[[nodiscard]] int run(const std::string& arguments) {
-  const std::string command = std::string(SELVAGE_TOP) + "/reports/matrix --program " +
-                              SELVAGE_PROGRAM + " --only --jobs 2 --cases 40 --seed 1 --output " +
-                              kOut.string() + " " + arguments + " 2>" + kOut.string() + ".errors";
-  return WEXITSTATUS(std::system(command.c_str()));
-}
 
 [[nodiscard]] std::string library(const std::string& name) {
   return std::string(SELVAGE_SUBJECTS) + "/" + name + ".so ";
@@ -40,14 +34,26 @@ const fs::path kOut = fs::path(testing::TempDir()) / "selvage_matrix_test";
   return nullptr;
 }
 
+class MatrixRun : public testing::Test {
+ protected:
+  [[nodiscard]] int run(const std::string& arguments) const {
+    const std::string command = std::string(SELVAGE_TOP) + "/reports/matrix --program " +
+                                SELVAGE_PROGRAM + " --only --jobs 2 --cases 40 --seed 1 --output " +
+                                out_.string() + " " + arguments + " 2>" + errors_.string();
+    return WEXITSTATUS(std::system(command.c_str()));
+  }
+
+  const TemporaryFolder folder_;
+  const fs::path out_ = folder_.path() / "out", errors_ = folder_.path() / "errors";
+};
+
 // One run for all: what each row and each cell says, and the files that it names.
-TEST(MatrixRun, HasARowForEachSubjectAndAPageForEachViolation) {
-  fs::remove_all(kOut);
+TEST_F(MatrixRun, HasARowForEachSubjectAndAPageForEachViolation) {
   ASSERT_EQ(run(library("right") + library("crashes") + library("claims_little") +
                 library("crashes_on_load")),
             0)
-      << text_of(kOut.string() + ".errors");
-  const json matrix = json::parse(text_of(kOut / "matrix.json"));
+      << text_of(errors_);
+  const json matrix = json::parse(text_of(out_ / "matrix.json"));
   EXPECT_EQ(matrix.at("cases"), 40);
   EXPECT_EQ(matrix.at("seed"), 1);
   ASSERT_EQ(matrix.at("subjects").size(), 4u);
@@ -72,47 +78,47 @@ TEST(MatrixRun, HasARowForEachSubjectAndAPageForEachViolation) {
   for (const json& cell : rows["crashes"].at("cells")) {
     if (cell.at("verdict") != "violated") continue;
     ++violated;
-    const std::string page = text_of(kOut / cell.at("page").get<std::string>());
+    const std::string page = text_of(out_ / cell.at("page").get<std::string>());
     for (const char* key : {"allowed", "drawn", "replay"})
       EXPECT_NE(cell.at("violation").at(key), "") << key;
     EXPECT_NE(page.find("selvage verify --subject"), std::string::npos);
     const auto drawn = cell["violation"]["drawn"].get<std::string>();
     EXPECT_NE(drawn.find("wrote through a null pointer"), std::string::npos) << drawn;
     EXPECT_NE(page.find(drawn), std::string::npos);
-    EXPECT_TRUE(fs::exists(kOut / "matrix" / cell["violation"].at("picture").get<std::string>()));
+    EXPECT_TRUE(fs::exists(out_ / "matrix" / cell["violation"].at("picture").get<std::string>()));
   }
   EXPECT_GT(violated, 10);
 }
 
 // A law that no case of its own broke, and that the counterexample of another row does.
-TEST(MatrixRun, TriesOnEveryRowWhatIsNewOnAnother) {
-  fs::remove_all(kOut);
+TEST_F(MatrixRun, TriesOnEveryRowWhatIsNewOnAnother) {
   ASSERT_EQ(run("--cases 20 --hunt 0 " + library("draws_nothing") + library("misses_dots") +
                 library("right")),
             0)
-      << text_of(kOut.string() + ".errors");
-  const json first = json::parse(text_of(kOut / "matrix" / "misses_dots.json"));
+      << text_of(errors_);
+  const json first = json::parse(text_of(out_ / "matrix" / "misses_dots.json"));
   for (const json& law : first.at("laws")) {
     const bool is_broken = law.at("law") == "TOTAL" && law.at("verdict") != "holds";
     EXPECT_FALSE(is_broken) << "there is nothing left for the second pass";
   }
-  const json matrix = json::parse(text_of(kOut / "matrix.json"));
+  const json matrix = json::parse(text_of(out_ / "matrix.json"));
   const json& misses = matrix.at("subjects")[1];
   const json* total = cell_of(misses, "TOTAL");
   ASSERT_EQ(total->at("verdict"), "violated");
   EXPECT_EQ(total->at("violation").at("found_by"), "corpus");
-  EXPECT_TRUE(fs::exists(kOut / total->at("page").get<std::string>()));
+  EXPECT_TRUE(fs::exists(out_ / total->at("page").get<std::string>()));
   const json& right = matrix["subjects"][2];
   EXPECT_EQ(cell_of(right, "TOTAL")->at("verdict"), "holds");
   EXPECT_TRUE(right.at("passed"));
-  EXPECT_TRUE(fs::exists(kOut / "matrix" / "right.again.json"));
+  EXPECT_TRUE(fs::exists(out_ / "matrix" / "right.again.json"));
 }
 
-TEST(MatrixRun, WrongUseIsNamed) {
+TEST_F(MatrixRun, WrongUseIsNamed) {
   EXPECT_EQ(run("--hunt many"), 2);
   EXPECT_EQ(run("--cases 0"), 2);
   EXPECT_EQ(run("./there_is_none.so"), 2);
-  EXPECT_NE(text_of(kOut.string() + ".errors").find("there_is_none"), std::string::npos);
+  EXPECT_NE(text_of(errors_).find("there_is_none"), std::string::npos);
 }
 
 }  // namespace
+}  // namespace selvage

@@ -8,15 +8,12 @@
 #include <memory>
 
 #include "reports/scenes/study.h"
+#include "tests/page/contains.h"
 
 namespace selvage::reports {
 namespace {
 
 using spec::Rational;
-
-[[nodiscard]] bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST(Distance, IsToTheTexelAndAroundATextureThatWraps) {
   const auto wrapped = [](double u, int32_t texel) {
@@ -71,12 +68,12 @@ TEST(Breach, NamesWhatIsBroken) {
   pixel = sound();
   pixel.bound_texel = 0.5;
   ASSERT_TRUE(breach(pixel));
-  EXPECT_TRUE(holds(*breach(pixel), "the bound, 0.5 texel, is above the tolerance, 0.25 texel"));
+  EXPECT_TRUE(contains(*breach(pixel), "the bound, 0.5 texel, is above the tolerance, 0.25 texel"));
 
   pixel = sound();  // next to a texel's border: nothing measurable, yet not the exact texel
   pixel.measured_texel = pixel.bound_texel = 0;
   ASSERT_TRUE(breach(pixel));
-  EXPECT_TRUE(holds(*breach(pixel), "beside the exact one"));
+  EXPECT_TRUE(contains(*breach(pixel), "beside the exact one"));
 
   pixel = sound();
   pixel.measured_texel = std::numeric_limits<double>::quiet_NaN();
@@ -85,12 +82,12 @@ TEST(Breach, NamesWhatIsBroken) {
   pixel = sound();
   pixel.right_colour = false;
   ASSERT_TRUE(breach(pixel));
-  EXPECT_TRUE(holds(*breach(pixel), "colour"));
+  EXPECT_TRUE(contains(*breach(pixel), "colour"));
 
   pixel = sound();
   pixel.right_surface = false;
   ASSERT_TRUE(breach(pixel));
-  EXPECT_TRUE(holds(*breach(pixel), "not that of the face that shows"));
+  EXPECT_TRUE(contains(*breach(pixel), "not that of the face that shows"));
 }
 
 inline constexpr scene::Size kSize{80, 60};
@@ -165,8 +162,8 @@ TEST(Judge, NoticesATexelThatIsNotWithinTheBound) {
   globe.show_texel_beside(globe.first(Choice::kAffineFaceNearest), 3);
   const Verdict verdict = globe.verdict(0.25);
   EXPECT_EQ(verdict.breaches, 1u);
-  EXPECT_TRUE(holds(verdict.first_breach, "affine-face-nearest: measured 2.") &&
-              holds(verdict.first_breach, "texel is above the bound, 0.2"))
+  EXPECT_TRUE(contains(verdict.first_breach, "affine-face-nearest: measured 2.") &&
+              contains(verdict.first_breach, "texel is above the bound, 0.2"))
       << verdict.first_breach;
   EXPECT_GT(verdict.largest_texel, 2);
 }
@@ -175,7 +172,7 @@ TEST(Judge, NoticesATexelThatIsNotWithinTheBound) {
 TEST(Judge, NoticesABoundAboveTheTolerance) {
   const Verdict verdict = Judged(1, 1, SELVAGE_FILTER_NEAREST).verdict(0.0625);
   EXPECT_GT(verdict.breaches, 100u);
-  EXPECT_TRUE(holds(verdict.first_breach, "is above the tolerance, 0.0625 texel"))
+  EXPECT_TRUE(contains(verdict.first_breach, "is above the tolerance, 0.0625 texel"))
       << verdict.first_breach;
 }
 
@@ -185,7 +182,7 @@ TEST(Judge, NoticesAPixelThatIsMissingAndOneThatIsTooMany) {
   globe.drawn().places[0] = 0;
   const Verdict verdict = globe.verdict(0);
   EXPECT_EQ(verdict.breaches, 2u);
-  EXPECT_TRUE(holds(verdict.first_breach, "pixel (0, 0)")) << verdict.first_breach;
+  EXPECT_TRUE(contains(verdict.first_breach, "pixel (0, 0)")) << verdict.first_breach;
 }
 
 TEST(Judge, NoticesAColourOfAFilterAndOfAPlainFaceAndOfTheBackground) {

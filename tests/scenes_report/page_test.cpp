@@ -5,15 +5,12 @@
 #include <string>
 
 #include "reports/page/scenes.h"
+#include "tests/page/contains.h"
 
 namespace selvage::reports {
 namespace {
 
 using json = nlohmann::ordered_json;
-
-[[nodiscard]] bool holds(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 [[nodiscard]] json spread(double median) {
   return {{"median", median}, {"lower_quartile", median - 0.5}, {"upper_quartile", median + 0.5}};
@@ -64,15 +61,15 @@ using json = nlohmann::ordered_json;
 
 TEST(ScenesPage, ShowsPicturesLegendAndNumbers) {
   const json all = scenes();
-  EXPECT_TRUE(holds(scenes_head(all), "src=\"one.png\""));
+  EXPECT_TRUE(contains(scenes_head(all), "src=\"one.png\""));
   const std::string html = scenes_section(all);
   for (const char* part : {"id=scenes", "A &lt;thing&gt;", "one.apng", "one-1/4.png",
                            "background:#123456", "a division a pixel: 4&nbsp;321 pixels of 1 face",
                            "11 are turned away", "0.7500 &le; 0.7500 &le; 1<", "1&nbsp;001",
                            "by up to 9 of 255", "scenes-cost.svg", "scenes-error.svg"}) {
-    EXPECT_TRUE(holds(html, part)) << part << "\n" << html;
+    EXPECT_TRUE(contains(html, part)) << part << "\n" << html;
   }
-  EXPECT_FALSE(holds(html, "BROKEN"));
+  EXPECT_FALSE(contains(html, "BROKEN"));
   EXPECT_EQ(kept_promises(all).kept, 4u);
 }
 
@@ -83,11 +80,11 @@ TEST(ScenesPage, SaysFromWhereOnThePictureDiffersAndWhatItSaves) {
        {"differs from the exact one is that within a tolerance of 1, in 13 pixels",
         "Beyond a tolerance of 1 nothing changes", "Within 4 texels a textured pixel takes 0.500",
         "Within 1/4 texel it takes more than the exact one"}) {
-    EXPECT_TRUE(holds(remarks, part)) << part << "\n" << remarks;
+    EXPECT_TRUE(contains(remarks, part)) << part << "\n" << remarks;
   }
   json none = scenes()["scenes"][0];
   for (json& one : none["trials"]) one["different_px"] = 0;
-  EXPECT_TRUE(holds(tolerance_remarks(none), "No pixel differs from the exact picture"));
+  EXPECT_TRUE(contains(tolerance_remarks(none), "No pixel differs from the exact picture"));
 }
 
 TEST(ScenesPage, ABrokenPromiseStandsOutAndNothingWasTimed) {
@@ -98,15 +95,15 @@ TEST(ScenesPage, ABrokenPromiseStandsOutAndNothingWasTimed) {
   for (json& one : all["scenes"][0]["trials"])
     one["textured_ns_per_px"] = one["ns_per_px"] = nullptr;
   const std::string html = scenes_section(all);
-  EXPECT_TRUE(holds(html, "class=bad>Promises are BROKEN"));
-  EXPECT_TRUE(holds(html, "measured 2 texel is above the bound, 1 texel; 6 such pixels"));
-  EXPECT_FALSE(holds(html, "scenes-cost.svg"));
+  EXPECT_TRUE(contains(html, "class=bad>Promises are BROKEN"));
+  EXPECT_TRUE(contains(html, "measured 2 texel is above the bound, 1 texel; 6 such pixels"));
+  EXPECT_FALSE(contains(html, "scenes-cost.svg"));
   EXPECT_EQ(kept_promises(all).kept, 3u);
 }
 
 TEST(ScenesPage, SaysWhyThereIsNone) {
   EXPECT_EQ(scenes_head(nullptr), "");
-  EXPECT_TRUE(holds(scenes_section(nullptr), "Not drawn: "));
+  EXPECT_TRUE(contains(scenes_section(nullptr), "Not drawn: "));
   EXPECT_EQ(kept_promises(nullptr).all, 0u);
 }
 

@@ -11,6 +11,7 @@
 
 #include "cli/png.h"
 #include "reports/scenes/plot_data.h"
+#include "tests/temporary_folder.h"
 
 namespace selvage::reports {
 namespace {
@@ -18,27 +19,33 @@ namespace {
 using json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-const fs::path kOut = fs::path(testing::TempDir()) / "selvage_scenes_test";
-
-[[nodiscard]] int run(const std::string& arguments) {
-  fs::create_directories(kOut);
-  const std::string command = std::string(SELVAGE_SCENES) + " --output " + kOut.string() + " " +
-                              arguments + " >" + kOut.string() + ".table 2>" + kOut.string() +
-                              ".errors";
-  return WEXITSTATUS(std::system(command.c_str()));
-}
-
 [[nodiscard]] std::string text_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-[[nodiscard]] cli::Raster picture(const std::string& name) {
-  const std::string bytes = text_of(kOut / name);
-  return cli::decode_png({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()});
-}
+class ScenesRun : public testing::Test {
+ protected:
+  [[nodiscard]] int run(const std::string& arguments) const {
+    fs::create_directories(out_);
+    const std::string command = std::string(SELVAGE_SCENES) + " --output " + out_.string() + " " +
+                                arguments + " >" + table_.string() + " 2>" + errors_.string();
+    return WEXITSTATUS(std::system(command.c_str()));
+  }
 
-void check_trial(const json& trial, uint64_t shown_px) {
+  [[nodiscard]] cli::Raster picture(const std::string& name) const {
+    const std::string bytes = text_of(out_ / name);
+    return cli::decode_png({reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()});
+  }
+
+  void check_trial(const json& trial, uint64_t shown_px) const;
+
+  const TemporaryFolder folder_;
+  const fs::path out_ = folder_.path() / "out";
+  const fs::path table_ = folder_.path() / "table", errors_ = folder_.path() / "errors";
+};
+
+void ScenesRun::check_trial(const json& trial, uint64_t shown_px) const {
   SCOPED_TRACE(trial.at("overlay"));
   EXPECT_EQ(trial.at("breaches"), 0) << trial.at("first_breach");
   const double measured = trial.at("largest_error_texel"), bound = trial.at("bound_texel");
@@ -64,13 +71,12 @@ void check_trial(const json& trial, uint64_t shown_px) {
   EXPECT_EQ(picture(trial.at("overlay")).width_px, 64);
 }
 
-TEST(ScenesRun, DrawsJudgesTimesAndTells) {
-  fs::remove_all(kOut);
+TEST_F(ScenesRun, DrawsJudgesTimesAndTells) {
   ASSERT_EQ(run("--shipped " SELVAGE_SHIPPED " --size 64x48 --frames 3 --repetitions 2 --min-time "
                 "0.0001"),
             0)
-      << text_of(kOut.string() + ".errors");
-  const json scenes = json::parse(text_of(kOut / "scenes.json"));
+      << text_of(errors_);
+  const json scenes = json::parse(text_of(out_ / "scenes.json"));
   EXPECT_EQ(scenes.at("repetitions"), 2);
   ASSERT_EQ(scenes.at("scenes").size(), 2u);
   for (const json& one : scenes["scenes"]) {
@@ -79,25 +85,25 @@ TEST(ScenesRun, DrawsJudgesTimesAndTells) {
     for (const json& trial : one["trials"]) check_trial(trial, one.at("shown_px"));
     EXPECT_GT(one["trials"].back().at("largest_error_texel"), 0);
     EXPECT_EQ(picture(one.at("picture")).height_px, 48);
-    const std::string film = text_of(kOut / one.at("animation").get<std::string>());
+    const std::string film = text_of(out_ / one.at("animation").get<std::string>());
     const size_t control = film.find("acTL");
     ASSERT_NE(control, std::string::npos);
     EXPECT_EQ(film[control + 7], 3);  // frames: the last of four bytes
   }
   // A tolerance, its place, and three cells for each of four lines of the plot.
-  const std::string cost = text_of(kOut / "scenes-cost.tolerance_cost.dat");
+  const std::string cost = text_of(out_ / "scenes-cost.tolerance_cost.dat");
   EXPECT_EQ(std::count(cost.begin(), cost.end(), '\n'), 6);
   EXPECT_EQ(std::count(cost.begin(), cost.end(), '\t'), 6 * 13);
   EXPECT_NE(cost.find("\n1/16\t1\t"), std::string::npos) << cost;
-  const std::string error = text_of(kOut / "scenes-error.tolerance_error.dat");
+  const std::string error = text_of(out_ / "scenes-error.tolerance_error.dat");
   EXPECT_EQ(std::count(error.begin(), error.end(), '\t'), 6 * 9);
 }
 
-TEST(ScenesRun, WrongUseIsNamed) {
+TEST_F(ScenesRun, WrongUseIsNamed) {
   EXPECT_EQ(run("--shipped /there/is/none"), 2);
-  EXPECT_NE(text_of(kOut.string() + ".errors").find("/there/is/none"), std::string::npos);
+  EXPECT_NE(text_of(errors_).find("/there/is/none"), std::string::npos);
   EXPECT_EQ(run("--shipped " SELVAGE_SHIPPED " --size 9000x9"), 2);
-  EXPECT_NE(text_of(kOut.string() + ".errors").find("4096"), std::string::npos);
+  EXPECT_NE(text_of(errors_).find("4096"), std::string::npos);
   EXPECT_EQ(run("--shipped " SELVAGE_SHIPPED " --frames 0"), 2);
 }
 

@@ -1,0 +1,20 @@
+# Lists the suites of a GoogleTest program as tests of ctest, one process for all tests of a suite: a
+# process for each test takes a third of the time of all. Run when the program has been linked, with
+# program, prefix, folder, list and emulator.
+execute_process(COMMAND ${emulator} ${program} --gtest_list_tests
+  WORKING_DIRECTORY ${folder} OUTPUT_VARIABLE told RESULT_VARIABLE status TIMEOUT 60)
+if(NOT status EQUAL 0)
+  file(REMOVE ${program})  # so that the next build asks it again
+  message(FATAL_ERROR "${program} --gtest_list_tests: status ${status}\n${told}")
+endif()
+
+string(REGEX MATCHALL "(^|\n)[A-Za-z0-9_/]+[.]" suites "${told}")
+set(tests "")
+foreach(suite IN LISTS suites)
+  string(REGEX REPLACE "[\n.]" "" suite "${suite}")
+  set(name "[==[${prefix}.${suite}]==]")
+  string(APPEND tests
+    "add_test(${name} ${emulator} [==[${program}]==] [==[--gtest_filter=${suite}.*]==])\n"
+    "set_tests_properties(${name} PROPERTIES TIMEOUT 900 WORKING_DIRECTORY [==[${folder}]==])\n")
+endforeach()
+file(WRITE ${list} "${tests}")
