@@ -3,6 +3,11 @@
 
 // Its checks, which debug and sanitizer builds switch on, would call into its library.
 #define HWY_IS_DEBUG_BUILD 0
+#ifdef SELVAGE_WITHOUT_SSE4
+#define SELVAGE_LEFT_OUT HWY_SSE4
+#else
+#define SELVAGE_LEFT_OUT 0
+#endif
 // What lies between SSE4, AVX2 and AVX-512 has nothing that these kernels use.
 #define HWY_DISABLED_TARGETS \
-  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+  (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | SELVAGE_LEFT_OUT)
