@@ -6,11 +6,12 @@
 #include <utility>
 
 #include "spec/dda.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::coverage {
 namespace {
 
-constexpr int64_t kTexel_fx16 = SELVAGE_SUBTEXELS;
+using spec::kTexel_fx16;
 
 [[nodiscard]] int64_t floor_half(int64_t a) { return floor_quotient(a, 2); }
 

@@ -12,6 +12,8 @@
 
 namespace selvage::coverage {
 
+[[nodiscard]] inline spec::Rational half() { return {1, 2}; }
+
 // 0 where the polygon does not cover the pixel, which a wrong mapper may draw all the same.
 [[nodiscard]] spec::Gradient gradient_at(const std::vector<selvage_vertex>& vertices, int32_t x_px,
                                          int32_t y_px);

@@ -15,9 +15,7 @@ using spec::Tap;
 using spec::Taps;
 using spec::TexelAt;
 
-constexpr std::string_view kKiller = "FILTER";
-
-[[nodiscard]] Rational half() { return {1, 2}; }
+constexpr std::string_view kFilterLaw = "FILTER";
 
 // Two neighbours where there is one: the other one with weight 0.
 [[nodiscard]] Taps as_two(const Taps& taps) {
@@ -25,20 +23,20 @@ constexpr std::string_view kKiller = "FILTER";
 }
 
 void spoil_taps(Catalogue* catalogue) {
-  catalogue->add("filter_half_a_texel_off", kKiller, "texel centres are put on whole u",
+  catalogue->add("filter_half_a_texel_off", kFilterLaw, "texel centres are put on whole u",
                  [](Recipe& r) {
                    r.taps = [](selvage_filter filter, const Rational& u, int32_t side) {
                      return spec::taps(filter, u + half(), side);
                    };
                  });
-  catalogue->add("filter_weights_of_7_bits", kKiller, "weights keep 7 bits", [](Recipe& r) {
+  catalogue->add("filter_weights_of_7_bits", kFilterLaw, "weights keep 7 bits", [](Recipe& r) {
     r.taps = [](selvage_filter filter, const Rational& u, int32_t side) {
       if (filter != SELVAGE_FILTER_BILINEAR) return spec::taps(filter, u, side);
       return spec::taps(filter, Rational(spec::floor(u * 128)) / 128, side);
     };
   });
-  catalogue->add("filter_swaps_weights", kKiller, "columns get the rows' weights and the reverse",
-                 [](Recipe& r) {
+  catalogue->add("filter_swaps_weights", kFilterLaw,
+                 "columns get the rows' weights and the reverse", [](Recipe& r) {
                    r.mean = [](const Taps& columns, const Taps& rows, const TexelAt& texel_at) {
                      Taps c = as_two(columns), d = as_two(rows);
                      if (c.size() != 2 || d.size() != 2) {
@@ -50,8 +48,8 @@ void spoil_taps(Catalogue* catalogue) {
                  });
 }
 
-void spoil_address(Catalogue* catalogue) {
-  catalogue->add("filter_neighbour_by_increment", kKiller,
+void spoil_tap_address(Catalogue* catalogue) {
+  catalogue->add("filter_neighbour_by_increment", kFilterLaw,
                  "the neighbour is the texel after the addressed one, not addressed by itself",
                  [](Recipe& r) {
                    r.address_taps = [](const Taps& taps, int32_t size, selvage_address mode) {
@@ -63,7 +61,7 @@ void spoil_address(Catalogue* catalogue) {
                      return spec::addressed(result, size, mode);
                    };
                  });
-  catalogue->add("filter_wraps_by_truncation", kKiller,
+  catalogue->add("filter_wraps_by_truncation", kFilterLaw,
                  "a negative texel wraps by the remainder's sign", [](Recipe& r) {
                    r.address_taps = [](const Taps& taps, int32_t size, selvage_address mode) {
                      Taps result = taps;
@@ -95,13 +93,13 @@ void round_by(Recipe& r, Round round) {
 }
 
 void spoil_mean(Catalogue* catalogue) {
-  catalogue->add("filter_truncates", kKiller, "means are rounded down", [](Recipe& r) {
+  catalogue->add("filter_truncates", kFilterLaw, "means are rounded down", [](Recipe& r) {
     round_by(r, [](int64_t sum, int64_t total) { return sum / total; });
   });
-  catalogue->add("filter_halves_down", kKiller, "halves are rounded down", [](Recipe& r) {
+  catalogue->add("filter_halves_down", kFilterLaw, "halves are rounded down", [](Recipe& r) {
     round_by(r, [](int64_t sum, int64_t total) { return (2 * sum + total - 1) / (2 * total); });
   });
-  catalogue->add("filter_rounds_twice", kKiller,
+  catalogue->add("filter_rounds_twice", kFilterLaw,
                  "each row's mean is rounded, then the mean of rows", [](Recipe& r) {
                    r.mean = [](const Taps& columns, const Taps& rows, const TexelAt& texel_at) {
                      return spec::weighted_mean({{0, 1}}, rows, [&](spec::Texel of) {
@@ -109,7 +107,7 @@ void spoil_mean(Catalogue* catalogue) {
                      });
                    };
                  });
-  catalogue->add("filter_skips_alpha", kKiller, "alpha is the first texel's", [](Recipe& r) {
+  catalogue->add("filter_skips_alpha", kFilterLaw, "alpha is the first texel's", [](Recipe& r) {
     r.mean = [](const Taps& columns, const Taps& rows, const TexelAt& texel_at) {
       const uint32_t first = texel_at({columns[0].texel, rows[0].texel});
       const uint32_t alpha = spec::in_channel(255, 3);
@@ -119,7 +117,7 @@ void spoil_mean(Catalogue* catalogue) {
 }
 
 void spoil_box(Catalogue* catalogue) {
-  catalogue->add("box_of_one_size", kKiller, "the box is a square of the longer side",
+  catalogue->add("box_of_one_size", kFilterLaw, "the box is a square of the longer side",
                  [](Recipe& r) {
                    r.sides = [](const Gradient& g) {
                      const BoxSides sides = spec::box_sides(g);
@@ -127,14 +125,14 @@ void spoil_box(Catalogue* catalogue) {
                      return BoxSides{longer, longer};
                    };
                  });
-  catalogue->add("box_of_the_row", kKiller, "the box's sides are what changes along x alone",
+  catalogue->add("box_of_the_row", kFilterLaw, "the box's sides are what changes along x alone",
                  [](Recipe& r) {
                    r.sides = [](const Gradient& g) {
                      return BoxSides{spec::box_side_fx8(abs(g.u_along_x)),
                                      spec::box_side_fx8(abs(g.v_along_x))};
                    };
                  });
-  catalogue->add("box_rounded_down", kKiller, "the box's sides are rounded down", [](Recipe& r) {
+  catalogue->add("box_rounded_down", kFilterLaw, "the box's sides are rounded down", [](Recipe& r) {
     r.sides = [](const Gradient& g) {
       const auto down = [](const Rational& scale) {
         const Rational whole = std::min(Rational(scale), Rational(65536)) * 256;
@@ -144,7 +142,7 @@ void spoil_box(Catalogue* catalogue) {
                       down(abs(g.v_along_x) + abs(g.v_along_y))};
     };
   });
-  catalogue->add("box_of_a_texel_and_less", kKiller, "the box shrinks below a texel",
+  catalogue->add("box_of_a_texel_and_less", kFilterLaw, "the box shrinks below a texel",
                  [](Recipe& r) {
                    r.sides = [](const Gradient& g) {
                      BoxSides sides = spec::box_sides(g);
@@ -152,12 +150,12 @@ void spoil_box(Catalogue* catalogue) {
                      return sides;
                    };
                  });
-  catalogue->add("box_not_centred", kKiller, "the box starts at the point", [](Recipe& r) {
+  catalogue->add("box_not_centred", kFilterLaw, "the box starts at the point", [](Recipe& r) {
     r.taps = [](selvage_filter filter, const Rational& u, int32_t side) {
       return spec::taps(filter, u + Rational((side - 256) / 2) / 256, side);
     };
   });
-  catalogue->add("box_without_perspective", kKiller, "the footprint is that of the affine map",
+  catalogue->add("box_without_perspective", kFilterLaw, "the footprint is that of the affine map",
                  [](Recipe& r) {
                    r.gradient = [](const Job& job, int32_t x, int32_t y) {
                      std::vector<selvage_vertex> flat = job.vertices;
@@ -171,7 +169,7 @@ void spoil_box(Catalogue* catalogue) {
 
 void add_wrong_filters(Catalogue* catalogue) {
   spoil_taps(catalogue);
-  spoil_address(catalogue);
+  spoil_tap_address(catalogue);
   spoil_mean(catalogue);
   spoil_box(catalogue);
 }

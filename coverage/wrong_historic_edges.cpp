@@ -80,7 +80,7 @@ void spoil_column(Catalogue* catalogue) {
                  });
 }
 
-void spoil_rows(Catalogue* catalogue) {
+void spoil_edge_rows(Catalogue* catalogue) {
   catalogue->add({k56, k57, kDkit}, "lower_edges_a_row_late", "COV",
                  "an edge below a vertex is stepped a row too late", [](HistoricRecipe& r) {
                    r.target_rows = [](const Job& job, const HistoricEdge& edge, int32_t y) {
@@ -110,7 +110,7 @@ void spoil_rows(Catalogue* catalogue) {
                  });
 }
 
-void spoil_ends(Catalogue* catalogue) {
+void spoil_span_coverage(Catalogue* catalogue) {
   catalogue->add({k56, k57}, "last_column_drawn", "PINWHEEL",
                  "the right edge's column is drawn too", [](HistoricRecipe& r) {
                    r.covers = [](const HistoricSpan& span, int32_t x) {
@@ -145,8 +145,8 @@ void spoil_ends(Catalogue* catalogue) {
 void add_wrong_historic_edges(Catalogue* catalogue) {
   spoil_error_term(catalogue);
   spoil_column(catalogue);
-  spoil_rows(catalogue);
-  spoil_ends(catalogue);
+  spoil_edge_rows(catalogue);
+  spoil_span_coverage(catalogue);
 }
 
 }  // namespace selvage::coverage

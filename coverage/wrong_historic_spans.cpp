@@ -46,7 +46,7 @@ void spoil_clipping(Catalogue* catalogue) {
                  });
 }
 
-void spoil_ends(Catalogue* catalogue) {
+void spoil_span_ends(Catalogue* catalogue) {
   catalogue->add({kDkit}, "one_column_shows_the_first_edge", "ORDER",
                  "a span of one pixel shows the edge that comes first in the outline",
                  [](HistoricRecipe& r) {
@@ -109,7 +109,7 @@ void spoil_texel(Catalogue* catalogue) {
                  });
 }
 
-void spoil_errors(Catalogue* catalogue) {
+void spoil_refusals(Catalogue* catalogue) {
   catalogue->add({k56, k57, kDkit}, "takes_fractions", "TOTAL",
                  "a vertex between pixels is taken without a word", [](HistoricRecipe& r) {
                    r.status = [](selvage_status status) {
@@ -128,9 +128,9 @@ void spoil_errors(Catalogue* catalogue) {
 
 void add_wrong_historic_spans(Catalogue* catalogue) {
   spoil_clipping(catalogue);
-  spoil_ends(catalogue);
+  spoil_span_ends(catalogue);
   spoil_texel(catalogue);
-  spoil_errors(catalogue);
+  spoil_refusals(catalogue);
 }
 
 }  // namespace selvage::coverage

@@ -2,11 +2,12 @@
 #include <utility>
 
 #include "coverage/catalogue.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::coverage {
 namespace {
 
-constexpr int64_t kTexel_fx16 = SELVAGE_SUBTEXELS;
+using spec::kTexel_fx16;
 
 using Divide = int64_t (*)(int64_t a, int64_t b);
 
@@ -71,7 +72,7 @@ void spoil_width(Catalogue* catalogue) {
                  });
 }
 
-void spoil_prestep(Catalogue* catalogue) {
+void spoil_half_steps(Catalogue* catalogue) {
   catalogue->add({k57}, "no_prestep_on_edges", "MAP", "edges start at their vertex",
                  [](HistoricRecipe& r) { r.edge_walk = truncated_walk; });
   catalogue->add({k57}, "no_prestep_on_spans", "MAP", "spans start at their edge",
@@ -156,7 +157,7 @@ void spoil_q(Catalogue* catalogue) {
 void add_wrong_historic_walks(Catalogue* catalogue) {
   spoil_division(catalogue);
   spoil_width(catalogue);
-  spoil_prestep(catalogue);
+  spoil_half_steps(catalogue);
   spoil_precision(catalogue);
   spoil_q(catalogue);
 }

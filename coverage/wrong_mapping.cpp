@@ -13,8 +13,6 @@ using spec::Rational;
 using spec::Sample;
 using spec::ScanLine;
 
-[[nodiscard]] Rational half() { return {1, 2}; }
-
 void spoil_prestep(Catalogue* catalogue) {
   catalogue->add("no_prestep_x", "VERT", "u and v are taken at the pixel's left side",
                  [](Recipe& r) {

@@ -13,7 +13,7 @@ using spec::Rational;
 using spec::Sample;
 using spec::ScanLine;
 
-constexpr std::string_view kKiller = "TOLERANCE";
+constexpr std::string_view kToleranceLaw = "TOLERANCE";
 
 // The map of a row at its centres, straight between its values segment_px apart.
 class Segments {
@@ -58,7 +58,7 @@ class Segments {
 template <class SegmentPx>
 void add_subdivided(Catalogue* catalogue, std::string_view name, std::string_view bug,
                     SegmentPx segment_px) {
-  catalogue->add(name, kKiller, bug, [=](Recipe& r) {
+  catalogue->add(name, kToleranceLaw, bug, [=](Recipe& r) {
     r.map_of_row = [=](const Job& job, const ScanLine& line) -> Recipe::RowMap {
       const bool bends = job.tolerance > 0 && !spec::columns_of(line).empty();
       const int32_t px = bends ? segment_px(job, line) : 0;
@@ -89,7 +89,7 @@ void spoil_bounds(Catalogue* catalogue) {
 }
 
 void spoil_coverage(Catalogue* catalogue) {
-  catalogue->add("tolerant_edges", kKiller, "within a tolerance x is taken for whole pixels",
+  catalogue->add("tolerant_edges", kToleranceLaw, "within a tolerance x is taken for whole pixels",
                  [](Recipe& r) {
                    r.prepare = [](Job& job) {
                      if (job.tolerance == 0) return;
@@ -117,14 +117,14 @@ template <class Tell>
 
 void spoil_telling(Catalogue* catalogue) {
   catalogue->add(
-      kKiller, "the bound that is told is half of the derived one",
+      kToleranceLaw, "the bound that is told is half of the derived one",
       telling("tells_half_the_bound", [](selvage_choice& choice) { choice.bound /= 2; }));
-  catalogue->add(kKiller, "what is drawn within a tolerance is told exact",
+  catalogue->add(kToleranceLaw, "what is drawn within a tolerance is told exact",
                  telling("tells_that_it_is_exact", [](selvage_choice& choice) {
                    choice = {SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0};
                  }));
   catalogue->add(
-      kKiller, "segments are told to be half as long",
+      kToleranceLaw, "segments are told to be half as long",
       telling("tells_shorter_segments", [](selvage_choice& choice) { choice.segment_px /= 2; }));
 }
 

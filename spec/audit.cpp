@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "spec/geometry.h"
 #include "spec/model.h"
 #include "spec/picture.h"
 #include "spec/spoiled_subject.h"
@@ -16,7 +17,7 @@ namespace {
 using Kind = Moment::Kind;
 
 // Which pixels of a drawing the law looks at.
-enum class Place {
+enum class Region {
   kTarget,
   kCovered,
   kWideRow  // the first 96 columns of the first row: TOLERANCE's second drawing has them
@@ -24,7 +25,7 @@ enum class Place {
 inline constexpr int32_t kWideRow_px = 96;
 
 struct Due {
-  Place place;
+  Region region;
   std::vector<Moment> moments;
   std::vector<Spoiling> spoilings;
 };
@@ -36,20 +37,20 @@ struct Due {
 }
 
 [[nodiscard]] std::vector<Due> wherever(std::initializer_list<int32_t> numbers) {
-  return {{Place::kTarget, drawings(numbers), {Spoiling::kToggled, Spoiling::kOtherBits}}};
+  return {{Region::kTarget, drawings(numbers), {Spoiling::kToggled, Spoiling::kOtherBits}}};
 }
 
 [[nodiscard]] std::vector<Due> coverage(std::initializer_list<int32_t> numbers) {
-  return {{Place::kTarget, drawings(numbers), {Spoiling::kToggled}}};
+  return {{Region::kTarget, drawings(numbers), {Spoiling::kToggled}}};
 }
 
-[[nodiscard]] std::vector<Due> texels(std::initializer_list<int32_t> numbers) {
-  return {{Place::kCovered, drawings(numbers), {Spoiling::kOtherBits}}};
+[[nodiscard]] std::vector<Due> covered_texels(std::initializer_list<int32_t> numbers) {
+  return {{Region::kCovered, drawings(numbers), {Spoiling::kOtherBits}}};
 }
 
 [[nodiscard]] std::vector<Due> due_of_tolerance() {
   std::vector<Due> due = wherever({0});
-  due.push_back({Place::kWideRow, drawings({1}), {Spoiling::kToggled}});
+  due.push_back({Region::kWideRow, drawings({1}), {Spoiling::kToggled}});
   return due;
 }
 
@@ -59,7 +60,7 @@ struct Due {
   std::vector<Moment> moments = {{Kind::kTile, 0}, {Kind::kKernel, SELVAGE_KERNEL_SCALAR}};
   for (const int32_t threads : {1, 2, 3, 8}) moments.push_back({Kind::kThreads, threads});
   std::vector<Due> due = wherever({0, 1, 2});
-  due.push_back({Place::kTarget, std::move(moments), {Spoiling::kPainted}});
+  due.push_back({Region::kTarget, std::move(moments), {Spoiling::kPainted}});
   return due;
 }
 
@@ -76,11 +77,11 @@ struct Due {
   if (law == "SPLIT") return wherever({0, 1, 2});
   if (law == "IDENTITY") return wherever({0});
   if (law == "AFFINE") return wherever({0, 1});
-  if (law == "FILTER") return texels({0, 1});
+  if (law == "FILTER") return covered_texels({0, 1});
   if (law == "TOLERANCE") return due_of_tolerance();
-  if (law == "MEM") return {{Place::kTarget, drawings({0}), {Spoiling::kDependent}}};
+  if (law == "MEM") return {{Region::kTarget, drawings({0}), {Spoiling::kDependent}}};
   if (law == "SAME") return due_of_same();
-  return texels({0});  // MAP, DDA, GAMUT, ORACLE
+  return covered_texels({0});  // MAP, DDA, GAMUT, ORACLE
 }
 
 // How many pixels of the target and how many covered ones a law judges, others besides, and how
@@ -106,11 +107,7 @@ constexpr std::array kCounts = {
 };
 inline constexpr uint64_t kCallsPerDrawing = 2;
 
-struct Pixel {
-  int32_t x_px, y_px;
-};
-
-[[nodiscard]] std::vector<Pixel> rectangle(int32_t width_px, int32_t height_px) {
+[[nodiscard]] std::vector<Pixel> pixels_within(int32_t width_px, int32_t height_px) {
   std::vector<Pixel> pixels;
   for (int32_t y = 0; y < height_px; ++y) {
     for (int32_t x = 0; x < width_px; ++x) pixels.push_back({x, y});
@@ -119,10 +116,10 @@ struct Pixel {
 }
 
 // From the model: a refused outline covers nothing.
-[[nodiscard]] std::vector<Pixel> pixels_of(const Case& c, Place place) {
-  if (place == Place::kWideRow) return rectangle(kWideRow_px, 1);
-  std::vector<Pixel> pixels = rectangle(c.target_width_px, c.target_height_px);
-  if (place == Place::kTarget) return pixels;
+[[nodiscard]] std::vector<Pixel> pixels_of(const Case& c, Region region) {
+  if (region == Region::kWideRow) return pixels_within(kWideRow_px, 1);
+  std::vector<Pixel> pixels = pixels_within(c.target_width_px, c.target_height_px);
+  if (region == Region::kTarget) return pixels;
   Case nearest = c;
   nearest.filter = SELVAGE_FILTER_NEAREST;
   const Picture model = expected(nearest);
@@ -143,7 +140,7 @@ struct Pixel {
 [[nodiscard]] std::optional<std::string> first_missed(std::string_view law, const Check& check,
                                                       const Case& c) {
   for (const Due& due : due_of(law)) {
-    for (const Pixel p : pixels_of(c, due.place)) {
+    for (const Pixel p : pixels_of(c, due.region)) {
       for (const Moment when : due.moments) {
         for (const Spoiling how : due.spoilings) {
           const Spot spot{when, how, p.x_px, p.y_px};
@@ -158,11 +155,11 @@ struct Pixel {
 void judge_right(const Check& check, const Case& c, const Count& count, Audit* result) {
   const auto drawn_px = std::make_shared<uint64_t>(0);
   const Judgement of_right = check(counting(drawn_px, c.profile), c);
-  result->due_px = count.targets * pixels_of(c, Place::kTarget).size() +
-                   count.covered * pixels_of(c, Place::kCovered).size() + count.others;
+  result->due_px = count.targets * pixels_of(c, Region::kTarget).size() +
+                   count.covered * pixels_of(c, Region::kCovered).size() + count.others;
   result->due_exactly = count.exactly;
   result->due_drawn_px = std::max<uint64_t>(
-      1, kCallsPerDrawing * count.drawings * pixels_of(c, Place::kCovered).size());
+      1, kCallsPerDrawing * count.drawings * pixels_of(c, Region::kCovered).size());
   result->judged_px = of_right.judged_px;
   result->drawn_px = *drawn_px;
   result->rejects_right = of_right.violation.has_value();
@@ -173,7 +170,7 @@ void judge_right(const Check& check, const Case& c, const Count& count, Audit* r
 inline constexpr uint32_t kChoicesPerPixel = 12;
 
 [[nodiscard]] Audit audit_by_choices(const Check& check, Case c, const Count& count) {
-  std::vector<Pixel> unseen = pixels_of(c, Place::kTarget);
+  std::vector<Pixel> unseen = pixels_of(c, Region::kTarget);
   const auto choices = static_cast<uint32_t>(unseen.size()) * kChoicesPerPixel;
   Audit result;
   for (c.choice = 0; c.choice < choices && !unseen.empty(); ++c.choice) {

@@ -18,9 +18,7 @@ Canvas::Canvas(selvage_format format, int32_t width_px, int32_t height_px, int32
       height_px_(height_px),
       flip_(flip),
       fill_(fill),
-      bytes_per_pixel_(format == SELVAGE_INDEX8   ? 1
-                       : format == SELVAGE_RGB565 ? 2
-                                                  : 4),
+      bytes_per_pixel_(static_cast<size_t>(bytes_per_pixel(format))),
       row_bytes_(static_cast<size_t>(width_px) * bytes_per_pixel_),
       stride_bytes_(row_bytes_ + static_cast<size_t>(padding_px) * bytes_per_pixel_),
       guard_bytes_(4 * word_count(stride_bytes_ + kLeastGuardBytes)) {

@@ -9,6 +9,10 @@
 
 namespace selvage::spec {
 
+[[nodiscard]] constexpr int32_t bytes_per_pixel(selvage_format format) {
+  return format == SELVAGE_INDEX8 ? 1 : format == SELVAGE_RGB565 ? 2 : 4;
+}
+
 class Canvas {
  public:
   // All bytes, guards and row padding included, start as `fill`.

@@ -11,26 +11,14 @@
 namespace selvage::spec {
 namespace {
 
-using Outline = std::vector<selvage_vertex>;
-
 [[nodiscard]] Point difference(const selvage_vertex& from, const selvage_vertex& to) {
   return {int64_t{to.x} - from.x, int64_t{to.y} - from.y};
-}
-
-// Twice the signed area, positive where the outline runs clockwise on the screen.
-[[nodiscard]] int64_t area_of(const Outline& outline) {
-  int64_t sum = 0;
-  for (size_t i = 0; i < outline.size(); ++i) {
-    const selvage_vertex &a = outline[i], &b = outline[(i + 1) % outline.size()];
-    sum += int64_t{a.x} * b.y - int64_t{b.x} * a.y;
-  }
-  return sum;
 }
 
 // Each row crosses two edges or none, so an outline that only ever turns one way turns once.
 // Repeated vertices and collinear runs are convex too, a way back along an edge is not.
 [[nodiscard]] bool is_convex(const Case& c) {
-  Outline outline = c.vertices;
+  Vertices outline = c.vertices;
   const auto same_place = [](const selvage_vertex& a, const selvage_vertex& b) {
     return position(a) == position(b);
   };
@@ -64,13 +52,13 @@ using Outline = std::vector<selvage_vertex>;
   });
 }
 
-[[nodiscard]] bool is_right_way(Winding winding, const Outline& outline) {
+[[nodiscard]] bool is_right_way(Winding winding, const Vertices& outline) {
   if (winding == Winding::kBoth) return true;
-  const int64_t area = area_of(outline);
+  const int64_t area = doubled_area(outline);
   return area == 0 || (area > 0) == (winding == Winding::kClockwise);
 }
 
-[[nodiscard]] bool has_equal_q(const Outline& outline) {
+[[nodiscard]] bool has_equal_q(const Vertices& outline) {
   return std::ranges::all_of(outline,
                              [&](const selvage_vertex& v) { return v.q == outline.front().q; });
 }
@@ -89,9 +77,9 @@ using Outline = std::vector<selvage_vertex>;
 }
 
 // As many corners as are drawn, taken evenly.
-[[nodiscard]] Outline thinned(const Outline& outline, size_t most) {
+[[nodiscard]] Vertices thinned(const Vertices& outline, size_t most) {
   if (outline.size() <= most) return outline;
-  Outline kept;
+  Vertices kept;
   for (size_t i = 0; i < most; ++i) kept.push_back(outline[i * outline.size() / most]);
   return kept;
 }
@@ -104,7 +92,7 @@ using Outline = std::vector<selvage_vertex>;
 void take_outline(const Capabilities& claims, Case* c) {
   const auto most = static_cast<size_t>(claims.most_vertices);
   if (c->vertices.size() > most || (wants_convex(claims) && !is_convex(*c))) {
-    Outline hull = convex_hull(c->vertices);
+    Vertices hull = convex_hull(c->vertices);
     while (hull.size() < 3) hull.push_back(hull.back());  // a line, there and back
     c->vertices = thinned(hull, most);
   }

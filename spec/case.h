@@ -20,6 +20,7 @@ namespace selvage::spec {
 inline constexpr int32_t kMaxTargetPx = 65536;       // width x height of a case's target
 inline constexpr int32_t kMaxTextureTexels = 65536;  // width x height of a case's texture
 inline constexpr size_t kMaxVertices = 256;
+inline constexpr int32_t kClipLeast_px = -32768, kClipGreatest_px = 32767;  // of a clip's sides
 
 // How the texture lies in memory when it is drawn from.
 enum class Layout : int32_t {
@@ -28,6 +29,8 @@ enum class Layout : int32_t {
   kTiled    // likewise: tiles
 };
 inline constexpr int32_t kLayoutCount = 3;
+
+using Vertices = std::vector<selvage_vertex>;
 
 struct Case {
   selvage_profile profile = SELVAGE_PROFILE_EXACT;
@@ -41,9 +44,9 @@ struct Case {
   bool flip_texture = false;  // negative pitch
   Layout layout = Layout::kGiven;
   bool has_clip = false;
-  selvage_rect clip{};                   // each side in [-32768, 32768)
-  uint32_t choice = 0;                   // what a law may vary freely: a shift, a chord, a centre
-  std::vector<selvage_vertex> vertices;  // each field in its accepted range; any count
+  selvage_rect clip{};  // each side in [kClipLeast_px, kClipGreatest_px]
+  uint32_t choice = 0;  // what a law may vary freely: a shift, a chord, a centre
+  Vertices vertices;    // each field in its accepted range; any count
 
   friend bool operator==(const Case& a, const Case& b);
 };

@@ -10,11 +10,11 @@
 
 #include "spec/model.h"
 #include "spec/profiles.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::spec {
 namespace {
 
-constexpr double kPixel_fx8 = double{SELVAGE_SUBPIXELS}, kTexel_fx16 = double{SELVAGE_SUBTEXELS};
 constexpr int32_t kEasyShare = 4;
 constexpr double kWholeStep = 1.0 / (1 << 20);  // of 1/65536: what double may be off a whole one
 

@@ -5,7 +5,7 @@
 namespace selvage::spec {
 namespace {
 
-constexpr size_t kMostPixels = size_t{1} << 20;
+constexpr size_t kMostHeldPixels = size_t{1} << 20;
 
 [[nodiscard]] std::pair<uint32_t, uint32_t> texels_of(const TexelAt& texel_at) {
   return {texel_at({0, 0}), texel_at({1, 1})};
@@ -15,7 +15,7 @@ constexpr size_t kMostPixels = size_t{1} << 20;
 
 void Drawings::note(const Case& c, const TexelAt& texel_at, const Picture& picture) {
   pixels_ += picture.pixels.size();
-  if (pixels_ <= kMostPixels) drawings_.push_back({c, texels_of(texel_at), picture});
+  if (pixels_ <= kMostHeldPixels) drawings_.push_back({c, texels_of(texel_at), picture});
 }
 
 const Picture* Drawings::find(const Case& c, const TexelAt& texel_at) const {

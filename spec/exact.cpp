@@ -7,7 +7,6 @@
 namespace selvage::spec {
 namespace {
 
-[[nodiscard]] Rational px(int32_t fx8) { return Rational(fx8) / SELVAGE_SUBPIXELS; }
 [[nodiscard]] Rational centre(int32_t index_px) { return index_px + Rational(1, 2); }
 
 [[nodiscard]] Rational mix(const Rational& a, const Rational& b, const Rational& t) {
@@ -20,7 +19,8 @@ namespace {
 
 [[nodiscard]] Crossing at_vertex(const selvage_vertex& p) {
   const Rational q(p.q);
-  return {px(p.x), Rational(p.u) / SELVAGE_SUBTEXELS * q, Rational(p.v) / SELVAGE_SUBTEXELS * q, q};
+  return {to_px(p.x), Rational(p.u) / SELVAGE_SUBTEXELS * q, Rational(p.v) / SELVAGE_SUBTEXELS * q,
+          q};
 }
 
 // Calls visit(top, bottom) for each edge that the line at height y crosses: y_top <= y < y_bottom.
@@ -30,7 +30,7 @@ void for_each_crossed(std::span<const selvage_vertex> vertices, const Rational& 
     const selvage_vertex& a = vertices[i];
     const selvage_vertex& b = vertices[(i + 1) % vertices.size()];
     const auto [top, bottom] = a.y <= b.y ? std::pair(a, b) : std::pair(b, a);
-    if (px(top.y) <= y && y < px(bottom.y)) visit(top, bottom);
+    if (to_px(top.y) <= y && y < to_px(bottom.y)) visit(top, bottom);
   }
 }
 
@@ -41,7 +41,7 @@ selvage_status validity(std::span<const selvage_vertex> vertices) {
   // How many edges a line crosses changes at vertices only, so the lines through them tell all.
   for (const selvage_vertex& vertex : vertices) {
     int crossed = 0;
-    for_each_crossed(vertices, px(vertex.y), [&](const auto&, const auto&) { ++crossed; });
+    for_each_crossed(vertices, to_px(vertex.y), [&](const auto&, const auto&) { ++crossed; });
     if (crossed > 2) return SELVAGE_ERROR_NOT_MONOTONE;
   }
   return SELVAGE_OK;
@@ -51,7 +51,7 @@ std::optional<ScanLine> scan_line(std::span<const selvage_vertex> vertices, int3
   const Rational y = centre(y_px);
   std::vector<Crossing> crossings;
   for_each_crossed(vertices, y, [&](const selvage_vertex& top, const selvage_vertex& bottom) {
-    const Rational t = (y - px(top.y)) / (px(bottom.y) - px(top.y));
+    const Rational t = (y - to_px(top.y)) / (to_px(bottom.y) - to_px(top.y));
     crossings.push_back(mix(at_vertex(top), at_vertex(bottom), t));
   });
   if (crossings.size() != 2) return std::nullopt;

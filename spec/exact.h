@@ -16,6 +16,8 @@ namespace selvage::spec {
 
 using Rational = mpq_class;
 
+[[nodiscard]] inline Rational to_px(int32_t fx8) { return Rational(fx8) / SELVAGE_SUBPIXELS; }
+
 // Where an edge crosses a scan line: x in px; u q, v q and q, which are linear in y along the edge.
 struct Crossing {
   Rational x, uq, vq, q;

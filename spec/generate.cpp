@@ -11,8 +11,6 @@
 namespace selvage::spec {
 namespace {
 
-constexpr int32_t kClipLeast_px = -32768, kClipGreatest_px = 32767;
-
 struct Size {
   int32_t width, height;
 };
@@ -46,55 +44,56 @@ struct Size {
   return {random.in(1, 65), random.in(1, 65)};
 }
 
-struct Interval {
+struct ClipRange {
   int32_t first_px, end_px;
 };
 
-[[nodiscard]] Interval partial(Random& random, int32_t size_px) {
+[[nodiscard]] ClipRange partial(Random& random, int32_t size_px) {
   const int32_t a = random.in(0, int64_t{size_px} + 1);
   const int32_t b = random.in(0, int64_t{size_px} + 1);
   return {std::min(a, b), std::max(a, b)};
 }
 
-[[nodiscard]] Interval one_pixel(Random& random, int32_t size_px) {
+[[nodiscard]] ClipRange one_pixel(Random& random, int32_t size_px) {
   const int32_t at = random.in(0, size_px);
   return {at, at + 1};
 }
 
-[[nodiscard]] Interval empty(Random& random, int32_t size_px) {
+[[nodiscard]] ClipRange empty(Random& random, int32_t size_px) {
   const int32_t at = random.in(-1, int64_t{size_px} + 2);
   return {at, at};
 }
 
-[[nodiscard]] Interval inverted(Random& random, int32_t size_px) {
+[[nodiscard]] ClipRange inverted(Random& random, int32_t size_px) {
   const int32_t end = random.in(-1, size_px);
   return {random.in(int64_t{end} + 1, int64_t{size_px} + 2), end};
 }
 
 // Over one end of the target, over both, or past it.
-[[nodiscard]] Interval beyond(Random& random, int32_t size_px) {
+[[nodiscard]] ClipRange beyond_the_target(Random& random, int32_t size_px) {
   const int32_t inside = random.in(0, int64_t{size_px} + 1);
   const int32_t little = random.in(1, 9);
-  return random.pick({Interval{-little, inside}, Interval{inside, size_px + little},
-                      Interval{-little, size_px + little}, Interval{size_px, size_px + little},
-                      Interval{-little, 0}, Interval{kClipLeast_px, kClipGreatest_px},
-                      Interval{kClipLeast_px, inside}, Interval{inside, kClipGreatest_px}});
+  return random.pick({ClipRange{-little, inside}, ClipRange{inside, size_px + little},
+                      ClipRange{-little, size_px + little}, ClipRange{size_px, size_px + little},
+                      ClipRange{-little, 0}, ClipRange{kClipLeast_px, kClipGreatest_px},
+                      ClipRange{kClipLeast_px, inside}, ClipRange{inside, kClipGreatest_px}});
 }
 
-[[nodiscard]] Interval whole(Random&, int32_t size_px) { return {0, size_px}; }
+[[nodiscard]] ClipRange whole(Random&, int32_t size_px) { return {0, size_px}; }
 
-using MakeInterval = Interval (*)(Random&, int32_t size_px);
-constexpr Weighted<MakeInterval> kIntervals[] = {{50, partial}, {16, one_pixel}, {3, empty},
-                                                 {3, inverted}, {18, beyond},    {22, whole}};
+using MakeClipRange = ClipRange (*)(Random&, int32_t size_px);
+constexpr Weighted<MakeClipRange> kClipRanges[] = {
+    {50, partial}, {16, one_pixel},         {3, empty},
+    {3, inverted}, {18, beyond_the_target}, {22, whole}};
 
 void set_clip(Random& random, Case* c) {
   c->has_clip = random.percent(40);
   if (!c->has_clip) return;
-  const MakeInterval make_columns = choose<MakeInterval>(random, kIntervals);
-  const MakeInterval make_rows =
-      random.percent(40) ? make_columns : choose<MakeInterval>(random, kIntervals);
-  const Interval columns = make_columns(random, c->target_width_px);
-  const Interval rows = make_rows(random, c->target_height_px);
+  const MakeClipRange make_columns = choose<MakeClipRange>(random, kClipRanges);
+  const MakeClipRange make_rows =
+      random.percent(40) ? make_columns : choose<MakeClipRange>(random, kClipRanges);
+  const ClipRange columns = make_columns(random, c->target_width_px);
+  const ClipRange rows = make_rows(random, c->target_height_px);
   c->clip = {columns.first_px, rows.first_px, columns.end_px, rows.end_px};
 }
 

@@ -3,48 +3,44 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
-#include <vector>
+
+#include "spec/vertex_units.h"
 
 namespace selvage::spec {
 namespace {
 
-constexpr int32_t kPixel_fx8 = SELVAGE_SUBPIXELS;
-constexpr int32_t kTexel_fx16 = SELVAGE_SUBTEXELS;
-constexpr int32_t kLongest_px = 1024, kGreatest_texel = 1024;
-
-using Outline = std::vector<selvage_vertex>;
+constexpr int32_t kLongestBlock_px = 1024, kGreatest_texel = 1024;
 
 // One axis: a position and the texture coordinate that follows it.
 struct Axis {
-  int32_t selvage_vertex::*position;
-  int32_t selvage_vertex::*texel;
+  VertexField position, texel;
 };
 constexpr Axis kAxes[] = {{&selvage_vertex::x, &selvage_vertex::u},
                           {&selvage_vertex::y, &selvage_vertex::v}};
 
-struct Side {
+struct BlockSide {
   int32_t begin_px, end_px;
 };
 
 // The whole target, or begun or ended within it: what steps lose shows at the far end.
-[[nodiscard]] Side random_side(Random& random, int32_t size_px) {
+[[nodiscard]] BlockSide random_side(Random& random, int32_t size_px) {
   if (random.percent(35)) return {0, size_px};
-  const int32_t length_px = random.in(1, random.percent(60) ? size_px + 2 : kLongest_px);
+  const int32_t length_px = random.in(1, random.percent(60) ? size_px + 2 : kLongestBlock_px);
   const int32_t inside_px = random.in(0, int64_t{size_px} + 1);
-  return random.percent(40) ? Side{inside_px, inside_px + length_px}
-                            : Side{inside_px - length_px, inside_px};
+  return random.percent(40) ? BlockSide{inside_px, inside_px + length_px}
+                            : BlockSide{inside_px - length_px, inside_px};
 }
 
 // From the side's first pixel to a texel, mostly one of the texture.
-[[nodiscard]] int32_t random_shift(Random& random, const Side& side, int32_t size_texel) {
+[[nodiscard]] int32_t random_shift(Random& random, const BlockSide& side, int32_t size_texel) {
   return random.in(-2, std::min(size_texel, kGreatest_texel) + 1) - side.begin_px;
 }
 
 // Clockwise from the top left. With as many texel centres as pixels, where texels lie about whole
 // u, the far side is at the last one; seldom it is so in another profile, or not so in that one.
-[[nodiscard]] Outline block(Random& random, const Case& c) {
-  const Side columns = random_side(random, c.target_width_px);
-  const Side rows = random_side(random, c.target_height_px);
+[[nodiscard]] Vertices block(Random& random, const Case& c) {
+  const BlockSide columns = random_side(random, c.target_width_px);
+  const BlockSide rows = random_side(random, c.target_height_px);
   const int32_t ds = random_shift(random, columns, c.texture_width_texel);
   const int32_t dt = random_shift(random, rows, c.texture_height_texel);
   const bool last_centre = (c.profile == SELVAGE_PROFILE_ABRASH57) != random.percent(15);
@@ -61,20 +57,20 @@ struct Side {
 
 // What makes a block something else -----------------------------------------------------------
 
-void change_a_texel(Random& random, const Axis& axis, Outline& outline) {
+void change_a_texel(Random& random, const Axis& axis, Vertices& outline) {
   const int32_t distance_fx16 =
       random.pick({1, kTexel_fx16 / 2, kTexel_fx16, 3 * kTexel_fx16, 9 * kTexel_fx16});
   const int32_t sign = random.pick({1, -1});
   outline[random.below(outline.size())].*axis.texel += sign * distance_fx16;
 }
 
-void lie_between_texels(Random& random, const Axis& axis, Outline& outline) {
+void lie_between_texels(Random& random, const Axis& axis, Vertices& outline) {
   const int32_t distance_fx16 = random.pick({1, -1, kTexel_fx16 / 2, kTexel_fx16 / 2 + 1});
   for (selvage_vertex& v : outline) v.*axis.texel += distance_fx16;
 }
 
 // A corner goes elsewhere and takes its texel along.
-void move_a_corner(Random& random, const Axis& axis, Outline& outline) {
+void move_a_corner(Random& random, const Axis& axis, Vertices& outline) {
   const int32_t distance_px = random.pick({1, 2, 3, 5, 9, -1, -2, -3, -5, -9});
   selvage_vertex& corner = outline[random.below(outline.size())];
   corner.*axis.position += distance_px * kPixel_fx8;
@@ -82,7 +78,7 @@ void move_a_corner(Random& random, const Axis& axis, Outline& outline) {
 }
 
 // Steps along a span, or down an edge, are a unit more or less than a texel, or than nothing.
-void tilt(Random& random, const Axis& axis, Outline& outline) {
+void tilt(Random& random, const Axis& axis, Vertices& outline) {
   const auto [least, greatest] = std::ranges::minmax(outline, {}, axis.position);
   const int32_t far_fx8 = greatest.*axis.position;
   const int32_t length_px = (far_fx8 - least.*axis.position) / kPixel_fx8;
@@ -94,15 +90,15 @@ void tilt(Random& random, const Axis& axis, Outline& outline) {
 }
 
 // Of one corner.
-void exchange_u_and_v(Random& random, const Axis&, Outline& outline) {
+void exchange_u_and_v(Random& random, const Axis&, Vertices& outline) {
   selvage_vertex& corner = outline[random.below(outline.size())];
   std::swap(corner.u, corner.v);
 }
 
-void reverse(Random&, const Axis&, Outline& outline) { std::ranges::reverse(outline); }
+void reverse(Random&, const Axis&, Vertices& outline) { std::ranges::reverse(outline); }
 
 // A fifth corner on the left side, off it or with a texel of its own.
-void bend_the_left_side(Random& random, const Axis& axis, Outline& outline) {
+void bend_the_left_side(Random& random, const Axis& axis, Vertices& outline) {
   selvage_vertex middle = outline.back();
   const int32_t height_px = (middle.y - outline.front().y) / kPixel_fx8;
   const int32_t up_px = random.in(0, height_px + 1);
@@ -112,7 +108,7 @@ void bend_the_left_side(Random& random, const Axis& axis, Outline& outline) {
   outline.push_back(middle);
 }
 
-using Spoil = void (*)(Random&, const Axis&, Outline&);
+using Spoil = void (*)(Random&, const Axis&, Vertices&);
 constexpr Weighted<Spoil> kSpoils[] = {{4, change_a_texel},    {2, lie_between_texels},
                                        {4, move_a_corner},     {6, tilt},
                                        {1, exchange_u_and_v},  {1, reverse},

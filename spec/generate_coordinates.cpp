@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <functional>
-#include <limits>
+
+#include "spec/vertex_units.h"
 
 namespace selvage::spec {
 namespace {
 
-constexpr int64_t kTexel_fx16 = SELVAGE_SUBTEXELS;
-constexpr int32_t kQMax = SELVAGE_Q_MAX;
-constexpr int64_t kLeast = std::numeric_limits<int32_t>::min();
-constexpr int64_t kGreatest = std::numeric_limits<int32_t>::max();
 constexpr int64_t kOneToOne = SELVAGE_SUBTEXELS / SELVAGE_SUBPIXELS;  // u units for a unit of x
 
 // One coordinate. `along` is the axis of the target it naturally follows, `across` is the other
@@ -34,10 +31,12 @@ using MakeRule = Rule (*)(Random&, int32_t size_texel);
 }
 
 [[nodiscard]] Rule anything(Random& random, int32_t) {
-  return [&random](const Place&) { return random.in(kLeast, kGreatest + 1); };
+  return [&random](const Place&) {
+    return random.in(kLeastCoordinate_fx16, kGreatestCoordinate_fx16 + 1);
+  };
 }
 
-[[nodiscard]] Rule within(Random& random, int32_t size_texel) {
+[[nodiscard]] Rule within_texture(Random& random, int32_t size_texel) {
   return [&random, size_texel](const Place&) {
     const int64_t texel = random.in(0, size_texel);
     return texel * kTexel_fx16 + random.in(0, kTexel_fx16 + 1);
@@ -46,20 +45,20 @@ using MakeRule = Rule (*)(Random&, int32_t size_texel);
 
 [[nodiscard]] Rule on_boundaries(Random& random, int32_t size_texel) {
   return [&random, size_texel](const Place&) {
-    return kTexel_fx16 * random.in(-2, int64_t{size_texel} + 3);
+    return int64_t{kTexel_fx16} * random.in(-2, int64_t{size_texel} + 3);
   };
 }
 
 [[nodiscard]] Rule beside_boundaries(Random& random, int32_t size_texel) {
   return [&random, size_texel](const Place&) {
-    const int64_t boundary = kTexel_fx16 * random.in(-1, int64_t{size_texel} + 2);
+    const int64_t boundary = int64_t{kTexel_fx16} * random.in(-1, int64_t{size_texel} + 2);
     return boundary + random.in(-1, 2);
   };
 }
 
 [[nodiscard]] Rule on_halves(Random& random, int32_t size_texel) {
   return [&random, size_texel](const Place&) {
-    return kTexel_fx16 / 2 * random.in(-2, int64_t{size_texel} * 2 + 3);
+    return int64_t{kTexel_fx16} / 2 * random.in(-2, int64_t{size_texel} * 2 + 3);
   };
 }
 
@@ -94,13 +93,15 @@ using MakeRule = Rule (*)(Random&, int32_t size_texel);
 
 [[nodiscard]] Rule ends_of_range(Random& random, int32_t) {
   return [&random](const Place&) {
-    return random.pick({kLeast, kGreatest, kLeast + 1, kGreatest - 1, int64_t{0}});
+    return random.pick({kLeastCoordinate_fx16, kGreatestCoordinate_fx16, kLeastCoordinate_fx16 + 1,
+                        kGreatestCoordinate_fx16 - 1, int64_t{0}});
   };
 }
 
 [[nodiscard]] Rule constant(Random& random, int32_t size_texel) {
   const int64_t near = offset_fx16(random, size_texel);
-  const int64_t chosen = random.pick({near, near, near, int64_t{0}, kLeast, kGreatest});
+  const int64_t chosen =
+      random.pick({near, near, near, int64_t{0}, kLeastCoordinate_fx16, kGreatestCoordinate_fx16});
   return [=](const Place&) { return chosen; };
 }
 
@@ -113,7 +114,7 @@ using MakeRule = Rule (*)(Random&, int32_t size_texel);
 
 // The whole polygon within a texel, or across the one boundary beside it.
 [[nodiscard]] Rule magnified(Random& random, int32_t size_texel) {
-  const int64_t base = kTexel_fx16 * random.in(0, int64_t{size_texel} + 1);
+  const int64_t base = int64_t{kTexel_fx16} * random.in(0, int64_t{size_texel} + 1);
   const int32_t reach = random.pick({1, 2, 256, 65535});
   const int32_t first = random.percent(30) ? -reach : 0;
   return [&random, base, first, reach](const Place&) {
@@ -122,13 +123,9 @@ using MakeRule = Rule (*)(Random&, int32_t size_texel);
 }
 
 constexpr Weighted<MakeRule> kRules[] = {
-    {7, anything},      {15, within},     {10, on_boundaries}, {6, beside_boundaries},
-    {6, on_halves},     {16, one_to_one}, {12, affine},        {7, small_ratio},
-    {5, ends_of_range}, {5, constant},    {5, minified},       {6, magnified}};
-
-[[nodiscard]] int32_t into_range(int64_t coordinate_fx16) {
-  return static_cast<int32_t>(std::clamp(coordinate_fx16, kLeast, kGreatest));
-}
+    {7, anything},      {15, within_texture}, {10, on_boundaries}, {6, beside_boundaries},
+    {6, on_halves},     {16, one_to_one},     {12, affine},        {7, small_ratio},
+    {5, ends_of_range}, {5, constant},        {5, minified},       {6, magnified}};
 
 // q -------------------------------------------------------------------------------------------
 
@@ -184,8 +181,8 @@ void set_uv(Random& random, std::span<selvage_vertex> vertices, int32_t texture_
   const Rule u = make_u(random, texture_width_texel);
   const Rule v = make_v(random, texture_height_texel);
   for (selvage_vertex& vertex : vertices) {
-    vertex.u = into_range(u({vertex.x, vertex.y}));
-    vertex.v = into_range(v({vertex.y, vertex.x}));
+    vertex.u = clamped_coordinate(u({vertex.x, vertex.y}));
+    vertex.v = clamped_coordinate(v({vertex.y, vertex.x}));
   }
 }
 

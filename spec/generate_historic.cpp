@@ -9,16 +9,16 @@
 #include "spec/model.h"
 #include "spec/profiles.h"
 #include "spec/random.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::spec {
 namespace {
 
-constexpr int32_t kPixel_fx8 = SELVAGE_SUBPIXELS;
-constexpr int32_t kTexel_fx16 = SELVAGE_SUBTEXELS;
-constexpr int32_t kLongest_px = 1024;  // from 195 on a 16.16 step cannot keep all columns apart
+// From 195 on a 16.16 step cannot keep all columns apart.
+constexpr int32_t kLongestTarget_px = 1024;
 
 // One axis of the outline onto the whole target. Order is kept, so a valid outline stays valid.
-void stretch_axis(int32_t selvage_vertex::*axis, int32_t size_px, Case* c) {
+void stretch_axis(VertexField axis, int32_t size_px, Case* c) {
   const auto [least, greatest] = std::ranges::minmax(c->vertices, {}, axis);
   const int64_t first = least.*axis, extent = int64_t{greatest.*axis} - first;
   if (extent == 0) return;
@@ -29,7 +29,7 @@ void stretch_axis(int32_t selvage_vertex::*axis, int32_t size_px, Case* c) {
 }
 
 void make_long(Random& random, Case* c) {
-  const int32_t length_px = random.in(129, kLongest_px + 1);
+  const int32_t length_px = random.in(129, kLongestTarget_px + 1);
   const int32_t breadth_px = random.in(1, 3);
   const bool is_wide = random.percent(60);
   c->target_width_px = is_wide ? length_px : breadth_px;
@@ -54,13 +54,13 @@ void make_long(Random& random, Case* c) {
   return from + prestep + step * (x_px - left.column_px);
 }
 
-struct Place {
+struct LinePixel {
   HistoricLine line;
   int32_t x_px;
 };
 
 // A pixel that is covered and in the target, if a few tries find one.
-[[nodiscard]] std::optional<Place> find_place(Random& random, const Case& c) {
+[[nodiscard]] std::optional<LinePixel> find_pixel(Random& random, const Case& c) {
   if (c.vertices.empty()) return std::nullopt;
   for (int tries = 0; tries < 8; ++tries) {
     const int32_t y_px = random.in(0, c.target_height_px);
@@ -68,18 +68,18 @@ struct Place {
     if (!line) continue;
     const int32_t first_px = std::max(line->left.column_px, 0);
     const int32_t end_px = std::min(line->end_px(), c.target_width_px);
-    if (first_px < end_px) return Place{*line, random.in(first_px, end_px)};
+    if (first_px < end_px) return LinePixel{*line, random.in(first_px, end_px)};
   }
   return std::nullopt;
 }
 
 void graze_a_step(Random& random, Case* c) {
-  const std::optional<Place> place = find_place(random, *c);
-  if (!place) return;
+  const std::optional<LinePixel> pixel = find_pixel(random, *c);
+  if (!pixel) return;
   const int64_t rounding_fx16 = profile_of(*c).rounding_fx16;
   for (const auto axis : {&selvage_vertex::u, &selvage_vertex::v}) {
     const bool of_v = axis == &selvage_vertex::v;
-    const int64_t at_fx16 = value_fx16(place->line, place->x_px, of_v) + rounding_fx16;
+    const int64_t at_fx16 = value_fx16(pixel->line, pixel->x_px, of_v) + rounding_fx16;
     const int64_t shift = random.pick({-1, -1, 0, 0, 1}) - (at_fx16 & (kTexel_fx16 - 1));
     const auto shifted = [&](const selvage_vertex& v) { return v.*axis + shift; };
     const bool fits = std::ranges::all_of(c->vertices, [&](const selvage_vertex& v) {

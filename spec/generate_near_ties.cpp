@@ -8,6 +8,7 @@
 
 #include "spec/geometry.h"
 #include "spec/shape_families.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::spec {
 

@@ -8,11 +8,12 @@
 #include "spec/case.h"
 #include "spec/generate_near_ties.h"
 #include "spec/shape_families.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::spec {
 namespace {
 
-constexpr Weighted<Family> kFamilies[] = {
+constexpr Weighted<Family> kOutlineFamilies[] = {
     {11, triangle}, {11, grid_triangle}, {7, sliver},  {2, smallest}, {5, needle},
     {8, rectangle}, {8, slanted},        {16, convex}, {14, chains},  {3, flat},
     {9, far_off},   {6, broken},         {1, too_few}, {10, grazing}};
@@ -99,14 +100,10 @@ struct Likely {
 constexpr Likely kChanges[] = {{25, stretch},         {8, enlarge},      {8, shift},
                                {12, repeat_a_vertex}, {12, add_a_ledge}, {10, add_a_collinear_run}};
 
-[[nodiscard]] int64_t into_range(int64_t position_fx8) {
-  return std::clamp<int64_t>(position_fx8, SELVAGE_X_MIN, SELVAGE_X_END - 1);
-}
-
 }  // namespace
 
 Outline random_outline(Random& random, const Frame& frame) {
-  const Family family = choose<Family>(random, kFamilies);
+  const Family family = choose<Family>(random, kOutlineFamilies);
   Outline outline = family(random, frame);
   if (outline.size() < 3) return outline;
   for (const Likely& likely : kChanges) {
@@ -115,7 +112,7 @@ Outline random_outline(Random& random, const Frame& frame) {
   if (random.percent(50)) std::reverse(outline.begin(), outline.end());
   const Index first = random_index(random, outline);
   std::rotate(outline.begin(), outline.begin() + first, outline.end());
-  for (Point& point : outline) point = {into_range(point.x), into_range(point.y)};
+  for (Point& point : outline) point = {clamped_position(point.x), clamped_position(point.y)};
   return outline;
 }
 

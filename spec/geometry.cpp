@@ -8,6 +8,15 @@ int64_t doubled_area(Point a, Point b, Point c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+int64_t doubled_area(std::span<const selvage_vertex> outline) {
+  int64_t sum = 0;
+  for (size_t i = 0; i < outline.size(); ++i) {
+    const selvage_vertex &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    sum += int64_t{a.x} * b.y - int64_t{b.x} * a.y;
+  }
+  return sum;
+}
+
 bool on_segment(Point p, Point a, Point b) {
   return doubled_area(a, b, p) == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
          std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);

@@ -14,6 +14,10 @@ struct Point {
   friend bool operator==(const Point&, const Point&) = default;
 };
 
+struct Pixel {
+  int32_t x_px, y_px;
+};
+
 [[nodiscard]] inline Point position(const selvage_vertex& v) { return {v.x, v.y}; }
 [[nodiscard]] inline Point pixel_centre(int32_t x_px, int32_t y_px) {
   return {int64_t{x_px} * SELVAGE_SUBPIXELS + SELVAGE_SUBPIXELS / 2,
@@ -22,6 +26,8 @@ struct Point {
 
 // Twice the signed area of a triangle: positive when a, b, c run clockwise on the screen (y down).
 [[nodiscard]] int64_t doubled_area(Point a, Point b, Point c);
+// Likewise of an outline, as often as it goes round. Below 2 * 256 vertices * 2^48.
+[[nodiscard]] int64_t doubled_area(std::span<const selvage_vertex> outline);
 
 // The point lies on the closed segment.
 [[nodiscard]] bool on_segment(Point p, Point a, Point b);

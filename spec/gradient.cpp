@@ -35,11 +35,9 @@ struct DualCrossing {
   return {mix(a.x, b.x, t), mix(a.uq, b.uq, t), mix(a.vq, b.vq, t), mix(a.q, b.q, t)};
 }
 
-[[nodiscard]] Rational px(int32_t fx8) { return Rational(fx8) / SELVAGE_SUBPIXELS; }
-
-[[nodiscard]] DualCrossing at_vertex(const selvage_vertex& p) {
+[[nodiscard]] DualCrossing dual_at_vertex(const selvage_vertex& p) {
   const Rational q(p.q);
-  return {{px(p.x)},
+  return {{to_px(p.x)},
           {Rational(p.u) / SELVAGE_SUBTEXELS * q},
           {Rational(p.v) / SELVAGE_SUBTEXELS * q},
           {q}};
@@ -53,9 +51,9 @@ struct DualCrossing {
     const selvage_vertex& a = vertices[i];
     const selvage_vertex& b = vertices[(i + 1) % vertices.size()];
     const auto [top, bottom] = a.y <= b.y ? std::pair(a, b) : std::pair(b, a);
-    if (!(px(top.y) <= y.value && y.value < px(bottom.y))) continue;
-    const Dual t = (y - Dual{px(top.y)}) / Dual{px(bottom.y) - px(top.y)};
-    found.push_back(mix(at_vertex(top), at_vertex(bottom), t));
+    if (!(to_px(top.y) <= y.value && y.value < to_px(bottom.y))) continue;
+    const Dual t = (y - Dual{to_px(top.y)}) / Dual{to_px(bottom.y) - to_px(top.y)};
+    found.push_back(mix(dual_at_vertex(top), dual_at_vertex(bottom), t));
   }
   if (found.size() == 2 && found[1].x.value < found[0].x.value) std::swap(found[0], found[1]);
   return found;

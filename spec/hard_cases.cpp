@@ -5,7 +5,7 @@
 namespace selvage::spec {
 namespace {
 
-constexpr HardFamily kFamilies[] = {
+constexpr HardFamily kHardFamilies[] = {
     {"slivers",
      "Triangles down to 1/65536 square pixel: gradients divided by an area of nearly 0 blow "
      "up, and rounding decides whether a centre is covered.",
@@ -106,10 +106,10 @@ constexpr HardFamily kFamilies[] = {
 
 }  // namespace
 
-std::span<const HardFamily> hard_families() { return kFamilies; }
+std::span<const HardFamily> hard_families() { return kHardFamilies; }
 
 const HardFamily* find_hard_family(std::string_view name) {
-  for (const HardFamily& family : kFamilies) {
+  for (const HardFamily& family : kHardFamilies) {
     if (family.name == name) return &family;
   }
   return nullptr;

@@ -5,6 +5,7 @@
 #include "spec/generate_near_ties.h"
 #include "spec/hard_makers.h"
 #include "spec/hard_tools.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::spec {
 namespace {

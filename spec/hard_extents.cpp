@@ -3,6 +3,7 @@
 
 #include "spec/hard_makers.h"
 #include "spec/hard_tools.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::spec {
 

@@ -4,6 +4,8 @@
 #include <bit>
 #include <utility>
 
+#include "spec/vertex_units.h"
+
 namespace selvage::spec {
 
 int32_t Draft::place_fx8(int32_t first_px, int32_t last_px) {
@@ -65,19 +67,17 @@ Outline parallelogram(Point from, Point a, Point b) {
 
 namespace {
 
-using Axis = int32_t selvage_vertex::*;
-
 // The texels that an int32_t can reach.
 constexpr int32_t kMostTexels = 32768;
 
-[[nodiscard]] std::pair<int32_t, int32_t> range_of(const Case& c, Axis axis) {
+[[nodiscard]] std::pair<int32_t, int32_t> range_of(const Case& c, VertexField axis) {
   const auto [least, greatest] = std::ranges::minmax(c.vertices, {}, axis);
   return {least.*axis, greatest.*axis};
 }
 
 // One coordinate over at least 7/8 of the texture's side: x_percent of that along the outline's
 // width, the rest along its height, each forward or backward.
-void spread(Random& random, Case* c, Axis coordinate, int32_t size_texel, int x_percent) {
+void spread(Random& random, Case* c, VertexField coordinate, int32_t size_texel, int x_percent) {
   const int64_t whole = int64_t{std::min(size_texel, kMostTexels)} * SELVAGE_SUBTEXELS;
   const int64_t unused = random.in(1, std::min<int64_t>(whole / 8, SELVAGE_SUBTEXELS * 64) + 1);
   const int64_t first = random.in(0, unused);
@@ -97,7 +97,7 @@ void spread(Random& random, Case* c, Axis coordinate, int32_t size_texel, int x_
 }
 
 // Whole numbers at centres; gives the texels from 0 that it needs.
-[[nodiscard]] int32_t set_slope(Case* c, Axis coordinate, Slope slope) {
+[[nodiscard]] int32_t set_slope(Case* c, VertexField coordinate, Slope slope) {
   for (selvage_vertex& vertex : c->vertices) {
     const int32_t x = vertex.x - kHalfPixel_fx8, y = vertex.y - kHalfPixel_fx8;
     vertex.*coordinate = (slope.along_x * x + slope.along_y * y) / slope.under *
@@ -141,7 +141,7 @@ void map_anywhere(Draft& draft, Case* c) {
 }
 
 void map_about_the_middle(Draft& draft, Case* c) {
-  const auto set = [&](int32_t selvage_vertex::*coordinate, int32_t x_scale, int32_t y_scale,
+  const auto set = [&](VertexField coordinate, int32_t x_scale, int32_t y_scale,
                        int32_t size_texel) {
     const int64_t middle = int64_t{x_scale} * c->target_width_px * kHalfPixel_fx8 +
                            int64_t{y_scale} * c->target_height_px * kHalfPixel_fx8;

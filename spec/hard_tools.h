@@ -7,6 +7,7 @@
 #include "spec/generate_shapes.h"
 #include "spec/random.h"
 #include "spec/shape_families.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::spec {
 

@@ -50,10 +50,6 @@ struct ImageErrors {
   selvage_status null, format, size, pitch, alignment;
 };
 
-[[nodiscard]] ptrdiff_t bytes_per_pixel(selvage_format format) {
-  return format == SELVAGE_INDEX8 ? 1 : format == SELVAGE_RGB565 ? 2 : 4;
-}
-
 // Spoils either image through the accessor `of`, a function from Arguments& to the image.
 template <class Of>
 void spoil_image(Calls* calls, const ImageErrors& errors, selvage_format format, Of of) {

@@ -28,10 +28,6 @@ class Choices {
   uint64_t state_;
 };
 
-struct Pixel {
-  int32_t x_px, y_px;
-};
-
 // A pixel of the target, so far from the end of the vertex range that a polygon fits around it.
 [[nodiscard]] Pixel choose_pixel(const Case& c, Choices& choices);
 

@@ -13,7 +13,7 @@
 namespace selvage::spec {
 namespace {
 
-[[nodiscard]] Fan draw_fan(const Subject& subject, const Case& c, const selvage_vertex& centre) {
+[[nodiscard]] Fan fan_by(const Subject& subject, const Case& c, const selvage_vertex& centre) {
   return draw_fan(c, centre, subject.claims, [&](const Case& tile) { return draw(subject, tile); });
 }
 
@@ -117,7 +117,7 @@ Judgement check_part(const Subject& subject, const Case& c) {
     if (hull.size() >= 3) region.vertices = std::move(hull);
   }
   const selvage_vertex centre = part_centre(region);
-  return judge_counts("PART", region, draw_fan(subject, region, centre), position(centre));
+  return judge_counts("PART", region, fan_by(subject, region, centre), position(centre));
 }
 
 Judgement check_pinwheel(const Subject& subject, const Case& c) {
@@ -127,7 +127,7 @@ Judgement check_pinwheel(const Subject& subject, const Case& c) {
   const auto [x_px, y_px] = pixel;
   const Point centre = sample_point(c, pixel);
   const Case region = with_vertices(unclipped(c), ring_around(centre, acceptable(c), choices));
-  const Fan fan = draw_fan(subject, region, pinwheel_centre(region, x_px, y_px));
+  const Fan fan = fan_by(subject, region, pinwheel_centre(region, x_px, y_px));
   Judgement judgement = {.judged_px = 1};
   const size_t index = static_cast<size_t>(y_px) * static_cast<size_t>(c.target_width_px) +
                        static_cast<size_t>(x_px);

@@ -30,7 +30,7 @@ struct Side {
 
 // A rectangle whose u - x and v - y are whole texels; where texels lie about whole u, its far side
 // is at the last texel's centre.
-[[nodiscard]] Case rectangle(const Case& c, Side columns, Side rows, int32_t ds, int32_t dt) {
+[[nodiscard]] Case block_rectangle(const Case& c, Side columns, Side rows, int32_t ds, int32_t dt) {
   const bool last_centre = c.profile == SELVAGE_PROFILE_ABRASH57;
   const auto texel_fx16 = [&](int32_t at_fx8, const Side& side, int32_t shift) {
     const bool far = last_centre && at_fx8 == side.end_fx8 && side.begin_fx8 != side.end_fx8;
@@ -57,7 +57,7 @@ Judgement check_identity(const Subject& subject, const Case& any) {
   const Side rows = pick_side(profile, choices, c.target_height_px);
   const int32_t ds = choices.pick(-c.texture_width_texel, c.texture_width_texel + 1) % 1024;
   const int32_t dt = choices.pick(-c.texture_height_texel, c.texture_height_texel + 1) % 1024;
-  const Case shown = visible(subject, rectangle(c, columns, rows, ds, dt));
+  const Case shown = visible(subject, block_rectangle(c, columns, rows, ds, dt));
   const bool is_flat = rows.begin_fx8 == rows.end_fx8;
   return compare(
       "IDENTITY", "an axis-aligned one-to-one rectangle is a block copy", shown,

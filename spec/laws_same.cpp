@@ -196,8 +196,8 @@ struct Drawn {
 }
 
 // Every byte, those beside the pixels included.
-[[nodiscard]] Judgement judge(const Scene& scene, const std::string& what, const Drawn& in_turn,
-                              const Drawn& other) {
+[[nodiscard]] Judgement judge_other(const Scene& scene, const std::string& what,
+                                    const Drawn& in_turn, const Drawn& other) {
   const Case& c = scene.shown();
   Judgement judgement = {.judged_px = static_cast<uint64_t>(c.target_width_px) *
                                       static_cast<uint64_t>(c.target_height_px)};
@@ -223,7 +223,7 @@ Judgement check_same(const Subject& subject, const Case& c) {
   demand_drawn(in_turn.status, scene.shown());
   const std::string tiles = std::to_string(scene.count()) + " polygons, each drawn tile by tile";
   if (subject.claims.clip &&
-      add(&judgement, judge(scene, tiles, in_turn, draw_in_tiles(subject, scene)))) {
+      add(&judgement, judge_other(scene, tiles, in_turn, draw_in_tiles(subject, scene)))) {
     return judgement;
   }
   for (const selvage_kernel kernel : kKernels) {
@@ -231,14 +231,14 @@ Judgement check_same(const Subject& subject, const Case& c) {
     if (by_kernel.status == SELVAGE_ERROR_KERNEL) continue;  // not one for this machine
     const std::string what = std::to_string(scene.count()) + " polygons, drawn by kernel " +
                              std::to_string(kernel) + " of selvage_kernel";
-    if (add(&judgement, judge(scene, what, in_turn, by_kernel))) return judgement;
+    if (add(&judgement, judge_other(scene, what, in_turn, by_kernel))) return judgement;
   }
   if (!subject.draw_many) return judgement;
   for (const int32_t threads : kThreads) {
     const std::string what = std::to_string(scene.count()) + " polygons in one call, " +
                              std::to_string(threads) + (threads == 1 ? " thread" : " threads");
     const Drawn together = draw_together(subject, scene, threads);
-    if (add(&judgement, judge(scene, what, in_turn, together))) return judgement;
+    if (add(&judgement, judge_other(scene, what, in_turn, together))) return judgement;
   }
   return judgement;
 }

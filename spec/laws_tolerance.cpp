@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::string_view kLaw = "TOLERANCE";
 
-// Any tolerance may be asked for; beyond a few texels nothing new is drawn by it.
-inline constexpr int32_t kMostBits = 22;
+// Any tolerance may be asked for; beyond a few to_texels nothing new is drawn by it.
+inline constexpr int32_t kMostToleranceBits = 22;
 
 // Kernels need not draw the same within a tolerance: a case is drawn by one of them, or by the
 // fastest where the subject has no such one.
@@ -89,7 +89,7 @@ class Asked {
   Canvas target_, texture_;
 };
 
-[[nodiscard]] Rational texels(const Rational& fx16) { return fx16 / SELVAGE_SUBTEXELS; }
+[[nodiscard]] Rational to_texels(const Rational& fx16) { return fx16 / SELVAGE_SUBTEXELS; }
 
 [[nodiscard]] bool is_stepped(const selvage_choice& choice) {
   return choice.method == SELVAGE_METHOD_SUBDIVIDED ||
@@ -108,7 +108,7 @@ class Asked {
   }
   if (!is_stepped(choice)) return choice.bound == 0 ? "" : "an exact method has a bound";
   if (choice.segment_px % 16 != 0) return "segments are no multiple of 16 px";
-  return texels(choice.bound) >= chord_bound(line, choice.segment_px)
+  return to_texels(choice.bound) >= chord_bound(line, choice.segment_px)
              ? ""
              : "the bound is less than the derived one";
 }
@@ -152,15 +152,15 @@ class TolerantCase {
     for (int32_t y = 0; !judgement.violation && y < case_.target_height_px; ++y) {
       const std::optional<ScanLine>& line = lines_[static_cast<size_t>(y)];
       if (columns_[static_cast<size_t>(y)].empty()) continue;
-      Rational allowed = texels(tolerance_fx16_);
+      Rational allowed = to_texels(tolerance_fx16_);
       if (subject_.choose) {
         const selvage_choice choice = asked_.row(y);
         const std::string fault = fault_of(choice, *line, tolerance_fx16_);
         if (!fault.empty()) return blame(std::move(judgement), fault, choice, y);
         all = together(all, choice);
-        allowed = is_stepped(choice) ? std::min(texels(choice.bound),
+        allowed = is_stepped(choice) ? std::min(to_texels(choice.bound),
                                                 Rational(chord_bound(*line, choice.segment_px) +
-                                                         texels(rounding_bound_fx16(*line))))
+                                                         to_texels(rounding_bound_fx16(*line))))
                                      : Rational(0);
       }
       add(&judgement, judge_row(y, *line, allowed));
@@ -215,7 +215,7 @@ class TolerantCase {
       }
       judgement.violation = violation_at(
           kLaw,
-          "within " + texels(tolerance_fx16_).get_str() + " texel, a texel lies within " +
+          "within " + to_texels(tolerance_fx16_).get_str() + " texel, a texel lies within " +
               allowed.get_str() + " texel of its exact (u, v)",
           case_, x, y, "columns " + s.text() + ", rows " + t.text() + ", addressed", pixel);
       return judgement;
@@ -236,7 +236,7 @@ class TolerantCase {
                                 const selvage_choice& choice, int32_t y_px) const {
     judgement.violation = violation_of_call(
         kLaw,
-        "row " + std::to_string(y_px) + ", within " + texels(tolerance_fx16_).get_str() +
+        "row " + std::to_string(y_px) + ", within " + to_texels(tolerance_fx16_).get_str() +
             " texel: " + fault,
         case_, "a choice whose bound is derived and within the tolerance", text_of(choice));
     return judgement;
@@ -290,13 +290,13 @@ void fit(std::vector<selvage_vertex>* vertices, int32_t selvage_vertex::*axis, i
                                  SELVAGE_SUBTEXELS / 4, int32_t{SELVAGE_SUBTEXELS}};
   const int32_t kind = choices.pick(0, 3);
   if (kind == 0) return kUsual[static_cast<size_t>(choices.pick(0, 4))];
-  const int32_t any = (1 << choices.pick(0, kMostBits)) + choices.pick(0, 16);
+  const int32_t any = (1 << choices.pick(0, kMostToleranceBits)) + choices.pick(0, 16);
   const auto line = scan_line(c.vertices, choices.pick(0, c.target_height_px));
   if (kind == 1 || !line || columns_of(*line).empty()) return any;
   const int32_t segment_px = 16 * choices.pick(0, 20);
   const Rational bound =
       chord_bound(*line, segment_px) * SELVAGE_SUBTEXELS + rounding_bound_fx16(*line);
-  return bound < (1 << kMostBits) ? std::max(floor(bound) + choices.pick(-2, 3), 1) : any;
+  return bound < (1 << kMostToleranceBits) ? std::max(floor(bound) + choices.pick(-2, 3), 1) : any;
 }
 
 [[nodiscard]] selvage_kernel some_kernel(const Case& c) {

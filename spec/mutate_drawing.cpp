@@ -7,9 +7,8 @@
 namespace selvage::spec {
 namespace {
 
-constexpr int32_t kClipLeast_px = -32768, kClipGreatest_px = 32767;
-constexpr int32_t kLongest_px = 1024;  // the model looks at every pixel
-constexpr int32_t kMostPixels = 4096;
+constexpr int32_t kLongestSide_px = 1024;  // the model looks at every pixel
+constexpr int32_t kMostTarget_px = 4096;
 
 // A side that is set keeps the image within what a case may have.
 void set_side(Case& c, int32_t Case::*side, int32_t Case::*other, int64_t value, int64_t most) {
@@ -23,7 +22,7 @@ void resize_target(Random& random, Case& c) {
   const auto other = wide ? &Case::target_height_px : &Case::target_width_px;
   const int64_t now = c.*side;
   const int64_t value = random.pick({now + 1, now - 1, 2 * now, 3 * now, now / 2});
-  if (value > kLongest_px || value * c.*other > kMostPixels) return;
+  if (value > kLongestSide_px || value * c.*other > kMostTarget_px) return;
   set_side(c, side, other, value, kMaxTargetPx);
 }
 
@@ -81,7 +80,7 @@ void change_memory(Random& random, Case& c) {
   c.flip_texture = random.percent(25);
 }
 
-constexpr Mutation kMutations[] = {
+constexpr Mutation kDrawingMutations[] = {
     {"resize target", resize_target},   {"resize texture", resize_texture},
     {"move clip side", move_clip_side}, {"drop clip", drop_clip},
     {"change choice", change_choice},   {"change choice", change_choice},
@@ -90,6 +89,6 @@ constexpr Mutation kMutations[] = {
 
 }  // namespace
 
-std::span<const Mutation> drawing_mutations() { return kMutations; }
+std::span<const Mutation> drawing_mutations() { return kDrawingMutations; }
 
 }  // namespace selvage::spec

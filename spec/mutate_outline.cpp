@@ -6,15 +6,10 @@
 #include "spec/geometry.h"
 #include "spec/mutate_case.h"
 #include "spec/profiles.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::spec {
 namespace {
-
-constexpr int32_t kPixel_fx8 = SELVAGE_SUBPIXELS;
-
-[[nodiscard]] int32_t into_range(int64_t fx8) {
-  return static_cast<int32_t>(std::clamp<int64_t>(fx8, SELVAGE_X_MIN, int64_t{SELVAGE_X_END} - 1));
-}
 
 [[nodiscard]] int32_t grid_of(const Case& c) {
   return profile_of(c).whole_px ? kPixel_fx8 : int32_t{1};
@@ -31,8 +26,8 @@ constexpr int32_t kPixel_fx8 = SELVAGE_SUBPIXELS;
 }
 
 void put(selvage_vertex& v, Point at) {
-  v.x = into_range(at.x);
-  v.y = into_range(at.y);
+  v.x = clamped_position(at.x);
+  v.y = clamped_position(at.y);
 }
 
 void nudge_vertex(Random& random, Case& c) {
@@ -92,7 +87,7 @@ void graze_sample(Random& random, Case& c) {
 }
 
 // A vertex onto the line between its neighbours, or a unit off it: no area, or next to none.
-void make_sliver(Random& random, Case& c) {
+void flatten_vertex(Random& random, Case& c) {
   const size_t count = c.vertices.size();
   if (count < 3) return;
   const size_t i = random.below(count);
@@ -143,7 +138,7 @@ void stretch_outline(Random& random, Case& c) {
   const bool doubled = random.percent(30);
   for (selvage_vertex& v : c.vertices) {
     const int64_t along = int64_t{v.*axis} - first;
-    v.*axis = into_range(doubled ? first + 2 * along : along * size_fx8 / extent);
+    v.*axis = clamped_position(doubled ? first + 2 * along : along * size_fx8 / extent);
   }
 }
 
@@ -167,24 +162,24 @@ void repeat_vertex(Random& random, Case& c) {
   c.vertices.insert(at, selvage_vertex{*at});
 }
 
-constexpr Mutation kMutations[] = {{"nudge vertex", nudge_vertex},
-                                   {"move vertex", move_vertex},
-                                   {"snap vertex", snap_vertex},
-                                   {"edge through sample", edge_through_sample},
-                                   {"graze sample", graze_sample},
-                                   {"graze sample", graze_sample},
-                                   {"sliver", make_sliver},
-                                   {"slope", set_slope},
-                                   {"align vertices", align_vertices},
-                                   {"shift outline", shift_outline},
-                                   {"stretch outline", stretch_outline},
-                                   {"rotate vertices", rotate_vertices},
-                                   {"reverse vertices", reverse_vertices},
-                                   {"drop vertex", drop_vertex},
-                                   {"repeat vertex", repeat_vertex}};
+constexpr Mutation kOutlineMutations[] = {{"nudge vertex", nudge_vertex},
+                                          {"move vertex", move_vertex},
+                                          {"snap vertex", snap_vertex},
+                                          {"edge through sample", edge_through_sample},
+                                          {"graze sample", graze_sample},
+                                          {"graze sample", graze_sample},
+                                          {"sliver", flatten_vertex},
+                                          {"slope", set_slope},
+                                          {"align vertices", align_vertices},
+                                          {"shift outline", shift_outline},
+                                          {"stretch outline", stretch_outline},
+                                          {"rotate vertices", rotate_vertices},
+                                          {"reverse vertices", reverse_vertices},
+                                          {"drop vertex", drop_vertex},
+                                          {"repeat vertex", repeat_vertex}};
 
 }  // namespace
 
-std::span<const Mutation> outline_mutations() { return kMutations; }
+std::span<const Mutation> outline_mutations() { return kOutlineMutations; }
 
 }  // namespace selvage::spec

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -11,37 +10,26 @@
 #include "spec/model.h"
 #include "spec/mutate_case.h"
 #include "spec/profiles.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::spec {
 namespace {
 
-constexpr int32_t kTexel_fx16 = SELVAGE_SUBTEXELS, kQMax = SELVAGE_Q_MAX;
-
-using Axis = int32_t selvage_vertex::*;
-
-[[nodiscard]] Axis any_axis(Random& random) {
+[[nodiscard]] VertexField any_axis(Random& random) {
   return random.percent(50) ? &selvage_vertex::u : &selvage_vertex::v;
 }
 
-[[nodiscard]] int32_t into_range(int64_t coordinate_fx16) {
-  return static_cast<int32_t>(std::clamp<int64_t>(
-      coordinate_fx16, std::numeric_limits<int32_t>::min(), std::numeric_limits<int32_t>::max()));
-}
-
 // Only if all of them fit: then what the samples tell moves by as much.
-void shift_all(Case& c, Axis axis, int64_t by_fx16) {
+void shift_all(Case& c, VertexField axis, int64_t by_fx16) {
   const auto shifted = [&](const selvage_vertex& v) { return v.*axis + by_fx16; };
-  const bool fits = std::ranges::all_of(
-      c.vertices, [&](const selvage_vertex& v) { return shifted(v) == into_range(shifted(v)); });
+  const bool fits = std::ranges::all_of(c.vertices, [&](const selvage_vertex& v) {
+    return shifted(v) == clamped_coordinate(shifted(v));
+  });
   if (!fits) return;
   for (selvage_vertex& v : c.vertices) v.*axis = static_cast<int32_t>(shifted(v));
 }
 
-struct Pixel {
-  int32_t x_px, y_px;
-};
-
-[[nodiscard]] std::optional<Rational> value_fx16(const Case& c, Pixel at, Axis axis) {
+[[nodiscard]] std::optional<Rational> value_fx16(const Case& c, Pixel at, VertexField axis) {
   const std::optional<Sample> point = ModelRow(c, at.y_px).coordinates(at.x_px);
   if (!point) return std::nullopt;
   return Rational((axis == &selvage_vertex::u ? point->u : point->v) * kTexel_fx16 +
@@ -74,7 +62,7 @@ struct Pixel {
 void tie_at_pixel(Random& random, Case& c) {
   const std::optional<Pixel> at = covered_pixel(random, c);
   if (!at) return;
-  for (const Axis axis : {&selvage_vertex::u, &selvage_vertex::v}) {
+  for (const VertexField axis : {&selvage_vertex::u, &selvage_vertex::v}) {
     const std::optional<Rational> value = value_fx16(c, *at, axis);
     if (!value) continue;
     const int32_t miss = random.pick({0, 0, 0, -1, -1, 1, -2, 2, -5, 5});
@@ -88,7 +76,7 @@ void refine_tie(Random& random, Case& c) {
   constexpr int32_t kReach = 24;
   const std::optional<Pixel> at = covered_pixel(random, c);
   if (!at) return;
-  const Axis axis = any_axis(random);
+  const VertexField axis = any_axis(random);
   const size_t i = random.below(c.vertices.size());
   const size_t j = (i + 1) % c.vertices.size();
   const bool below = random.percent(60);
@@ -111,8 +99,8 @@ void refine_tie(Random& random, Case& c) {
       if (distance < least) least = distance, best = {a, b};
     }
   }
-  c.vertices[i].*axis = into_range(int64_t{c.vertices[i].*axis} + best.first);
-  c.vertices[j].*axis = into_range(int64_t{c.vertices[j].*axis} + best.second);
+  c.vertices[i].*axis = clamped_coordinate(int64_t{c.vertices[i].*axis} + best.first);
+  c.vertices[j].*axis = clamped_coordinate(int64_t{c.vertices[j].*axis} + best.second);
 }
 
 // Of a triangle: by number theory, as near as the weights of its corners allow.
@@ -124,7 +112,7 @@ void graze_texel(Random& random, Case& c) {
 // One plane over the outline, its steps ratios without a finite binary fraction; along rows alone,
 // down columns alone, or both.
 void set_plane(Random& random, Case& c) {
-  const Axis axis = any_axis(random);
+  const VertexField axis = any_axis(random);
   const int64_t scale = kTexel_fx16 / SELVAGE_SUBPIXELS;
   const int64_t under = random.pick({3, 5, 7, 11, 13, 27, 97});
   const int64_t reach = random.percent(70) ? 2 * under : 40 * under;
@@ -132,15 +120,16 @@ void set_plane(Random& random, Case& c) {
   const int64_t down = random.percent(40) ? 0 : random.in(-reach, reach + 1);
   const int64_t offset = int64_t{kTexel_fx16} * random.in(0, 8) + random.pick({0, 0, 1, -1, 32768});
   for (selvage_vertex& v : c.vertices) {
-    v.*axis = into_range((int64_t{v.x} * along + int64_t{v.y} * down) * scale / under + offset);
+    v.*axis =
+        clamped_coordinate((int64_t{v.x} * along + int64_t{v.y} * down) * scale / under + offset);
   }
 }
 
 void nudge_coordinate(Random& random, Case& c) {
   if (c.vertices.empty()) return;
   selvage_vertex& v = c.vertices[random.below(c.vertices.size())];
-  const Axis axis = any_axis(random);
-  v.*axis = into_range(int64_t{v.*axis} + random.pick({-1, 1, -2, 2, 256, -256}));
+  const VertexField axis = any_axis(random);
+  v.*axis = clamped_coordinate(int64_t{v.*axis} + random.pick({-1, 1, -2, 2, 256, -256}));
 }
 
 void move_coordinate(Random& random, Case& c) {
@@ -150,14 +139,15 @@ void move_coordinate(Random& random, Case& c) {
   const int32_t size = of_u ? c.texture_width_texel : c.texture_height_texel;
   const int64_t texel = random.in(-1, int64_t{size} + 2);
   const int32_t fraction = random.pick({0, 0, 1, -1, 32768, random.in(0, kTexel_fx16)});
-  v.*(of_u ? &selvage_vertex::u : &selvage_vertex::v) = into_range(texel * kTexel_fx16 + fraction);
+  v.*(of_u ? &selvage_vertex::u : &selvage_vertex::v) =
+      clamped_coordinate(texel * kTexel_fx16 + fraction);
 }
 
 void scale_coordinates(Random& random, Case& c) {
-  const Axis axis = any_axis(random);
+  const VertexField axis = any_axis(random);
   const int64_t times = random.pick({2, 2, 3, 8, -1, 1, 1});
   const int64_t over = random.pick({1, 1, 2, 3, 16});
-  for (selvage_vertex& v : c.vertices) v.*axis = into_range(v.*axis * times / over);
+  for (selvage_vertex& v : c.vertices) v.*axis = clamped_coordinate(v.*axis * times / over);
 }
 
 void shift_texels(Random& random, Case& c) {
@@ -196,27 +186,27 @@ void nudge_q(Random& random, Case& c) {
   v.q = std::clamp(v.q + random.pick({-1, 1}), 1, kQMax);
 }
 
-constexpr Mutation kMutations[] = {{"tie at pixel", tie_at_pixel},
-                                   {"tie at pixel", tie_at_pixel},
-                                   {"refine tie", refine_tie},
-                                   {"refine tie", refine_tie},
-                                   {"graze texel", graze_texel},
-                                   {"graze texel", graze_texel},
-                                   {"graze texel", graze_texel},
-                                   {"plane", set_plane},
-                                   {"plane", set_plane},
-                                   {"nudge coordinate", nudge_coordinate},
-                                   {"move coordinate", move_coordinate},
-                                   {"scale coordinates", scale_coordinates},
-                                   {"shift texels", shift_texels},
-                                   {"exchange coordinates", exchange_coordinates},
-                                   {"nearly equal q", nearly_equal_q},
-                                   {"equal q", equal_q},
-                                   {"scale one q", scale_one_q},
-                                   {"nudge q", nudge_q}};
+constexpr Mutation kTexelMutations[] = {{"tie at pixel", tie_at_pixel},
+                                        {"tie at pixel", tie_at_pixel},
+                                        {"refine tie", refine_tie},
+                                        {"refine tie", refine_tie},
+                                        {"graze texel", graze_texel},
+                                        {"graze texel", graze_texel},
+                                        {"graze texel", graze_texel},
+                                        {"plane", set_plane},
+                                        {"plane", set_plane},
+                                        {"nudge coordinate", nudge_coordinate},
+                                        {"move coordinate", move_coordinate},
+                                        {"scale coordinates", scale_coordinates},
+                                        {"shift texels", shift_texels},
+                                        {"exchange coordinates", exchange_coordinates},
+                                        {"nearly equal q", nearly_equal_q},
+                                        {"equal q", equal_q},
+                                        {"scale one q", scale_one_q},
+                                        {"nudge q", nudge_q}};
 
 }  // namespace
 
-std::span<const Mutation> texel_mutations() { return kMutations; }
+std::span<const Mutation> texel_mutations() { return kTexelMutations; }
 
 }  // namespace selvage::spec

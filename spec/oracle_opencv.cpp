@@ -150,8 +150,8 @@ inline constexpr int32_t kSideLimit = 32767;
          is_decided_projective(map.y, map.w, point.v, i, j);
 }
 
-[[nodiscard]] OracleTally judge(const Case& shown, const Picture& picture, const cv::Mat& warped,
-                                const Homography& map, bool affine) {
+[[nodiscard]] OracleTally judge_warped(const Case& shown, const Picture& picture,
+                                       const cv::Mat& warped, const Homography& map, bool affine) {
   OracleTally tally;
   for (int32_t y = 0; y < shown.target_height_px; ++y) {
     const std::optional<ScanLine> line = scan_line(shown.vertices, y);
@@ -189,7 +189,7 @@ OracleTally ask_opencv(const Subject& subject, const Case& c) {
   if (doubled_area(position(v[0]), position(v[1]), position(v[2])) == 0) return {};
   const bool affine = v[0].q == v[1].q && v[1].q == v[2].q;
   const Homography map = affine ? normalised(homography_of(v)) : homography_of(v);
-  return judge(shown, draw(subject, shown), warp(shown, map, affine), map, affine);
+  return judge_warped(shown, draw(subject, shown), warp(shown, map, affine), map, affine);
 }
 
 Judgement check_oracle(const Subject& subject, const Case& any) {

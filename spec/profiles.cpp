@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <limits>
 #include <ranges>
+
+#include "spec/vertex_units.h"
 
 namespace selvage::spec {
 namespace {
@@ -76,25 +77,8 @@ constexpr std::array kPromises = {
     Entry{"ORACLE", {kYes, no(kOtherSamples), no(kOtherSamples), no(kOtherSamples)}},
 };
 
-// Twice the area that the outline goes round, positive where it runs clockwise on the screen. Below
-// 2 * 256 vertices * 2^48.
-[[nodiscard]] int64_t doubled_area(std::span<const selvage_vertex> vertices) {
-  int64_t sum = 0;
-  for (size_t i = 0; i < vertices.size(); ++i) {
-    const selvage_vertex& a = vertices[i];
-    const selvage_vertex& b = vertices[(i + 1) % vertices.size()];
-    sum += int64_t{a.x} * b.y - int64_t{b.x} * a.y;
-  }
-  return sum;
-}
-
 [[nodiscard]] int32_t to_whole_px(int32_t position_fx8) {
   return position_fx8 & ~(SELVAGE_SUBPIXELS - 1);
-}
-
-[[nodiscard]] int32_t shifted_texel(int32_t texel_fx16, int32_t by_fx16) {
-  constexpr int64_t kLeast = std::numeric_limits<int32_t>::min();
-  return static_cast<int32_t>(std::max(int64_t{texel_fx16} - by_fx16, kLeast));
 }
 
 }  // namespace
@@ -141,8 +125,8 @@ Case in_profile(const Case& exact, selvage_profile id) {
   static_assert(kProfiles[0].sample_fx8 == SELVAGE_SUBPIXELS / 2);
   make_acceptable(profile, c.vertices);
   for (selvage_vertex& v : c.vertices) {
-    v.u = shifted_texel(v.u, profile.rounding_fx16);
-    v.v = shifted_texel(v.v, profile.rounding_fx16);
+    v.u = clamped_coordinate(int64_t{v.u} - profile.rounding_fx16);
+    v.v = clamped_coordinate(int64_t{v.v} - profile.rounding_fx16);
   }
   make_visible(profile, &c.vertices);
   return c;
@@ -153,19 +137,11 @@ Case to_profile(const Case& c, selvage_profile id) {
   const Profile &from = profile_of(c), &exact = profile_of(SELVAGE_PROFILE_EXACT);
   const int32_t down_fx8 = from.sample_fx8 - exact.sample_fx8;
   const int32_t down_fx16 = from.rounding_fx16 - exact.rounding_fx16;
-  const auto moved = [](int32_t at, int64_t by, int64_t least, int64_t greatest) {
-    return static_cast<int32_t>(std::clamp(at - by, least, greatest));
-  };
   Case undone = c;
   undone.profile = SELVAGE_PROFILE_EXACT;
   for (selvage_vertex& v : undone.vertices) {
-    for (int32_t* at : {&v.x, &v.y}) {
-      *at = moved(*at, down_fx8, SELVAGE_X_MIN, int64_t{SELVAGE_X_END} - 1);
-    }
-    for (int32_t* at : {&v.u, &v.v}) {
-      *at = moved(*at, -down_fx16, std::numeric_limits<int32_t>::min(),
-                  std::numeric_limits<int32_t>::max());
-    }
+    for (int32_t* at : {&v.x, &v.y}) *at = clamped_position(int64_t{*at} - down_fx8);
+    for (int32_t* at : {&v.u, &v.v}) *at = clamped_coordinate(int64_t{*at} + down_fx16);
   }
   return in_profile(undone, id);
 }

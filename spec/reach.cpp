@@ -8,14 +8,14 @@ namespace selvage::spec {
 namespace {
 
 // What is the same for u and for v at a pixel.
-struct Place {
+struct SpanPoint {
   Rational left_x, width;  // px; width between the edges, of either sign where they share a column
   Rational x;              // the sample point, moved onto the span where it lies beside it
   Rational rounding;       // texels
   Rational e_below, e_above;  // px: the position error lies in [-e_below, e_above]
 };
 
-struct Interval {
+struct AxisReach {
   Rational exact, below, above;
 };
 
@@ -29,7 +29,7 @@ struct Interval {
   return Rational(rows * kUlpsPerRow + pixels * kUlpsPerPixel + presteps) / SELVAGE_SUBTEXELS;
 }
 
-[[nodiscard]] Place place_of(const HistoricLine& line, int32_t x_px) {
+[[nodiscard]] SpanPoint span_point(const HistoricLine& line, int32_t x_px) {
   const auto [least, greatest] = std::minmax(line.left.x, line.right.x);
   const WholeColumnError e = whole_column_error(line.profile);
   return {.left_x = line.left.x,
@@ -40,31 +40,31 @@ struct Interval {
           .e_above = halves(e.above_halves)};
 }
 
-[[nodiscard]] Interval reach_along(const Place& place, const Rational& left,
-                                   const Rational& right) {
+[[nodiscard]] AxisReach reach_along(const SpanPoint& point, const Rational& left,
+                                    const Rational& right) {
   const Rational change = right - left;
-  Interval interval{left, place.rounding, place.rounding};
-  if (place.width == 0) return interval;  // one column, one end
-  interval.exact += (place.x - place.left_x) / place.width * change;
-  const Rational slope = change / place.width, most = abs(change);
+  AxisReach reached{left, point.rounding, point.rounding};
+  if (point.width == 0) return reached;  // one column, one end
+  reached.exact += (point.x - point.left_x) / point.width * change;
+  const Rational slope = change / point.width, most = abs(change);
   const Rational steepness = abs(slope);
   const bool rises = slope > 0;
   const Rational back =
-      std::min<Rational>((rises ? place.e_below : place.e_above) * steepness, most);
+      std::min<Rational>((rises ? point.e_below : point.e_above) * steepness, most);
   const Rational forth =
-      std::min<Rational>((rises ? place.e_above : place.e_below) * steepness, most);
-  interval.below += back;
-  interval.above += forth;
-  return interval;
+      std::min<Rational>((rises ? point.e_above : point.e_below) * steepness, most);
+  reached.below += back;
+  reached.above += forth;
+  return reached;
 }
 
 }  // namespace
 
 std::optional<Reach> reach(const HistoricLine& line, int32_t x_px) {
   if (!line.covers(x_px)) return std::nullopt;
-  const Place place = place_of(line, x_px);
-  const Interval u = reach_along(place, line.left.u, line.right.u);
-  const Interval v = reach_along(place, line.left.v, line.right.v);
+  const SpanPoint point = span_point(line, x_px);
+  const AxisReach u = reach_along(point, line.left.u, line.right.u);
+  const AxisReach v = reach_along(point, line.left.v, line.right.v);
   return Reach{u.exact, v.exact, u.below, u.above, v.below, v.above};
 }
 

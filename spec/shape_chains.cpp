@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "spec/shape_families.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::spec {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "selvage.h"
 #include "spec/generate_near_ties.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::spec {
 namespace {
@@ -22,7 +23,7 @@ constexpr int32_t kFirst_fx8 = SELVAGE_X_MIN, kLast_fx8 = SELVAGE_X_END - 1;
 
 [[nodiscard]] Point times(const Point& a, int64_t factor) { return {a.x * factor, a.y * factor}; }
 
-void swap_axes(Outline& outline) {
+void transpose(Outline& outline) {
   for (Point& point : outline) point = {point.y, point.x};
 }
 
@@ -100,7 +101,7 @@ Outline needle(Random& random, const Frame& frame) {
   outline.push_back({left_fx8, top_fx8 + random.in(0, height_fx8 + 1)});
   outline.push_back({right_fx8, top_fx8});
   outline.push_back({random.in(left_fx8, int64_t{right_fx8} + 1), top_fx8 + height_fx8});
-  if (upright) swap_axes(outline);
+  if (upright) transpose(outline);
   return outline;
 }
 

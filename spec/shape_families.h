@@ -6,9 +6,6 @@
 
 namespace selvage::spec {
 
-inline constexpr int32_t kPixel_fx8 = 256;
-inline constexpr int32_t kHalfPixel_fx8 = 128;
-
 // Near [0, size_px): whole pixels, pixel centres, 1/256 px beside either, anything between; now and
 // then a little outside.
 [[nodiscard]] int32_t position_fx8(Random& random, int32_t size_px);

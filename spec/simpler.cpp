@@ -8,8 +8,6 @@
 namespace selvage::spec {
 namespace {
 
-constexpr int32_t kClipLeast_px = -32768, kClipGreatest_px = 32767;
-
 class Candidates {
  public:
   explicit Candidates(const Case& c) : from_(c), limit_(complexity(c)) {}

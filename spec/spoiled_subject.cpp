@@ -5,16 +5,14 @@
 #include <utility>
 #include <vector>
 
+#include "spec/canvas.h"
+
 namespace selvage::spec {
 namespace {
 
 using PixelBytes = std::array<unsigned char, 4>;
 
 constexpr unsigned char kPaint = 0x3C;  // in no background of the laws' pictures
-
-[[nodiscard]] size_t bytes_of(selvage_format format) {
-  return format == SELVAGE_INDEX8 ? 1 : format == SELVAGE_RGB565 ? 2 : 4;
-}
 
 // Pixels of a target that may be none: hostile calls have such.
 class Pixels {
@@ -25,7 +23,9 @@ class Pixels {
     return target_ != nullptr && target_->pixels != nullptr && x_px < target_->width &&
            y_px < target_->height;
   }
-  [[nodiscard]] size_t size() const { return bytes_of(target_->format); }
+  [[nodiscard]] size_t size() const {
+    return static_cast<size_t>(bytes_per_pixel(target_->format));
+  }
   [[nodiscard]] unsigned char* at(int32_t x_px, int32_t y_px) const {
     return static_cast<unsigned char*>(target_->pixels) + y_px * target_->pitch +
            x_px * static_cast<ptrdiff_t>(size());

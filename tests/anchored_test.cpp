@@ -10,17 +10,16 @@
 #include "mapper/vector_kernel.h"
 #include "spec/random.h"
 #include "tests/kernel_support.h"
+#include "tests/rounded.h"
 
 namespace selvage::mapper {
 namespace {
 
-inline constexpr int32_t kHeight_px = 24;
-
-[[nodiscard]] int32_t rounded(double value) { return static_cast<int32_t>(std::lround(value)); }
+inline constexpr int32_t kTargetHeight_px = 24;
 
 // A triangle of which q runs from q_left to its last value over the width of the target, u and v by
 // so many texels a pixel at the left.
-[[nodiscard]] spec::Case any_case(uint64_t seed) {
+[[nodiscard]] spec::Case with_any_turn(uint64_t seed) {
   static constexpr selvage_format kFormats[] = {SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888};
   static constexpr int32_t kSizes[] = {1, 7, 8, 16, 33, 64, 100, 1024};
   static constexpr double kTurns[] = {0.001, 0.01, 0.03, 1.0 / 30, 0.034, 0.05};
@@ -30,7 +29,7 @@ inline constexpr int32_t kHeight_px = 24;
   c.format = random.pick(kFormats);
   c.address = random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP;
   c.target_width_px = random.in(3, 150);
-  c.target_height_px = kHeight_px;
+  c.target_height_px = kTargetHeight_px;
   c.texture_width_texel = random.pick(kSizes);
   c.texture_height_texel = random.pick(kSizes);
   const double turn = random.pick(kTurns) * (random.percent(50) ? 1 : -1);
@@ -41,7 +40,9 @@ inline constexpr int32_t kHeight_px = 24;
   const int32_t u_texel = random.in(-200, 200), v_texel = random.in(-200, 200);
   for (int corner = 0; corner < 3; ++corner) {
     const int32_t x_px = corner == 0 ? 0 : random.in(0, c.target_width_px);
-    const int32_t y_px = corner == 0 ? random.in(0, kHeight_px) : corner == 1 ? 0 : kHeight_px;
+    const int32_t y_px = corner == 0   ? random.in(0, kTargetHeight_px)
+                         : corner == 1 ? 0
+                                       : kTargetHeight_px;
     const double q = q_left * (1 + x_px * turn);
     const int32_t along_px = corner == 2 ? c.target_width_px : x_px;
     c.vertices.push_back({(corner == 2 ? c.target_width_px : x_px) * 256, y_px * 256,
@@ -55,7 +56,7 @@ inline constexpr int32_t kHeight_px = 24;
 TEST(Anchored, EveryKernelDrawsWhatTheScalarOneDraws) {
   int anchored = 0, not_anchored = 0, near_limits = 0;
   for (uint64_t seed = 1; seed <= 6000; ++seed) {
-    const spec::Case c = any_case(seed);
+    const spec::Case c = with_any_turn(seed);
     Polygon polygon;
     if (examine(c.vertices, &polygon) != SELVAGE_OK || polygon.affine) continue;
     const auto plane = ProjectivePlane::of(polygon, {0, 0, c.target_width_px, c.target_height_px});

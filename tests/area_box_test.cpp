@@ -12,6 +12,7 @@
 #include "spec/model.h"
 #include "spec/picture.h"
 #include "spec/random.h"
+#include "spec/vertex_units.h"
 #include "tests/kernel_support.h"
 #include "tests/modelled.h"
 
@@ -19,8 +20,8 @@ namespace selvage::mapper {
 namespace {
 
 using spec::Case;
-
-constexpr int32_t kTexel = SELVAGE_SUBTEXELS, kPixel = SELVAGE_SUBPIXELS;
+using spec::kPixel_fx8;
+using spec::kTexel_fx16;
 
 // Texels of 0 and 255 side by side.
 [[nodiscard]] uint32_t contrast(spec::Texel at) {
@@ -53,8 +54,8 @@ TEST(AreaBoxes, OfAffineMapsHaveTheirSides) {
       Case c = area_case(21, 9);
       constexpr int32_t kEnd_px = 32;
       c.vertices = {{0, 0, 1234, 4321, 1},
-                    {kEnd_px * kPixel, 0, 1234 + kEnd_px * u_side * 256, 4321, 1},
-                    {0, kEnd_px * kPixel, 1234, 4321 + kEnd_px * v_side * 256, 1}};
+                    {kEnd_px * kPixel_fx8, 0, 1234 + kEnd_px * u_side * 256, 4321, 1},
+                    {0, kEnd_px * kPixel_fx8, 1234, 4321 + kEnd_px * v_side * 256, 1}};
       expect_drawn_as_modelled(c, contrast);
       ASSERT_FALSE(HasFatalFailure());
     }
@@ -67,10 +68,10 @@ TEST(AreaBoxes, OfAffineMapsBeginAtPointsOfTheGrid) {
   for (const int32_t shift_fx8 : {0, 1, -300 * 256}) {
     Case c = area_case(150, 3);
     constexpr int32_t kEnd_px = 3 * 64;
-    const int32_t shift = shift_fx8 * (kTexel / 256);
+    const int32_t shift = shift_fx8 * (kTexel_fx16 / 256);
     c.vertices = {{0, 0, shift, shift, 1},
-                  {kEnd_px * kPixel, 0, kEnd_px / 3 * 4 * kTexel + shift, shift, 1},
-                  {0, kEnd_px * kPixel, shift, kEnd_px / 3 * 5 * kTexel + shift, 1}};
+                  {kEnd_px * kPixel_fx8, 0, kEnd_px / 3 * 4 * kTexel_fx16 + shift, shift, 1},
+                  {0, kEnd_px * kPixel_fx8, shift, kEnd_px / 3 * 5 * kTexel_fx16 + shift, 1}};
     expect_drawn_as_modelled(c, contrast);
     ASSERT_FALSE(HasFatalFailure());
   }
@@ -105,10 +106,11 @@ TEST(AreaBoxes, OfProjectiveMapsHaveTheirSides) {
   spec::Random random(4);
   for (int i = 0; i < 12; ++i) {
     Case c = area_case(150, 2);
-    const auto texel = [&] { return random.in(-150 * kTexel, 150 * kTexel); };
+    const auto texel = [&] { return random.in(-150 * kTexel_fx16, 150 * kTexel_fx16); };
     const auto q = [&] { return random.in(1 << 10, 1 << 12); };
-    constexpr int32_t kEnd = 170 * kPixel;
-    const int32_t top = random.in(-9 * kPixel, 1), bottom = random.in(3 * kPixel, 99 * kPixel);
+    constexpr int32_t kEnd = 170 * kPixel_fx8;
+    const int32_t top = random.in(-9 * kPixel_fx8, 1);
+    const int32_t bottom = random.in(3 * kPixel_fx8, 99 * kPixel_fx8);
     c.vertices = {{-300, top, texel(), texel(), q()},
                   {kEnd, top, texel(), texel(), q()},
                   {kEnd / 2, bottom, texel(), texel(), q()}};
@@ -153,12 +155,12 @@ struct FlatSide {
   c.texture_width_texel = c.texture_height_texel = 2;
   const auto vertex = [&](int32_t x, int32_t y, int64_t along, int64_t q) {
     const auto texel = static_cast<int32_t>(along);
-    return of.along_u ? selvage_vertex{x, y, texel, kTexel, static_cast<int32_t>(q)}
-                      : selvage_vertex{x, y, kTexel, texel, static_cast<int32_t>(q)};
+    return of.along_u ? selvage_vertex{x, y, texel, kTexel_fx16, static_cast<int32_t>(q)}
+                      : selvage_vertex{x, y, kTexel_fx16, texel, static_cast<int32_t>(q)};
   };
-  const int32_t end = (width_px + 9) * kPixel;
-  c.vertices = {vertex(-9, 128, kTexel, q0), vertex(end, 128, kTexel, q0),
-                vertex(-9, 128 + kDown, kTexel - change, q1)};
+  const int32_t end = (width_px + 9) * kPixel_fx8;
+  c.vertices = {vertex(-9, 128, kTexel_fx16, q0), vertex(end, 128, kTexel_fx16, q0),
+                vertex(-9, 128 + kDown, kTexel_fx16 - change, q1)};
   return c;
 }
 
@@ -191,10 +193,10 @@ TEST(AreaBoxes, AreNoLargerThanTheGreatest) {
     c.address = SELVAGE_ADDRESS_CLAMP;
     c.texture_width_texel = c.texture_height_texel = 2;
     constexpr int32_t kFar = INT32_MIN / 2;
-    const int32_t u = along_u ? kFar : kTexel, v = along_u ? kTexel : kFar;
-    c.vertices = {{0, 128, kTexel, kTexel, 1},
-                  {30 * kPixel, 128, kTexel, kTexel, 1},
-                  {0, 128 + 2 * kPixel, u, v, 1 << 10}};
+    const int32_t u = along_u ? kFar : kTexel_fx16, v = along_u ? kTexel_fx16 : kFar;
+    c.vertices = {{0, 128, kTexel_fx16, kTexel_fx16, 1},
+                  {30 * kPixel_fx8, 128, kTexel_fx16, kTexel_fx16, 1},
+                  {0, 128 + 2 * kPixel_fx8, u, v, 1 << 10}};
     const spec::BoxSides sides = spec::box_sides(*spec::gradient(c.vertices, 3, 0));
     ASSERT_EQ(along_u ? sides.u_fx8 : sides.v_fx8, kMostSide_fx8);
     expect_drawn_as_modelled(c,

@@ -15,6 +15,7 @@
 #include "spec/laws.h"
 #include "spec/picture.h"
 #include "spec/verify.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::stability {
 
@@ -23,10 +24,9 @@ void PrintTo(const Arithmetic& arithmetic, std::ostream* out) { *out << arithmet
 namespace {
 
 using spec::Case;
+using spec::kPixel_fx8;
+using spec::kTexel_fx16;
 using spec::Picture;
-
-constexpr int32_t kPx = SELVAGE_SUBPIXELS;
-constexpr int32_t kTexel = SELVAGE_SUBTEXELS;
 
 [[nodiscard]] spec::Subject subject_of(const Arithmetic& arithmetic) {
   return {std::string(arithmetic.name), arithmetic.draw};
@@ -89,12 +89,12 @@ TEST_P(Arithmetics, SurviveTheEndsOfEveryRange) {
   Case c;
   c.target_width_px = 24;
   c.target_height_px = 20;
-  const int32_t left = 3 * kPx + 64, top = 2 * kPx + 32;
-  const int32_t right = left + width_px * kPx, bottom = top + height_px * kPx;
+  const int32_t left = 3 * kPixel_fx8 + 64, top = 2 * kPixel_fx8 + 32;
+  const int32_t right = left + width_px * kPixel_fx8, bottom = top + height_px * kPixel_fx8;
   c.vertices = {{left, top, 0, 0, 1},
-                {right, top, u_texel * kTexel, 0, 1},
-                {right, bottom, u_texel * kTexel, v_texel * kTexel, 1},
-                {left, bottom, 0, v_texel * kTexel, 1}};
+                {right, top, u_texel * kTexel_fx16, 0, 1},
+                {right, bottom, u_texel * kTexel_fx16, v_texel * kTexel_fx16, 1},
+                {left, bottom, 0, v_texel * kTexel_fx16, 1}};
   return c;
 }
 
@@ -207,9 +207,9 @@ TEST(Fixed1616, RoundsItsSlopesDown) {
   c.target_width_px = 3;
   c.target_height_px = 1;
   c.vertices = {{0, 0, 0, 0, 1},
-                {3 * kPx, 0, 2 * kTexel, 0, 1},
-                {3 * kPx, kPx, 2 * kTexel, kTexel, 1},
-                {0, kPx, 0, kTexel, 1}};
+                {3 * kPixel_fx8, 0, 2 * kTexel_fx16, 0, 1},
+                {3 * kPixel_fx8, kPixel_fx8, 2 * kTexel_fx16, kTexel_fx16, 1},
+                {0, kPixel_fx8, 0, kTexel_fx16, 1}};
   EXPECT_EQ(row_of(fixed1616(), c),
             (std::vector<std::string>{"texel (0, 0)", "texel (0, 0)", "texel (1, 0)"}));
   EXPECT_EQ(row_of(float64_dda(), c),
@@ -222,10 +222,10 @@ TEST(Fixed1616, RoundsNegativeSlopesDownToo) {
   Case c;
   c.target_width_px = 3;
   c.target_height_px = 1;
-  c.vertices = {{0, 0, 2 * kTexel, 0, 1},
-                {3 * kPx, 0, 0, 0, 1},
-                {3 * kPx, kPx, 0, kTexel, 1},
-                {0, kPx, 2 * kTexel, kTexel, 1}};
+  c.vertices = {{0, 0, 2 * kTexel_fx16, 0, 1},
+                {3 * kPixel_fx8, 0, 0, 0, 1},
+                {3 * kPixel_fx8, kPixel_fx8, 0, kTexel_fx16, 1},
+                {0, kPixel_fx8, 2 * kTexel_fx16, kTexel_fx16, 1}};
   EXPECT_EQ(row_of(fixed1616(), c),
             (std::vector<std::string>{"texel (1, 0)", "texel (0, 0)", "texel (0, 0)"}));
 }
@@ -237,8 +237,11 @@ TEST(Float32, HasTwentyFourBits) {
   c.target_width_px = c.target_height_px = 1;
   c.texture_width_texel = 30000;
   c.texture_height_texel = 1;
-  const int32_t u = 20001 * kTexel - kTexel / 1024;
-  c.vertices = {{0, 0, u, 0, 1}, {kPx, 0, u, 0, 1}, {kPx, kPx, u, 0, 1}, {0, kPx, u, 0, 1}};
+  const int32_t u = 20001 * kTexel_fx16 - kTexel_fx16 / 1024;
+  c.vertices = {{0, 0, u, 0, 1},
+                {kPixel_fx8, 0, u, 0, 1},
+                {kPixel_fx8, kPixel_fx8, u, 0, 1},
+                {0, kPixel_fx8, u, 0, 1}};
   EXPECT_EQ(row_of(float32_dda(), c), std::vector<std::string>{"texel (20001, 0)"});
   EXPECT_EQ(row_of(float32_plane(), c), std::vector<std::string>{"texel (20001, 0)"});
   EXPECT_EQ(row_of(float64_dda(), c), std::vector<std::string>{"texel (20000, 0)"});

@@ -49,7 +49,7 @@ using spec::Rational;
 
 // A chord of a pixel is off by no less than the specification says, and by hardly more: by 2^-22
 // of it, and by what is added for what the slope's terms are off by.
-void expect_bound(const RowBend& row, double slope_terms, const spec::ScanLine& line) {
+void expect_chord_bound(const RowBend& row, double slope_terms, const spec::ScanLine& line) {
   const Chords chords(row);
   const Rational exact_fx16 = spec::chord_bound(line, 1) * SELVAGE_SUBTEXELS;
   const Rational bound_fx16 = Rational(chords.one_px_fx16) / Rational(chords.cube);
@@ -74,8 +74,8 @@ TEST(Bend, OfAPlaneIsThatOfTheSpecification) {
       SpanWalk walk(polygon, {-32768, row, 32768, row + 1});
       if (!walk.next() || walk.whole_span().width_px() < 2) continue;
       ++rows;
-      expect_bound(bend.of(walk.whole_span()), terms(plane->lanes(), height),
-                   *spec::scan_line(vertices, row));
+      expect_chord_bound(bend.of(walk.whole_span()), terms(plane->lanes(), height),
+                         *spec::scan_line(vertices, row));
       if (HasFailure()) FAIL() << "seed " << seed << ", row " << row;
     }
   }
@@ -95,8 +95,8 @@ TEST(Bend, BetweenTwoEdgesIsThatOfTheSpecification) {
     ++rows;
     const Span whole = walk.whole_span();
     const ProjectiveLanes lanes(walk.map(), whole);
-    expect_bound(bend_of(lanes, whole.width_px()), terms(lanes.field(whole), 0),
-                 *spec::scan_line(vertices, row));
+    expect_chord_bound(bend_of(lanes, whole.width_px()), terms(lanes.field(whole), 0),
+                       *spec::scan_line(vertices, row));
     if (HasFailure()) FAIL() << "seed " << seed;
   }
   EXPECT_GT(rows, 300);

@@ -6,19 +6,11 @@
 #include <cstdio>
 #include <vector>
 
-#include "mapper/kernel_choice.h"
 #include "mapper/layout.h"
+#include "tests/kernel_support.h"
 
 namespace selvage::mapper {
 namespace {
-
-[[nodiscard]] std::vector<selvage_kernel> usable_kernels() {
-  std::vector<selvage_kernel> usable;
-  for (selvage_kernel each = SELVAGE_KERNEL_SCALAR; each <= SELVAGE_KERNEL_NEON; ++each) {
-    if (is_usable(each)) usable.push_back(each);
-  }
-  return usable;
-}
 
 struct Corners {
   int32_t upper_left, upper_right, lower_left, lower_right;
@@ -36,7 +28,7 @@ struct Corners {
   return (c.upper_left + c.upper_right + c.lower_left + c.lower_right + 2) >> 2;
 }
 
-constexpr int32_t kSide_px = 256, kChannels = 4;
+constexpr int32_t kPicture_px = 256, kChannels = 4;
 using Picture = std::vector<uint8_t>;
 
 // All that the texture has, or some of it: a kernel may take other ways then.
@@ -53,18 +45,18 @@ enum class Texels { kAll, kSome };
 }
 
 // Pixel (i, j) has the weights i / 256 and j / 256: from texel to texel in 256 pixels.
-[[nodiscard]] Picture drawn(const std::array<uint8_t, 16>& texels, Texels are,
-                            selvage_filter filter, selvage_kernel kernel) {
+[[nodiscard]] Picture picture_of_weights(const std::array<uint8_t, 16>& texels, Texels are,
+                                         selvage_filter filter, selvage_kernel kernel) {
   constexpr int32_t px = SELVAGE_SUBPIXELS, texel = SELVAGE_SUBTEXELS;
   const bool some = are == Texels::kSome;
   const Picture others = among_others(texels);
   const int32_t first = texel / 2 - texel / 512, walk = 4 * texel;
   const int32_t u = first + (some ? 7 * texel : 0), v = first + (some ? 3 * texel : 0);
   const std::array<selvage_vertex, 3> corner{{{0, 0, u, v, 1},
-                                              {4 * kSide_px * px, 0, u + walk, v, 1},
-                                              {0, 4 * kSide_px * px, u, v + walk, 1}}};
-  Picture picture(kSide_px * kSide_px * kChannels, 0x5A);
-  const selvage_image target{picture.data(), kSide_px, kSide_px, kSide_px * kChannels,
+                                              {4 * kPicture_px * px, 0, u + walk, v, 1},
+                                              {0, 4 * kPicture_px * px, u, v + walk, 1}}};
+  Picture picture(kPicture_px * kPicture_px * kChannels, 0x5A);
+  const selvage_image target{picture.data(), kPicture_px, kPicture_px, kPicture_px * kChannels,
                              SELVAGE_RGBA8888};
   const int32_t width_texel = some ? 16 : 2, height_texel = some ? 8 : 2;
   const selvage_texture texture{some ? others.data() : texels.data(),
@@ -111,8 +103,8 @@ void for_hard_corners(const Check& check) {
 TEST(BlendKernel, MixesByTheFormulaWhateverTheWeights) {
   for_hard_corners([](const std::array<Corners, kChannels>& channels) {
     Picture wanted;
-    for (int32_t j = 0; j < kSide_px; ++j) {
-      for (int32_t i = 0; i < kSide_px; ++i) {
+    for (int32_t j = 0; j < kPicture_px; ++j) {
+      for (int32_t i = 0; i < kPicture_px; ++i) {
         for (const Corners& c : channels) {
           wanted.push_back(static_cast<uint8_t>(bilinear(c, i, j)));
         }
@@ -121,7 +113,9 @@ TEST(BlendKernel, MixesByTheFormulaWhateverTheWeights) {
     for (const selvage_kernel kernel : usable_kernels()) {
       if (kernel == SELVAGE_KERNEL_SCALAR) continue;
       for (const Texels are : {Texels::kAll, Texels::kSome}) {
-        ASSERT_EQ(drawn(texels_of(channels), are, SELVAGE_FILTER_BILINEAR, kernel) == wanted, true)
+        ASSERT_EQ(
+            picture_of_weights(texels_of(channels), are, SELVAGE_FILTER_BILINEAR, kernel) == wanted,
+            true)
             << "kernel " << kernel << ", red corners " << channels[0].upper_left << ' '
             << channels[0].upper_right << ' ' << channels[0].lower_left << ' '
             << channels[0].lower_right;
@@ -134,7 +128,8 @@ TEST(BlendKernel, MeanOfFourIsByItsOwnFormula) {
   for_hard_corners([](const std::array<Corners, kChannels>& channels) {
     for (const selvage_kernel kernel : usable_kernels()) {
       for (const Texels are : {Texels::kAll, Texels::kSome}) {
-        const Picture picture = drawn(texels_of(channels), are, SELVAGE_FILTER_FOUR, kernel);
+        const Picture picture =
+            picture_of_weights(texels_of(channels), are, SELVAGE_FILTER_FOUR, kernel);
         for (size_t c = 0; c < kChannels; ++c) {
           ASSERT_EQ(picture[c], four(channels[c])) << "kernel " << kernel;
           ASSERT_EQ(picture[picture.size() - kChannels + c], four(channels[c]));

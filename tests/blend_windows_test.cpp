@@ -10,19 +10,23 @@
 #include <vector>
 
 #include "spec/random.h"
+#include "spec/vertex_units.h"
 #include "tests/fenced_bytes.h"
 #include "tests/kernel_support.h"
 
 namespace selvage::mapper {
 namespace {
 
-struct Texture {
+using spec::kPixel_fx8;
+using spec::kTexel_fx16;
+
+struct TextureShape {
   int32_t width_texel, height_texel, pitch_texel;
   bool flipped;
 };
 
 struct Drawing {
-  Texture texture;
+  TextureShape texture;
   int32_t width_px, height_px;
   selvage_address address;
   selvage_filter filter;
@@ -37,7 +41,7 @@ struct Drawing {
   return sign * (random.in(0, 16) / 15.0 + random.in(-1, 2) / 4096.0);
 }
 
-[[nodiscard]] Texture any_texture(spec::Random& random) {
+[[nodiscard]] TextureShape any_texture(spec::Random& random) {
   static constexpr int32_t kWidths[] = {1, 2, 7, 8, 9, 15, 16, 17, 31, 32, 64, 67, 100, 120, 200};
   static constexpr int32_t kHeights[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 16, 23, 24, 32, 50, 120};
   const int32_t width_texel = random.pick(kWidths);
@@ -73,10 +77,10 @@ struct Drawing {
 }
 
 // The texture ends, or begins, at memory that may not be touched.
-[[nodiscard]] std::vector<uint32_t> drawn(const Drawing& of, selvage_kernel kernel,
-                                          FencedBytes::Side side) {
+[[nodiscard]] std::vector<uint32_t> drawn_fenced(const Drawing& of, selvage_kernel kernel,
+                                                 FencedBytes::Side side) {
   constexpr auto kBytes = sizeof(uint32_t);
-  const Texture& texture = of.texture;
+  const TextureShape& texture = of.texture;
   const auto last_row = static_cast<size_t>(texture.height_texel - 1);
   const auto pitch_texel = static_cast<size_t>(texture.pitch_texel);
   const size_t texels = last_row * pitch_texel + static_cast<size_t>(texture.width_texel);
@@ -106,10 +110,10 @@ struct Drawing {
   return pixels;
 }
 
-void expect_alike(const Drawing& drawing, FencedBytes::Side side) {
-  const std::vector<uint32_t> wanted = drawn(drawing, SELVAGE_KERNEL_SCALAR, side);
+void expect_fenced_alike(const Drawing& drawing, FencedBytes::Side side) {
+  const std::vector<uint32_t> wanted = drawn_fenced(drawing, SELVAGE_KERNEL_SCALAR, side);
   for (const selvage_kernel kernel : usable_kernels()) {
-    ASSERT_TRUE(drawn(drawing, kernel, side) == wanted)
+    ASSERT_TRUE(drawn_fenced(drawing, kernel, side) == wanted)
         << "kernel " << kernel << ", filter " << drawing.filter << ", address " << drawing.address
         << ", texture " << drawing.texture.width_texel << " x " << drawing.texture.height_texel;
   }
@@ -120,7 +124,7 @@ void expect_all_kernels_draw_the_same(bool perspective) {
   for (uint64_t seed = 1; seed <= kDrawings; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const auto side = seed % 2 == 0 ? FencedBytes::Side::kFirst : FencedBytes::Side::kLast;
-    ASSERT_NO_FATAL_FAILURE(expect_alike(any_drawing(seed, perspective), side));
+    ASSERT_NO_FATAL_FAILURE(expect_fenced_alike(any_drawing(seed, perspective), side));
   }
 }
 
@@ -131,9 +135,8 @@ TEST(BlendWindows, KernelsDrawTheSameInPerspective) { expect_all_kernels_draw_th
 // A third of a texel a pixel from a step of the grid on, or u on such a step everywhere: so many
 // vectors have near-ties that they are not all left at once.
 TEST(BlendWindows, KernelsDrawTheSameWhereAllIsNear) {
-  constexpr int32_t kPixel = SELVAGE_SUBPIXELS, kTexel = SELVAGE_SUBTEXELS;
-  constexpr int32_t first = kPixel / 2, end = first + 900 * kPixel;
-  constexpr int32_t u = kTexel / 2, far = u + 300 * kTexel;
+  constexpr int32_t first = kPixel_fx8 / 2, end = first + 900 * kPixel_fx8;
+  constexpr int32_t u = kTexel_fx16 / 2, far = u + 300 * kTexel_fx16;
   const std::vector<selvage_vertex> thirds{
       {first, first, u, u, 1}, {end, first, far, u, 1}, {first, end, u, far, 1}};
   const std::vector<selvage_vertex> steps{
@@ -141,8 +144,8 @@ TEST(BlendWindows, KernelsDrawTheSameWhereAllIsNear) {
   for (const auto& vertices : {thirds, steps}) {
     for (const selvage_filter filter : {SELVAGE_FILTER_BILINEAR, SELVAGE_FILTER_FOUR}) {
       for (const selvage_address address : {SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP}) {
-        expect_alike({{64, 64, 64, false}, 300, 90, address, filter, vertices},
-                     FencedBytes::Side::kLast);
+        expect_fenced_alike({{64, 64, 64, false}, 300, 90, address, filter, vertices},
+                            FencedBytes::Side::kLast);
       }
     }
   }

@@ -13,13 +13,13 @@
 namespace selvage::mapper {
 namespace {
 
-struct Seen {
+struct BoundaryCounts {
   int before = 0, beyond = 0, crossed = 0, unknown = 0;
 };
 
 // What a boundary says of some pixels is what the exact map does.
 void expect_right(const ExactMap& map, ExactLine ExactRow::*coordinate, int bits, int32_t whole,
-                  const Boundary& boundary, const Span& pixels, Seen* seen) {
+                  const Boundary& boundary, const Span& pixels, BoundaryCounts* seen) {
   const Boundary::Sides sides = boundary.sides_of(pixels);
   if (sides.left_px < 0) {
     ++seen->unknown;
@@ -39,7 +39,7 @@ void expect_right(const ExactMap& map, ExactLine ExactRow::*coordinate, int bits
 
 // Boundaries of texels and of the filters' grid, found in one row and asked for in others.
 void check_rows(const ExactMap& map, const std::vector<Span>& rows, spec::Random& random,
-                Seen* seen) {
+                BoundaryCounts* seen) {
   for (const auto coordinate : {&ExactRow::u, &ExactRow::v}) {
     const int bits = random.pick({0, 8});
     const Span& known = rows[static_cast<size_t>(random.in(0, static_cast<int>(rows.size())))];
@@ -55,7 +55,7 @@ void check_rows(const ExactMap& map, const std::vector<Span>& rows, spec::Random
 }
 
 TEST(Boundary, HasPixelsOnTheSideThatItSays) {
-  Seen seen;
+  BoundaryCounts seen;
   for (uint64_t seed = 1; seed <= 4000; ++seed) {
     const spec::Case c = spec::generate(seed);
     spec::Random random(seed);

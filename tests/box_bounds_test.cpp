@@ -37,7 +37,7 @@ struct FencedTexture {
   selvage_texture texture;
 };
 
-void expect_means(const BoxRow& boxes, int32_t count, const selvage_texture& texture) {
+void expect_row_means(const BoxRow& boxes, int32_t count, const selvage_texture& texture) {
   std::vector<uint32_t> pixels(static_cast<size_t>(count));
   const selvage_image target{pixels.data(), count, 1, ptrdiff_t{4} * count, SELVAGE_RGBA8888};
   for (const selvage_address address : {SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP}) {
@@ -78,7 +78,7 @@ TEST(BoxBounds, AreKeptByEveryKernel) {
       boxes.set(k, {point_at(random, sides.u_fx8, width), point_at(random, sides.v_fx8, height)},
                 sides);
     }
-    expect_means(boxes, kBoxes, fenced.texture);
+    expect_row_means(boxes, kBoxes, fenced.texture);
     ASSERT_FALSE(HasFatalFailure());
   }
 }
@@ -97,7 +97,7 @@ TEST(BoxBounds, AreKeptByBoxesInParts) {
         boxes.set(count++, {1000, top_fx8 + ((height_fx8 - 256) >> 1)}, sides);
       }
     }
-    expect_means(boxes, count, fenced.texture);
+    expect_row_means(boxes, count, fenced.texture);
     ASSERT_FALSE(HasFatalFailure());
   }
 }
@@ -115,7 +115,7 @@ TEST(BoxBounds, HoldTheGreatestSums) {
       boxes.set(count++, {128 + width_fx8 / 2, 128 + height_fx8 / 2}, {width_fx8, height_fx8});
     }
   }
-  expect_means(boxes, count, fenced.texture);
+  expect_row_means(boxes, count, fenced.texture);
 }
 
 }  // namespace

@@ -62,9 +62,9 @@ struct BoxLine {
       {line.start.u_fx8 + i * line.step.u_fx8, line.start.v_fx8 + i * line.step.v_fx8}, line.sides);
 }
 
-[[nodiscard]] std::vector<uint32_t> drawn(const BoxLine& line, int32_t count,
-                                          const selvage_texture& texture, selvage_address address,
-                                          selvage_kernel kernel) {
+[[nodiscard]] std::vector<uint32_t> drawn_boxes(const BoxLine& line, int32_t count,
+                                                const selvage_texture& texture,
+                                                selvage_address address, selvage_kernel kernel) {
   std::vector<uint32_t> pixels(static_cast<size_t>(count) + 1, 0x5A5A5A5A);
   const selvage_image target{pixels.data(), count + 1, 1, 4 * (ptrdiff_t{count} + 1),
                              SELVAGE_RGBA8888};
@@ -89,10 +89,10 @@ struct BoxLine {
   return pixels;
 }
 
-void expect_means(const BoxLine& line, int32_t count, const selvage_texture& texture) {
+void expect_line_means(const BoxLine& line, int32_t count, const selvage_texture& texture) {
   for (const selvage_address address : {SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP}) {
     for (const selvage_kernel kernel : usable_kernels()) {
-      const std::vector<uint32_t> pixels = drawn(line, count, texture, address, kernel);
+      const std::vector<uint32_t> pixels = drawn_boxes(line, count, texture, address, kernel);
       for (int32_t i = 0; i < count; ++i) {
         ASSERT_EQ(pixels[static_cast<size_t>(i)], box_mean(texture, address, box_of(line, i)))
             << "kernel " << kernel << ", address " << address << ", pixel " << i << ", box "
@@ -103,7 +103,7 @@ void expect_means(const BoxLine& line, int32_t count, const selvage_texture& tex
   }
 }
 
-[[nodiscard]] std::vector<uint32_t> noise(spec::Random& random, int32_t texels) {
+[[nodiscard]] std::vector<uint32_t> noise_texels(spec::Random& random, int32_t texels) {
   std::vector<uint32_t> noise;
   const bool extreme = random.percent(30);  // 0 and 255 only, mostly 255
   for (int32_t i = 0; i < texels; ++i) {
@@ -118,7 +118,7 @@ void expect_means(const BoxLine& line, int32_t count, const selvage_texture& tex
 }
 
 // Whole texels and a little more or less, where the number of texels changes.
-[[nodiscard]] int32_t any_side(spec::Random& random, int32_t most_texels) {
+[[nodiscard]] int32_t any_side_up_to(spec::Random& random, int32_t most_texels) {
   const int32_t whole = 256 * random.in(1, most_texels + 1);
   const int32_t side = random.pick(
       {whole, whole + 1, whole + 2, whole + 255, random.in(256, 256 * most_texels + 1)});
@@ -145,15 +145,15 @@ TEST(BoxKernel, IsExactForEverySizeAndPlace) {
   spec::Random random(5);
   for (int i = 0; i < 600; ++i) {
     const int32_t width = random.in(1, 40), height = random.in(1, 40);
-    const std::vector<uint32_t> texels = noise(random, width * height);
+    const std::vector<uint32_t> texels = noise_texels(random, width * height);
     const selvage_layout layout = random.pick({SELVAGE_LAYOUT_ROWS, SELVAGE_LAYOUT_TILES});
     const Prepared prepared(in_rows(texels, width), layout, random.percent(30));
     const int32_t most = random.pick({1, 2, 9, 20});
     const BoxLine line{
         {random.in(-256 * width, 256 * width), random.in(-256 * height, 256 * height)},
         {random.in(-300, 300), random.in(-300, 300)},
-        {any_side(random, most), any_side(random, most)}};
-    expect_means(line, random.pick({1, 7, 16, 40}), prepared.texture());
+        {any_side_up_to(random, most), any_side_up_to(random, most)}};
+    expect_line_means(line, random.pick({1, 7, 16, 40}), prepared.texture());
     ASSERT_FALSE(HasFatalFailure()) << i;
   }
 }
@@ -161,10 +161,11 @@ TEST(BoxKernel, IsExactForEverySizeAndPlace) {
 // Every place of a box of each size within a texel, at the texture's edges and inside.
 TEST(BoxKernel, IsExactForEveryPartOfATexel) {
   spec::Random random(6);
-  const std::vector<uint32_t> texels = noise(random, 24 * 24);
+  const std::vector<uint32_t> texels = noise_texels(random, 24 * 24);
   for (const int32_t side : {256, 257, 511, 512, 513, 1337, 2048, 2049}) {
     for (const int32_t begin : {-side, -700, 0, 1500, 24 * 256 - side, 24 * 256 - 100}) {
-      expect_means({{begin, begin + 77}, {1, -1}, {side, side + 3}}, kRowPx, in_rows(texels, 24));
+      expect_line_means({{begin, begin + 77}, {1, -1}, {side, side + 3}}, kRowPx,
+                        in_rows(texels, 24));
       ASSERT_FALSE(HasFatalFailure());
     }
   }
@@ -174,14 +175,14 @@ TEST(BoxKernel, IsExactForEveryPartOfATexel) {
 TEST(BoxKernel, IsExactAboutTheLimitsOfItsNumbers) {
   const std::vector<uint32_t> white(300 * 300, 0xFFFFFFFF);
   spec::Random random(7);
-  const std::vector<uint32_t> mixed = noise(random, 300 * 300);
+  const std::vector<uint32_t> mixed = noise_texels(random, 300 * 300);
   for (const BoxSides sides :
        {BoxSides{32767, 256}, BoxSides{32768, 256}, BoxSides{256, 32767}, BoxSides{256, 32768},
         BoxSides{2896, 2896}, BoxSides{2897, 2896}, BoxSides{4096, 2048}, BoxSides{2048, 4096},
         BoxSides{4096, 2049}, BoxSides{32767, 32767}, BoxSides{1 << 17, 300}}) {
     for (const auto* const texels : {&white, &mixed}) {
       for (const int32_t begin : {-9000, 0, 20000, 60000}) {
-        expect_means({{begin, begin}, {97, 61}, sides}, 20, in_rows(*texels, 300));
+        expect_line_means({{begin, begin}, {97, 61}, sides}, 20, in_rows(*texels, 300));
         ASSERT_FALSE(HasFatalFailure());
       }
     }
@@ -193,9 +194,9 @@ TEST(BoxKernel, IsExactInParts) {
   constexpr int32_t kWidth = 130, kHeight = 700;
   spec::Random random(9);
   const std::vector<uint32_t> white(kWidth * kHeight, 0xFFFFFFFF);
-  const std::vector<uint32_t> mixed = noise(random, kWidth * kHeight);
+  const std::vector<uint32_t> mixed = noise_texels(random, kWidth * kHeight);
   for (int i = 0; i < 200; ++i) {
-    const int32_t width = random.pick({60 * 256, 60 * 256 + 1, any_side(random, 64)});
+    const int32_t width = random.pick({60 * 256, 60 * 256 + 1, any_side_up_to(random, 64)});
     const int32_t least = (1 << 23) / width;
     const int32_t height = random.pick({least, least + 1, 2 * least, random.in(least, 256 * 650)});
     const int32_t down = 256 * kHeight - height;
@@ -203,7 +204,7 @@ TEST(BoxKernel, IsExactInParts) {
                         random.pick({0, down, random.in(-300, down + 300)}) + height / 2},
                        {97, 61},
                        {width, height}};
-    expect_means(line, 5, in_rows(i % 2 == 0 ? white : mixed, kWidth));
+    expect_line_means(line, 5, in_rows(i % 2 == 0 ? white : mixed, kWidth));
     ASSERT_FALSE(HasFatalFailure()) << i;
   }
 }
@@ -212,11 +213,11 @@ TEST(BoxKernel, IsExactInParts) {
 TEST(BoxKernel, IsExactInTheLargestTextures) {
   constexpr int32_t kLong = 32767;
   spec::Random random(8);
-  const std::vector<uint32_t> texels = noise(random, kLong * 12);
+  const std::vector<uint32_t> texels = noise_texels(random, kLong * 12);
   for (const int32_t begin : {-(1 << 23) - 300, -4000, (1 << 23) - 30000, (1 << 23) - 2000}) {
     const BoxSides sides{1337, 1100};
-    expect_means({{begin, 700}, {400, 3}, sides}, 40, in_rows(texels, kLong));
-    expect_means({{700, begin}, {3, 400}, sides}, 40, in_rows(texels, 12));
+    expect_line_means({{begin, 700}, {400, 3}, sides}, 40, in_rows(texels, kLong));
+    expect_line_means({{700, begin}, {3, 400}, sides}, 40, in_rows(texels, 12));
     ASSERT_FALSE(HasFatalFailure());
   }
 }
@@ -237,7 +238,7 @@ TEST(BoxKernel, RoundsHalvesUpAndWhatIsBarelyBelowDown) {
     const BoxLine line{{begin, begin}, {}, {side, side}};
     ASSERT_EQ(box_of(line, 0).left_fx8, kMiddle_fx8 - (side + 1) / 2);
     for (const selvage_kernel kernel : usable_kernels()) {
-      ASSERT_EQ(drawn(line, 1, texture, SELVAGE_ADDRESS_CLAMP, kernel)[0],
+      ASSERT_EQ(drawn_boxes(line, 1, texture, SELVAGE_ADDRESS_CLAMP, kernel)[0],
                 side % 2 == 0 ? 0x02FFFF01U : 0x01FEFE00U)
           << "kernel " << kernel << ", side " << side;
     }

@@ -18,7 +18,7 @@ namespace {
 
 using spec::Case;
 
-[[nodiscard]] Case area_case(int32_t width_px, int32_t height_px, int32_t texture_texel) {
+[[nodiscard]] Case area_case_on_square(int32_t width_px, int32_t height_px, int32_t texture_texel) {
   Case c;
   c.filter = SELVAGE_FILTER_AREA;
   c.address = SELVAGE_ADDRESS_WRAP;
@@ -46,7 +46,7 @@ using spec::Case;
                         : ProjectivePlane::of(polygon, visible).has_value();
 }
 
-void expect_model(const Case& c, const spec::TexelAt& texel_at) {
+void expect_vectors_as_modelled(const Case& c, const spec::TexelAt& texel_at) {
   ASSERT_TRUE(is_for_vectors(c));
   expect_drawn_as_modelled(c, texel_at);
 }
@@ -61,7 +61,7 @@ struct Depth {
   int32_t rows, top_q, bottom_q, top_v, bottom_v;
 };
 [[nodiscard]] Case level(const Depth& depth, int32_t width_px, int32_t texture_texel) {
-  Case c = area_case(width_px, depth.rows, texture_texel);
+  Case c = area_case_on_square(width_px, depth.rows, texture_texel);
   const int32_t right_px = 4 * width_px;
   c.vertices = {{0, 128, 0, depth.top_v, depth.top_q},
                 {right_px * 256, 128, right_px * 20000, depth.top_v, depth.top_q},
@@ -75,7 +75,7 @@ TEST(BoxRow, HasSidesThatAreWholeInEveryPixel) {
     const Depth depth{6, 1 << 19, 1 << 20, -100000, side_fx8 / 3 * 4096 - 100000};
     const Case c = level(depth, 150, 64);
     for (const Case& each : {c, turned(c)}) {
-      expect_model(each, noise);
+      expect_vectors_as_modelled(each, noise);
       ASSERT_FALSE(HasFatalFailure()) << side_fx8;
     }
   }
@@ -93,7 +93,7 @@ TEST(BoxRow, HasSidesThatAreBarelyMoreThanWhole) {
       moved.bottom_v += half_texels << 15;
       const Case c = level(moved, 12, 2);
       for (const Case& each : {c, turned(c)}) {
-        expect_model(each, stripes);
+        expect_vectors_as_modelled(each, stripes);
         ASSERT_FALSE(HasFatalFailure()) << half_texels;
       }
     }
@@ -106,14 +106,14 @@ TEST(BoxRow, HasNoLongerSidesThanTheLongest) {
   constexpr int32_t kRight = 20 * 256, kRoom_fx16 = 8 << 16;
   constexpr int32_t kMost_u = INT32_MAX - kRoom_fx16;
   for (int32_t half_texels = 0; half_texels < 4; ++half_texels) {
-    Case c = area_case(20, 4, 2);
+    Case c = area_case_on_square(20, 4, 2);
     const int32_t left_u = INT32_MIN + kRoom_fx16 + (half_texels << 15), near = SELVAGE_Q_MAX / 64;
     c.vertices = {{128, 0, left_u, 0, near},
                   {kRight, 0, kMost_u, 0, SELVAGE_Q_MAX},
                   {kRight, 1024, kMost_u, 0, SELVAGE_Q_MAX},
                   {128, 1024, left_u, 0, near}};
     for (const Case& each : {c, turned(c)}) {
-      expect_model(each, stripes);
+      expect_vectors_as_modelled(each, stripes);
       ASSERT_FALSE(HasFatalFailure()) << half_texels;
     }
   }
@@ -121,11 +121,11 @@ TEST(BoxRow, HasNoLongerSidesThanTheLongest) {
 
 // Both q and u change along the row: boxes of 3 texels and less, then of one.
 TEST(BoxRow, HasSidesThatChangeAlongIt) {
-  Case c = area_case(150, 4, 64);
+  Case c = area_case_on_square(150, 4, 64);
   c.vertices = {{0, 0, 0, 0, 1 << 20},
                 {300 * 256, 0, 300 * 65536, 40 * 65536, 3 << 20},
                 {0, 300 * 256, 0, 200 * 65536, 1 << 20}};
-  for (const Case& each : {c, turned(c)}) expect_model(each, noise);
+  for (const Case& each : {c, turned(c)}) expect_vectors_as_modelled(each, noise);
 }
 
 // An affine map of a texel and a half a pixel, from a polygon so wide that a change of u by 1/65536
@@ -134,13 +134,13 @@ TEST(BoxRow, HasPointsThatAreBarelyBesideTheGrid) {
   constexpr int32_t kFar_px = 32766, kHalf_fx16 = kFar_px * 49152;
   for (const int32_t sign : {1, -1}) {
     for (const int32_t nudge : {-1, 0, 1}) {
-      Case c = area_case(150, 3, 64);
+      Case c = area_case_on_square(150, 3, 64);
       const int32_t left = -sign * kHalf_fx16, right = sign * kHalf_fx16 + nudge;
       c.vertices = {{0, 0, left, left, 1},
                     {kFar_px * 256, 0, right, right, 1},
                     {kFar_px * 256, 4096, right, right, 1},
                     {0, 4096, left, left, 1}};
-      expect_model(c, noise);
+      expect_vectors_as_modelled(c, noise);
       ASSERT_FALSE(HasFatalFailure()) << sign << ", " << nudge;
     }
   }
@@ -152,12 +152,12 @@ TEST(BoxRow, HasPointsThatAreBarelyBesideTheGridUnderTheLargestMaps) {
   constexpr int32_t kFar_fx8 = 32000 * 256, kFar_fx16 = 32000 << 16;
   for (const int32_t sign : {1, -1}) {
     for (const int32_t nudge : {-1, 0, 1}) {
-      Case c = area_case(150, 3, 64);
+      Case c = area_case_on_square(150, 3, 64);
       const int32_t first = sign * -kFar_fx16 + nudge, last = sign * kFar_fx16 - nudge;
       c.vertices = {{-kFar_fx8, -kFar_fx8, first, first, 1},
                     {kFar_fx8, -kFar_fx8, last, last, 1},
                     {0, kFar_fx8, sign * kFar_fx16, sign * kFar_fx16, 1}};
-      expect_model(c, noise);
+      expect_vectors_as_modelled(c, noise);
       ASSERT_FALSE(HasFatalFailure()) << sign << ", " << nudge;
     }
   }

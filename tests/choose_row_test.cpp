@@ -9,12 +9,11 @@
 #include "mapper/bend.h"
 #include "mapper/tolerance.h"
 #include "spec/random.h"
+#include "tests/choice_support.h"
+#include "tests/lane_units.h"
 
 namespace selvage::mapper {
 namespace {
-
-inline constexpr double kFx32PerFx16 = 65536;
-inline constexpr int32_t kAnyTolerance_fx16 = 1 << 30;
 
 // u and v, in units of 2^-16 texel, and the denominator at the ends of a row.
 struct Ends {
@@ -41,7 +40,7 @@ struct Ends {
 
 // What lanes along so many steps lose beside the curve: the margin and two units a step, floored,
 // and four units.
-[[nodiscard]] int32_t roundings_fx16(int64_t error_fx32, int32_t steps) {
+[[nodiscard]] int32_t rounding_loss_fx16(int64_t error_fx32, int32_t steps) {
   return 4 + static_cast<int32_t>(
                  std::floor((2.0 * static_cast<double>(error_fx32) + 2.0 * steps) / kFx32PerFx16));
 }
@@ -67,7 +66,7 @@ struct Ends {
 
 // The bound that is told is that of the formula, in whole units, and hardly more.
 void expect_bound(const RowChoice& choice, const Ends& ends, int32_t width_px, int64_t error_fx32) {
-  const int32_t steps = width_px - 1, roundings = roundings_fx16(error_fx32, steps);
+  const int32_t steps = width_px - 1, roundings = rounding_loss_fx16(error_fx32, steps);
   const double share =
       choice.segment_px == 0 ? 1.0 : choice.segment_px / static_cast<double>(steps);
   const double ratio = ratio_of(ends), chord = chord_fx16(ends, share, ratio);
@@ -81,10 +80,10 @@ TEST(ChooseRow, TellsTheRoundingsWhereNothingBends) {
   for (const int32_t width_px : {160, 1000, 32768, 32769, 40000, 65536}) {
     const RowChoice choice = choose(lanes_of(still, width_px, 0), width_px, kAnyTolerance_fx16);
     EXPECT_EQ(choice.method, SELVAGE_METHOD_AFFINE_FOR_PERSPECTIVE);
-    EXPECT_EQ(choice.bound_fx16, roundings_fx16(0, width_px - 1)) << width_px;
+    EXPECT_EQ(choice.bound_fx16, rounding_loss_fx16(0, width_px - 1)) << width_px;
   }
-  EXPECT_EQ(roundings_fx16(0, 32767), 4);
-  EXPECT_EQ(roundings_fx16(0, 32768), 5);
+  EXPECT_EQ(rounding_loss_fx16(0, 32767), 4);
+  EXPECT_EQ(rounding_loss_fx16(0, 32768), 5);
 }
 
 TEST(ChooseRow, TellsTheRoundingsOfTheMarginToo) {
@@ -93,7 +92,7 @@ TEST(ChooseRow, TellsTheRoundingsOfTheMarginToo) {
     for (const int32_t width_px : {160, 28673, 28674, 40000}) {
       const RowChoice choice =
           choose(lanes_of(still, width_px, error_fx32), width_px, kAnyTolerance_fx16);
-      EXPECT_EQ(choice.bound_fx16, roundings_fx16(error_fx32, width_px - 1));
+      EXPECT_EQ(choice.bound_fx16, rounding_loss_fx16(error_fx32, width_px - 1));
     }
   }
 }
@@ -162,7 +161,7 @@ TEST(ChooseRow, SegmentsAreNotShorterThan64Pixels) {
     const int32_t tolerance_fx16 = random.in(1000, 1 << 30);
     const auto share = [&] { return 1 + random.in(0, 1 << 30) * 0x1p-30; };
     RowBend row{0, share(), share()};
-    const double room = Chords(row).room_fx16(tolerance_fx16 - roundings_fx16(0, 999));
+    const double room = Chords(row).room_fx16(tolerance_fx16 - rounding_loss_fx16(0, 999));
     const auto is_within = [&](double slope_fx32) {
       return Chords({slope_fx32, row.turn, row.least_denominator}).off_fx16(64) <= room;
     };

@@ -15,12 +15,11 @@
 #include "spec/exact.h"
 #include "spec/random.h"
 #include "spec/tolerance.h"
+#include "tests/choice_support.h"
+#include "tests/lane_units.h"
 
 namespace selvage::mapper {
 namespace {
-
-inline constexpr double kFx32PerFx16 = 65536;
-inline constexpr int32_t kAnyTolerance_fx16 = 1 << 30;
 
 // A quad that bends less from row to row: the shortest segments come first or last.
 TEST(ChooseRows, OfSomeRowsTheShortestSegmentsAreTold) {

@@ -19,7 +19,7 @@ struct Sides {
   int32_t left_fx8, right_fx8;
   int32_t u[2], v[2], q[2];
 };
-[[nodiscard]] spec::Case row_of(const Sides& sides) {
+[[nodiscard]] spec::Case one_row_quad(const Sides& sides) {
   spec::Case c;
   c.target_width_px = sides.right_fx8 / 256 + 1;
   c.target_height_px = 1;
@@ -97,8 +97,8 @@ TEST_F(DividedRows, AreExactWhateverLanesAreWithinTheirError) {
             return std::pair{start, start + pace * kWidth_px + to};
           };
           const auto u = ends(pace_fx16, drift), v = ends(65536 - pace_fx16 / 2, -drift);
-          const spec::Case c =
-              row_of({0, kWidth_px * 256, {u.first, u.second}, {v.first, v.second}, {1000, 1001}});
+          const spec::Case c = one_row_quad(
+              {0, kWidth_px * 256, {u.first, u.second}, {v.first, v.second}, {1000, 1001}});
           for_each_span(
               c, [&](const spec::Case&, const Polygon&, const SpanMap& map, const Span& span) {
                 ++rows;
@@ -147,7 +147,7 @@ TEST(SteepRows, AreExactWhereTheirLastPixelIsFarFromTheOthers) {
       for (auto* ends : {&sides.u, &sides.v, &sides.q}) std::swap((*ends)[0], (*ends)[1]);
       sides.left_fx8 -= 1, sides.right_fx8 -= 1;
     }
-    expect_as_scalar(row_of(sides), 0);
+    expect_as_scalar(one_row_quad(sides), 0);
     if (HasFatalFailure()) FAIL() << "seed " << seed;
   }
 }
@@ -165,7 +165,7 @@ TEST(SteepRows, AreExactHoweverSteep) {
                   {1, SELVAGE_Q_MAX}};
       if (falls) std::swap(sides.u[0], sides.u[1]);
       if (by_v) std::swap(sides.u, sides.v);
-      expect_as_scalar(row_of(sides), 1000);
+      expect_as_scalar(one_row_quad(sides), 1000);
       if (HasFatalFailure()) FAIL() << "falls " << falls << ", by v " << by_v;
     }
   }
@@ -175,11 +175,11 @@ TEST(SteepRows, AreExactHoweverSteep) {
 // no plane holds them.
 TEST(LongRows, AreExactWhereEveryPixelIsATie) {
   constexpr int32_t kWidth_px = 64 * kMostLanes + 300;
-  spec::Case c = row_of({768,
-                         768 + kWidth_px * 256,
-                         {-32768, kWidth_px * 65536 - 32768},
-                         {5 << 16, 5 << 16},
-                         {1000, 1000}});
+  spec::Case c = one_row_quad({768,
+                               768 + kWidth_px * 256,
+                               {-32768, kWidth_px * 65536 - 32768},
+                               {5 << 16, 5 << 16},
+                               {1000, 1000}});
   c.vertices[2].q = c.vertices[3].q = 2000;
   expect_as_scalar(c, 0);
   c.vertices[1].u = c.vertices[2].u = kWidth_px * 2 * 65536 - 65536;

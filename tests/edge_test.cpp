@@ -23,7 +23,7 @@ using spec::Rational;
   return -spec::floor(-(x / 256 - Rational(1, 2)));
 }
 
-void expect_exact(const selvage_vertex& a, const selvage_vertex& b) {
+void expect_exact_columns(const selvage_vertex& a, const selvage_vertex& b) {
   Edge stepped(a, b);
   const int32_t top_row = first_centre_px(std::min(a.y, b.y));
   if (top_row >= stepped.bottom_row()) return;
@@ -44,15 +44,15 @@ TEST(Edge, StepsAndSeeksToTheExactColumn) {
     const auto pick = [&] {
       return static_cast<int32_t>(random() % static_cast<uint32_t>(2 * reach)) - reach;
     };
-    expect_exact({pick(), pick(), 0, 0, 1}, {pick(), pick(), 0, 0, 1});
+    expect_exact_columns({pick(), pick(), 0, 0, 1}, {pick(), pick(), 0, 0, 1});
   }
 }
 
 TEST(Edge, IsExactAtTheEndsOfTheRange) {
   const int32_t least = SELVAGE_X_MIN, last = SELVAGE_X_END - 1;
-  expect_exact({least, least, 0, 0, 1}, {last, last, 0, 0, 1});
-  expect_exact({last, least, 0, 0, 1}, {least, last, 0, 0, 1});
-  expect_exact({least, 127, 0, 0, 1}, {last, 129, 0, 0, 1});
+  expect_exact_columns({least, least, 0, 0, 1}, {last, last, 0, 0, 1});
+  expect_exact_columns({last, least, 0, 0, 1}, {least, last, 0, 0, 1});
+  expect_exact_columns({least, 127, 0, 0, 1}, {last, 129, 0, 0, 1});
 }
 
 TEST(Edge, OwnsRowsByTheHalfOpenRule) {
@@ -66,8 +66,8 @@ TEST(Edge, TellsTheLeastMissFromATouch) {
   for (const int32_t height : {3, 255, 257, 1021, 4099}) {
     for (int32_t dx = 1; dx < height; dx += 1 + height / 40) {
       for (const int32_t shift : {-128, 0, 1, 128}) {
-        expect_exact({shift, 127, 0, 0, 1}, {shift + dx, 127 + height, 0, 0, 1});
-        expect_exact({shift, 128, 0, 0, 1}, {shift - dx, 128 + height, 0, 0, 1});
+        expect_exact_columns({shift, 127, 0, 0, 1}, {shift + dx, 127 + height, 0, 0, 1});
+        expect_exact_columns({shift, 128, 0, 0, 1}, {shift - dx, 128 + height, 0, 0, 1});
       }
     }
   }

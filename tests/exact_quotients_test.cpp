@@ -9,14 +9,15 @@
 
 #include "mapper/vector_kernel.h"
 #include "spec/random.h"
+#include "spec/vertex_units.h"
+#include "tests/floor_of.h"
 #include "tests/kernel_support.h"
 #include "tests/span_support.h"
 
 namespace selvage::mapper {
 namespace {
 
-inline constexpr int32_t kTexture_texel = 64;
-inline constexpr int64_t kTexel_fx16 = SELVAGE_SUBTEXELS;
+using spec::kTexel_fx16;
 
 // The x for which a x = b modulo m, where a and m have no common divisor.
 [[nodiscard]] int128 solved(int128 a, int128 b, int128 m) {
@@ -31,12 +32,12 @@ inline constexpr int64_t kTexel_fx16 = SELVAGE_SUBTEXELS;
 }
 
 // A row whose coordinates are whole at one pixel each, or miss that by the least there is.
-struct Row {
+struct LeastMissRow {
   Span span;
   EdgePoint left, right;
 };
 
-[[nodiscard]] Row any_row(spec::Random& random) {
+[[nodiscard]] LeastMissRow any_least_miss_row(spec::Random& random) {
   const int32_t width_px = random.in(20, 65);
   const int64_t q = random.percent(50) ? 1 : random.in(1, 4096);
   const int64_t beside = random.in(0, 128) * 2 + 1;  // odd, so that distances are
@@ -54,10 +55,6 @@ struct Row {
   return {{0, 0, width_px}, {1, x, u_left, v_left, q}, {1, x + length, u_right, v_right, q}};
 }
 
-[[nodiscard]] int32_t floor_of(int128 n, int128 d) {
-  return static_cast<int32_t>(n / d - (n % d < 0 ? 1 : 0));
-}
-
 [[nodiscard]] uint32_t colour_of(int32_t texel) {
   return static_cast<uint32_t>(texel) * 2654435761U;
 }
@@ -65,21 +62,23 @@ struct Row {
 [[nodiscard]] std::vector<uint32_t> expected(const SpanMap& map, int32_t width_px) {
   std::vector<uint32_t> row;
   for (int32_t px = 0; px < width_px; ++px) {
-    const int32_t s = floor_of(map.u_numerator(px), map.denominator(px)) & (kTexture_texel - 1);
-    const int32_t t = floor_of(map.v_numerator(px), map.denominator(px)) & (kTexture_texel - 1);
-    row.push_back(colour_of(t * kTexture_texel + s));
+    const int32_t s = static_cast<int32_t>(floor_of(map.u_numerator(px), map.denominator(px))) &
+                      (kRowTexture_texel - 1);
+    const int32_t t = static_cast<int32_t>(floor_of(map.v_numerator(px), map.denominator(px))) &
+                      (kRowTexture_texel - 1);
+    row.push_back(colour_of(t * kRowTexture_texel + s));
   }
   return row;
 }
 
 // By lanes that are most of a texel low: nearly all pixels are in doubt.
-[[nodiscard]] std::vector<uint32_t> drawn(const SpanMap& map, const Span& span,
-                                          const std::vector<uint32_t>& texels,
-                                          selvage_kernel kernel) {
+[[nodiscard]] std::vector<uint32_t> drawn_by_low_lanes(const SpanMap& map, const Span& span,
+                                                       const std::vector<uint32_t>& texels,
+                                                       selvage_kernel kernel) {
   constexpr uint32_t kLag_fx32 = 0xF0000000;
   std::vector<uint32_t> pixels(static_cast<size_t>(span.width_px()));
   const Surface surface{{pixels.data(), span.width_px(), 1, span.width_px() * 4, SELVAGE_RGBA8888},
-                        {texels.data(), kTexture_texel, kTexture_texel, kTexture_texel * 4,
+                        {texels.data(), kRowTexture_texel, kRowTexture_texel, kRowTexture_texel * 4,
                          SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr},
                         SELVAGE_ADDRESS_WRAP};
   AffineField field = AffineLanes(map, span).field(span);
@@ -95,14 +94,16 @@ struct Row {
 
 TEST(ExactQuotients, TellWholeNumbersFromTheLeastMiss) {
   std::vector<uint32_t> texels;
-  for (int32_t i = 0; i < kTexture_texel * kTexture_texel; ++i) texels.push_back(colour_of(i));
+  for (int32_t i = 0; i < kRowTexture_texel * kRowTexture_texel; ++i) {
+    texels.push_back(colour_of(i));
+  }
   spec::Random random(1);
   for (int i = 0; i < 5000; ++i) {
-    const Row row = any_row(random);
+    const LeastMissRow row = any_least_miss_row(random);
     const SpanMap map(row.left, row.right);
     const std::vector<uint32_t> right = expected(map, row.span.width_px());
     for (const selvage_kernel kernel : usable_kernels()) {
-      ASSERT_EQ(drawn(map, row.span, texels, kernel), right)
+      ASSERT_EQ(drawn_by_low_lanes(map, row.span, texels, kernel), right)
           << "kernel " << kernel << ", row " << i;
     }
   }
@@ -126,7 +127,7 @@ struct Legs {
   return {at(0, 0), at(legs.x_px, 0), at(0, legs.y_px)};
 }
 
-[[nodiscard]] spec::Case any_polygon(spec::Random& random) {
+[[nodiscard]] spec::Case any_tie_case(spec::Random& random) {
   spec::Case c;
   c.format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
   c.address = random.pick({SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP});
@@ -156,7 +157,7 @@ TEST_P(ExactQuotientsOf, DrawPolygonsAsTheScalarKernelDoes) {
   constexpr uint64_t kSeeds = 400;
   for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
     spec::Random random(seed);
-    const spec::Case c = any_polygon(random);
+    const spec::Case c = any_tie_case(random);
     const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR);
     for (const selvage_kernel kernel : usable_kernels()) {
       ASSERT_TRUE(drawing_of(c, kernel) == scalar)

@@ -4,17 +4,14 @@
 
 #include <vector>
 
+#include "corner.h"
+
 namespace selvage::spec {
 namespace {
 
-// Corners in pixels and texels.
-[[nodiscard]] selvage_vertex at(int32_t x_px, int32_t y_px, int32_t u, int32_t v, int32_t q = 1) {
-  return {x_px * 256, y_px * 256, u * 65536, v * 65536, q};
-}
-
 TEST(Exact, TriangleByHand) {
   // u = 2 x, v = 3 y.
-  const std::vector triangle = {at(0, 0, 0, 0), at(4, 0, 8, 0), at(0, 4, 0, 12)};
+  const std::vector triangle = {corner(0, 0, 0, 0), corner(4, 0, 8, 0), corner(0, 4, 0, 12)};
   const auto point = sample(triangle, 1, 1);
   ASSERT_TRUE(point);
   EXPECT_EQ(point->u, Rational(3));
@@ -27,8 +24,8 @@ TEST(Exact, TriangleByHand) {
 
 TEST(Exact, PerspectiveByHand) {
   // Half way along a row between q = 1 and q = 3 the far side weighs 1 to 3: u = 8 * 3 / 4.
-  const std::vector square = {at(0, 0, 0, 0, 1), at(1, 0, 8, 0, 3), at(1, 1, 8, 8, 3),
-                              at(0, 1, 0, 8, 1)};
+  const std::vector square = {corner(0, 0, 0, 0, 1), corner(1, 0, 8, 0, 3), corner(1, 1, 8, 8, 3),
+                              corner(0, 1, 0, 8, 1)};
   const auto point = sample(square, 0, 0);
   ASSERT_TRUE(point);
   EXPECT_EQ(point->u, Rational(6));
@@ -48,7 +45,8 @@ TEST(Exact, HalfOpenOnBothAxes) {
 
 TEST(Exact, CrossingChainsAreSortedRowByRow) {
   // An hourglass: the two sides change places half way down.
-  const std::vector hourglass = {at(0, 0, 0, 0), at(4, 0, 4, 0), at(0, 4, 0, 4), at(4, 4, 4, 4)};
+  const std::vector hourglass = {corner(0, 0, 0, 0), corner(4, 0, 4, 0), corner(0, 4, 0, 4),
+                                 corner(4, 4, 4, 4)};
   ASSERT_EQ(validity(hourglass), SELVAGE_OK);
   for (int32_t y = 0; y < 4; ++y) {
     const auto line = scan_line(hourglass, y);
@@ -59,9 +57,12 @@ TEST(Exact, CrossingChainsAreSortedRowByRow) {
 }
 
 TEST(Exact, ValidityCountsCrossings) {
-  EXPECT_EQ(validity(std::vector{at(0, 0, 0, 0), at(4, 0, 0, 0)}), SELVAGE_ERROR_VERTEX_COUNT);
-  EXPECT_EQ(validity(std::vector{at(0, 0, 0, 0), at(4, 0, 0, 0), at(8, 0, 0, 0)}), SELVAGE_OK);
-  EXPECT_EQ(validity(std::vector{at(0, 0, 0, 0), at(2, 4, 0, 0), at(4, 1, 0, 0), at(6, 4, 0, 0)}),
+  EXPECT_EQ(validity(std::vector{corner(0, 0, 0, 0), corner(4, 0, 0, 0)}),
+            SELVAGE_ERROR_VERTEX_COUNT);
+  EXPECT_EQ(validity(std::vector{corner(0, 0, 0, 0), corner(4, 0, 0, 0), corner(8, 0, 0, 0)}),
+            SELVAGE_OK);
+  EXPECT_EQ(validity(std::vector{corner(0, 0, 0, 0), corner(2, 4, 0, 0), corner(4, 1, 0, 0),
+                                 corner(6, 4, 0, 0)}),
             SELVAGE_ERROR_NOT_MONOTONE);
 }
 

@@ -12,7 +12,7 @@ namespace selvage::spec {
 namespace {
 
 // From (0.5, 0.5) px to (2.5, 2.5) px: samples on each of its edges.
-[[nodiscard]] Case square() {
+[[nodiscard]] Case square_through_samples() {
   Case c;
   c.target_width_px = c.target_height_px = 4;
   c.vertices = {{128, 128, 0, 0, 1}, {640, 128, 0, 0, 1}, {640, 640, 0, 0, 1}, {128, 640, 0, 0, 1}};
@@ -21,22 +21,22 @@ namespace {
 
 TEST(DescribeSample, TellsTheEdgeAndWhoseItIs) {
   const std::string rule = " (left and top edges are in it, others are not)";
-  EXPECT_EQ(describe_sample(square(), 1, 0),
+  EXPECT_EQ(describe_sample(square_through_samples(), 1, 0),
             "(1.5, 0.5) px, in the polygon: on the edge from (0.5, 0.5) to (2.5, 0.5)" + rule);
-  EXPECT_EQ(describe_sample(square(), 0, 1),
+  EXPECT_EQ(describe_sample(square_through_samples(), 0, 1),
             "(0.5, 1.5) px, in the polygon: on the edge from (0.5, 2.5) to (0.5, 0.5)" + rule);
-  EXPECT_EQ(describe_sample(square(), 1, 2),
+  EXPECT_EQ(describe_sample(square_through_samples(), 1, 2),
             "(1.5, 2.5) px, not in the polygon: on the edge from (2.5, 2.5) to (0.5, 2.5)" + rule);
-  EXPECT_EQ(describe_sample(square(), 2, 1),
+  EXPECT_EQ(describe_sample(square_through_samples(), 2, 1),
             "(2.5, 1.5) px, not in the polygon: on the edge from (2.5, 0.5) to (2.5, 2.5)" + rule);
-  EXPECT_EQ(describe_sample(square(), 0, 0),
+  EXPECT_EQ(describe_sample(square_through_samples(), 0, 0),
             "(0.5, 0.5) px, in the polygon: on the vertex (0.5, 0.5)" + rule);
-  EXPECT_EQ(describe_sample(square(), 1, 1), "(1.5, 1.5) px, in the polygon");
-  EXPECT_EQ(describe_sample(square(), 3, 3), "(3.5, 3.5) px, not in the polygon");
+  EXPECT_EQ(describe_sample(square_through_samples(), 1, 1), "(1.5, 1.5) px, in the polygon");
+  EXPECT_EQ(describe_sample(square_through_samples(), 3, 3), "(3.5, 3.5) px, not in the polygon");
 }
 
 TEST(DescribeSample, TellsAnEdgeThatIsVeryNear) {
-  Case c = square();
+  Case c = square_through_samples();
   c.vertices = {{0, 0, 0, 0, 1}, {1001, 1000, 0, 0, 1}, {0, 1000, 0, 0, 1}};
   EXPECT_EQ(describe_sample(c, 1, 1),
             "(1.5, 1.5) px, in the polygon: 0.0015 px beside the edge from (0, 0) to "
@@ -48,19 +48,20 @@ TEST(DescribeSample, TellsAnEdgeThatIsVeryNear) {
 }
 
 TEST(DescribeSample, TellsTheClipAndNoRuleOfAnotherProfile) {
-  Case c = square();
+  Case c = square_through_samples();
   c.has_clip = true;
   c.clip = {0, 0, 1, 4};
   EXPECT_EQ(describe_sample(c, 1, 1), "(1.5, 1.5) px, in the polygon; outside of the clip");
   EXPECT_EQ(describe_sample(c, 0, 1).find("clip"), std::string::npos);
-  c = square();
+  c = square_through_samples();
   c.profile = SELVAGE_PROFILE_DKIT;
   for (selvage_vertex& v : c.vertices) v.x += 128, v.y += 128;
   EXPECT_EQ(describe_sample(c, 1, 3).find("(left and top"), std::string::npos);
 }
 
 [[nodiscard]] std::string told(const std::string& u) {
-  return explain({.law = "MAP", .x_px = 1, .y_px = 1, .u = u, .v = "1/3", .shown = square()});
+  return explain(
+      {.law = "MAP", .x_px = 1, .y_px = 1, .u = u, .v = "1/3", .shown = square_through_samples()});
 }
 
 TEST(Explain, TellsLongFractionsInDecimalsAndOnWhichSideOfAWholeNumber) {
@@ -75,7 +76,7 @@ TEST(Explain, TellsLongFractionsInDecimalsAndOnWhichSideOfAWholeNumber) {
 }
 
 TEST(Explain, TellsTexelsThatAreNone) {
-  Case c = square();
+  Case c = square_through_samples();
   c.texture_width_texel = 1;
   c.texture_height_texel = 2;
   EXPECT_EQ(describe_pixel(c, 0x00010000u), "texel (0, 1)");

@@ -26,7 +26,7 @@ struct Pictures {
   [[nodiscard]] auto drawn() const { return std::ranges::count(pixels, 9U); }
 };
 
-[[nodiscard]] std::array<Vertex, 3> corners() {
+[[nodiscard]] std::array<Vertex, 3> snapped_triangle() {
   std::array<Vertex, 3> v{};
   EXPECT_EQ(selvage_snap(10, 10, 0, 0, 1, 1, &v[0]), SELVAGE_OK);
   EXPECT_EQ(selvage_snap(200.5, 40, 64, 0, 1, 1, &v[1]), SELVAGE_OK);
@@ -36,7 +36,7 @@ struct Pictures {
 
 TEST(Face, DrawsWhatTheCInterfaceDraws) {
   Pictures by_face, by_c;
-  const auto v = corners();
+  const auto v = snapped_triangle();
   const Texture texture = by_face.texture();
   ASSERT_EQ(draw(by_face.target(), v, texture), SELVAGE_OK);
   const Image target = by_c.target();
@@ -55,8 +55,8 @@ TEST(Face, DrawsTheSameFromAPreparedTexture) {
   Texture prepared{};
   ASSERT_EQ(prepare(texture, SELVAGE_LAYOUT_TILES, true, std::span(memory).first(bytes), prepared),
             SELVAGE_OK);
-  ASSERT_EQ(draw(given.target(), corners(), texture), SELVAGE_OK);
-  ASSERT_EQ(draw(tiled.target(), corners(), prepared), SELVAGE_OK);
+  ASSERT_EQ(draw(given.target(), snapped_triangle(), texture), SELVAGE_OK);
+  ASSERT_EQ(draw(tiled.target(), snapped_triangle(), prepared), SELVAGE_OK);
   EXPECT_EQ(given.pixels, tiled.pixels);
   EXPECT_EQ(
       prepare(texture, SELVAGE_LAYOUT_TILES, true, std::span(memory).first(bytes - 1), prepared),
@@ -74,23 +74,25 @@ TEST(Face, PreparesWithoutSumsToo) {
   ASSERT_EQ(prepare(texture, SELVAGE_LAYOUT_TILES, false, std::span(memory).first(bytes), prepared),
             SELVAGE_OK);
   EXPECT_EQ(prepared.prepared, nullptr);
-  ASSERT_EQ(draw(given.target(), corners(), texture), SELVAGE_OK);
-  ASSERT_EQ(draw(tiled.target(), corners(), prepared), SELVAGE_OK);
+  ASSERT_EQ(draw(given.target(), snapped_triangle(), texture), SELVAGE_OK);
+  ASSERT_EQ(draw(tiled.target(), snapped_triangle(), prepared), SELVAGE_OK);
   EXPECT_EQ(given.pixels, tiled.pixels);
 }
 
 TEST(Face, PassesClipAndOptionsOn) {
   Pictures pictures;
-  ASSERT_EQ(draw(pictures.target(), corners(), pictures.texture(), {}, Rect{60, 60, 70, 70}),
-            SELVAGE_OK);
+  ASSERT_EQ(
+      draw(pictures.target(), snapped_triangle(), pictures.texture(), {}, Rect{60, 60, 70, 70}),
+      SELVAGE_OK);
   EXPECT_EQ(pictures.drawn(), 100);
   const Options unknown{SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST, 9, 0, 0};
-  EXPECT_EQ(draw(pictures.target(), corners(), pictures.texture(), unknown), SELVAGE_ERROR_ADDRESS);
+  EXPECT_EQ(draw(pictures.target(), snapped_triangle(), pictures.texture(), unknown),
+            SELVAGE_ERROR_ADDRESS);
 }
 
 TEST(Face, NoOptionsAreAllZero) {
   Pictures without, zero, tolerant;
-  auto v = corners();
+  auto v = snapped_triangle();
   for (Vertex& vertex : v) vertex.u -= 20 * SELVAGE_SUBTEXELS;  // clamped, not wrapped
   for (int32_t i = 0; i < kSide_texel * kSide_texel; ++i) {
     without.texels[static_cast<size_t>(i)] = static_cast<uint32_t>(i % kSide_texel);
@@ -111,7 +113,7 @@ TEST(Face, TheFirstErrorIsTheOneReported) {
   Pictures pictures;
   Image target = pictures.target();
   Texture texture = pictures.texture();
-  auto v = corners();
+  auto v = snapped_triangle();
   Options options{4, 4, 2, -1, 6};
   target.format = 9, target.width = 0, target.pitch = 3;
   texture.format = 9, texture.width = 0, texture.pitch = 3;

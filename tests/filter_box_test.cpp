@@ -16,9 +16,10 @@ namespace selvage::mapper {
 namespace {
 
 // A texture of random colours in rows with padding.
-class Texels {
+class RandomTexture {
  public:
-  Texels(spec::Random& random, int32_t width, int32_t height) : width_(width), height_(height) {
+  RandomTexture(spec::Random& random, int32_t width, int32_t height)
+      : width_(width), height_(height) {
     for (int32_t i = 0; i < (width + 1) * height; ++i) {
       texels_.push_back(static_cast<uint32_t>(random.bits()));
     }
@@ -52,7 +53,7 @@ TEST(BoxSum, IsTheSpecificationsForEverySizeAndPlace) {
   spec::Random random(1);
   for (int i = 0; i < 4000; ++i) {
     const int32_t width = random.in(1, 9), height = random.in(1, 9);
-    const Texels texels(random, width, height);
+    const RandomTexture texels(random, width, height);
     const selvage_address address =
         random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP;
     Box box{random.in(-5000, 5000), random.in(-5000, 5000), any_side(random), any_side(random)};
@@ -81,7 +82,7 @@ TEST(BoxSum, IsTheSpecificationsForEverySizeAndPlace) {
 TEST(BoxSum, IsTheSameByVisitingAndByLookingUp) {
   spec::Random random(3);
   for (int i = 0; i < 4000; ++i) {
-    const Texels texels(random, random.in(1, 40), random.in(1, 40));
+    const RandomTexture texels(random, random.in(1, 40), random.in(1, 40));
     const selvage_texture plain = texels.texture();
     const selvage_layout layout = random.pick({SELVAGE_LAYOUT_ROWS, SELVAGE_LAYOUT_TILES});
     const size_t bytes = selvage_prepare_bytes(&plain, layout, 1);
@@ -167,7 +168,7 @@ TEST(BoxMean, RoundsDownWhatIsBarelyBelowAHalf) {
 TEST(BoxMean, OfTheLeastBoxIsBilinear) {
   spec::Random random(2);
   for (int i = 0; i < 2000; ++i) {
-    const Texels texels(random, random.in(1, 6), random.in(1, 6));
+    const RandomTexture texels(random, random.in(1, 6), random.in(1, 6));
     const FilterPoint point{random.in(-3000, 3000), random.in(-3000, 3000)};
     const BoxSides least{kLeastSide_fx8, kLeastSide_fx8};
     for (const selvage_address address : {SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP}) {

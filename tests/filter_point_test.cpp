@@ -17,8 +17,8 @@ namespace {
 }
 
 template <class Lanes>
-void expect_exact(std::span<const selvage_vertex> vertices, const SpanMap& map, const Span& span,
-                  const Lanes& lanes) {
+void expect_exact_points(std::span<const selvage_vertex> vertices, const SpanMap& map,
+                         const Span& span, const Lanes& lanes) {
   for (int32_t px = span.left_px; px < span.right_px; ++px) {
     const auto exact = spec::sample(vertices, px, span.row);
     ASSERT_TRUE(exact);
@@ -33,9 +33,9 @@ TEST(FilterPoint, IsTheFloorOnAGridOfATexelsFractions) {
       2500, [&](const spec::Case& c, const Polygon& polygon, const SpanMap& map, const Span& span) {
         if (testing::Test::HasFatalFailure()) return;
         if (polygon.affine) {
-          expect_exact(c.vertices, map, span, AffineLanes(map, span).field(span));
+          expect_exact_points(c.vertices, map, span, AffineLanes(map, span).field(span));
         }
-        expect_exact(c.vertices, map, span, ProjectiveLanes(map, span));
+        expect_exact_points(c.vertices, map, span, ProjectiveLanes(map, span));
         ASSERT_FALSE(testing::Test::HasFatalFailure()) << spec::print(c);
       });
 }
@@ -55,7 +55,7 @@ TEST(FilterPoint, IsExactWhereLanesTellNothing) {
     ASSERT_EQ(examine(vertices, &polygon), SELVAGE_OK);
     for_each_row(polygon, 0, 20, 0, 64, [&](const Edge& left, const Edge& right, const Span& span) {
       const SpanMap map(left.at(span.row), right.at(span.row));
-      expect_exact(vertices, map, span, ProjectiveLanes(map, span));
+      expect_exact_points(vertices, map, span, ProjectiveLanes(map, span));
     });
     ASSERT_FALSE(HasFatalFailure());
   }

@@ -13,7 +13,7 @@ namespace {
 
 using spec::Case;
 
-inline constexpr int32_t kWidth_px = 301, kHeight_px = 1;  // two pieces, the last of odd length
+inline constexpr int32_t kTwoPieces_px = 301;  // the last one of odd length
 
 // u runs over the texture and beyond it on both sides, `texels_per_px` a pixel; q goes
 // from `far` to the greatest.
@@ -22,13 +22,13 @@ inline constexpr int32_t kWidth_px = 301, kHeight_px = 1;  // two pieces, the la
   Case c;
   c.filter = filter;
   c.address = address;
-  c.target_width_px = kWidth_px;
-  c.target_height_px = kHeight_px;
+  c.target_width_px = kTwoPieces_px;
+  c.target_height_px = 1;
   c.texture_width_texel = 200 * texels_per_px - 23;
   c.texture_height_texel = 5;
-  constexpr int32_t kRight = kWidth_px * SELVAGE_SUBPIXELS - 77;
+  constexpr int32_t kRight = kTwoPieces_px * SELVAGE_SUBPIXELS - 77;
   const int32_t left_u = -60 * texels_per_px * SELVAGE_SUBTEXELS;
-  const int32_t right_u = left_u + kWidth_px * texels_per_px * SELVAGE_SUBTEXELS + 12345;
+  const int32_t right_u = left_u + kTwoPieces_px * texels_per_px * SELVAGE_SUBTEXELS + 12345;
   c.vertices = {{0, -40, left_u, -70000, far},
                 {kRight, -90, right_u, 90000, SELVAGE_Q_MAX},
                 {kRight, 600, right_u, 180000, SELVAGE_Q_MAX},
@@ -36,7 +36,7 @@ inline constexpr int32_t kWidth_px = 301, kHeight_px = 1;  // two pieces, the la
   return c;
 }
 
-void expect_model(const Case& c, selvage_kernel kernel) {
+void expect_row_as_modelled(const Case& c, selvage_kernel kernel) {
   spec::Subject subject = spec::built_in();
   subject.draw = [by = kernel](const selvage_image* target, const selvage_rect* clip,
                                const selvage_vertex* vertices, size_t count,
@@ -62,7 +62,7 @@ class FilteredRows : public testing::TestWithParam<Parameters> {};
 TEST_P(FilteredRows, AreTheModels) {
   const auto [filter, address, texels_per_px, far, kernel] = GetParam();
   const Case c = row(filter, address, texels_per_px, far);
-  expect_model(c, kernel);
+  expect_row_as_modelled(c, kernel);
 }
 
 // The side of a box is whole at the middle of the row, where doubles cannot tell whether it is
@@ -83,7 +83,7 @@ TEST(FilteredRow, HasBoxesOfWholeSides) {
                     {kCentre + kHalf, top, u, v, kNear},
                     {kCentre, top + 2 * kHalf, 0, 0, 2 * kNear}};
       for (selvage_kernel each = SELVAGE_KERNEL_SCALAR; each <= SELVAGE_KERNEL_NEON; ++each) {
-        if (mapper::is_usable(each)) expect_model(c, each);
+        if (mapper::is_usable(each)) expect_row_as_modelled(c, each);
         ASSERT_FALSE(HasFatalFailure()) << "kernel " << each << ", side " << side_fx8;
       }
     }

@@ -4,11 +4,12 @@
 #include <cstring>
 
 #include "selvage.h"
+#include "spec/vertex_units.h"
 
 namespace selvage {
 namespace {
 
-inline constexpr int32_t kTexel = SELVAGE_SUBTEXELS;
+using spec::kTexel_fx16;
 
 [[nodiscard]] std::array<selvage_vertex, 4> corners() {
   return {selvage_vertex{27 * 256, 13 * 256, 1, 2, 3},
@@ -22,8 +23,8 @@ void expect_corner(const selvage_vertex& fitted, const selvage_vertex& from, int
   EXPECT_EQ(fitted.x, from.x);
   EXPECT_EQ(fitted.y, from.y);
   EXPECT_EQ(fitted.q, from.q);
-  EXPECT_EQ(fitted.u, u_texel * kTexel);
-  EXPECT_EQ(fitted.v, v_texel * kTexel);
+  EXPECT_EQ(fitted.u, u_texel * kTexel_fx16);
+  EXPECT_EQ(fitted.v, v_texel * kTexel_fx16);
 }
 
 TEST(Fit, PutsTheWholeTextureOnFourCorners) {

@@ -14,13 +14,13 @@
 namespace selvage::mapper {
 namespace {
 
-struct Seen {
+struct SideCounts {
   int least = 0, between = 0, most = 0;
 };
 
 // At both ends and in the middle of a span: the sides of the specification.
-void expect_exact(std::span<const selvage_vertex> vertices, const Edge& left, const Edge& right,
-                  const Span& span, Seen* seen) {
+void expect_exact_sides(std::span<const selvage_vertex> vertices, const Edge& left,
+                        const Edge& right, const Span& span, SideCounts* seen) {
   const Footprint footprint(left.at(span.row), left.change(), right.at(span.row), right.change());
   for (const int32_t px : {span.left_px, span.left_px + span.width_px() / 2, span.right_px - 1}) {
     const auto gradient = spec::gradient(vertices, px, span.row);
@@ -36,14 +36,14 @@ void expect_exact(std::span<const selvage_vertex> vertices, const Edge& left, co
 }
 
 TEST(Footprint, IsTheSpecificationsForGeneratedCases) {
-  Seen seen;
+  SideCounts seen;
   for (uint64_t seed = 1; seed <= 3000; ++seed) {
     const spec::Case c = spec::generate(seed);
     Polygon polygon;
     if (examine(c.vertices, &polygon) != SELVAGE_OK) continue;
     for_each_row(polygon, 0, c.target_height_px, 0, c.target_width_px,
                  [&](const Edge& left, const Edge& right, const Span& span) {
-                   if (!HasFatalFailure()) expect_exact(c.vertices, left, right, span, &seen);
+                   if (!HasFatalFailure()) expect_exact_sides(c.vertices, left, right, span, &seen);
                  });
     ASSERT_FALSE(HasFatalFailure()) << spec::print(c);
   }
@@ -55,7 +55,7 @@ TEST(Footprint, IsTheSpecificationsForGeneratedCases) {
 // Numbers as long as they may be.
 TEST(Footprint, IsExactAtTheEndsOfEveryRange) {
   spec::Random random(7);
-  Seen seen;
+  SideCounts seen;
   for (int i = 0; i < 3000; ++i) {
     const auto position = [&] {
       const int32_t any = random.in(SELVAGE_X_MIN, SELVAGE_X_END);
@@ -80,7 +80,7 @@ TEST(Footprint, IsExactAtTheEndsOfEveryRange) {
     for (const int32_t at : {polygon.top_row, row, polygon.bottom_row - 1}) {
       for_each_row(polygon, at, at + 1, INT32_MIN, INT32_MAX,
                    [&](const Edge& left, const Edge& right, const Span& span) {
-                     expect_exact(vertices, left, right, span, &seen);
+                     expect_exact_sides(vertices, left, right, span, &seen);
                    });
       ASSERT_FALSE(HasFatalFailure()) << i;
     }

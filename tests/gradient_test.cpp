@@ -5,18 +5,15 @@
 #include <utility>
 #include <vector>
 
+#include "corner.h"
 #include "spec/generate.h"
 
 namespace selvage::spec {
 namespace {
 
-[[nodiscard]] selvage_vertex at(int32_t x_px, int32_t y_px, int32_t u, int32_t v, int32_t q = 1) {
-  return {x_px * 256, y_px * 256, u * 65536, v * 65536, q};
-}
-
 TEST(Gradient, OfAnAffineTriangleIsItsPlanes) {
   // u = 3 x - y, v = x / 2 + 2 y.
-  const selvage_vertex triangle[] = {at(0, 0, 0, 0), at(8, 0, 24, 4), at(0, 8, -8, 16)};
+  const selvage_vertex triangle[] = {corner(0, 0, 0, 0), corner(8, 0, 24, 4), corner(0, 8, -8, 16)};
   for (const auto& [x, y] : {std::pair(0, 0), std::pair(5, 1), std::pair(1, 5)}) {
     const auto g = gradient(triangle, x, y);
     ASSERT_TRUE(g);
@@ -31,8 +28,8 @@ TEST(Gradient, OfAnAffineTriangleIsItsPlanes) {
 
 // On the line y = 1 - q of a floor: q = 1 + y / 8, u = x / q, v = 8 y / q.
 TEST(Gradient, OfAFloorIsThatOfTheQuotient) {
-  const selvage_vertex floor[] = {at(0, 0, 0, 0, 1), at(8, 0, 8, 0, 1), at(8, 8, 4, 32, 2),
-                                  at(0, 8, 0, 32, 2)};
+  const selvage_vertex floor[] = {corner(0, 0, 0, 0, 1), corner(8, 0, 8, 0, 1),
+                                  corner(8, 8, 4, 32, 2), corner(0, 8, 0, 32, 2)};
   const auto g = gradient(floor, 3, 2);
   ASSERT_TRUE(g);
   const Rational x(7, 2), y(5, 2), q = 1 + y / 8;
@@ -45,8 +42,8 @@ TEST(Gradient, OfAFloorIsThatOfTheQuotient) {
 // A trapezoid whose texture is a square: along a row u is divided by the row's width, which
 // changes.
 TEST(Gradient, OfARuledQuadrilateralFollowsBothEdges) {
-  const selvage_vertex trapezoid[] = {at(0, 0, 0, 0), at(8, 0, 8, 0), at(16, 8, 8, 8),
-                                      at(0, 8, 0, 8)};
+  const selvage_vertex trapezoid[] = {corner(0, 0, 0, 0), corner(8, 0, 8, 0), corner(16, 8, 8, 8),
+                                      corner(0, 8, 0, 8)};
   const auto g = gradient(trapezoid, 5, 3);
   ASSERT_TRUE(g);
   const Rational x(11, 2), y(7, 2), width = 8 + y;  // u = 8 x / (8 + y), v = y
@@ -86,8 +83,8 @@ TEST(Gradient, IsOneForAllPolygonsOfAnAffinePlane) {
 }
 
 TEST(Gradient, IsOneForAllPolygonsOfAProjectivePlane) {
-  expect_one_gradient(
-      {at(0, 0, 0, 0, 1), at(8, 0, 8, 0, 1), at(8, 8, 4, 32, 2), at(0, 8, 0, 32, 2)});
+  expect_one_gradient({corner(0, 0, 0, 0, 1), corner(8, 0, 8, 0, 1), corner(8, 8, 4, 32, 2),
+                       corner(0, 8, 0, 32, 2)});
 }
 
 // What the derivative along a row means: the slope of ever shorter chords, here of the map's own

@@ -8,16 +8,16 @@
 namespace selvage::mapper {
 namespace {
 
-alignas(4) std::array<char, 4096> memory;
+alignas(4) std::array<char, 4096> pixel_memory;
 
 [[nodiscard]] selvage_image image(ptrdiff_t offset, int32_t width, int32_t height, ptrdiff_t pitch,
                                   selvage_format format = SELVAGE_RGBA8888) {
-  return {memory.data() + offset, width, height, pitch, format};
+  return {pixel_memory.data() + offset, width, height, pitch, format};
 }
 
 [[nodiscard]] selvage_texture texture(ptrdiff_t offset, int32_t width, int32_t height,
                                       ptrdiff_t pitch, selvage_format format = SELVAGE_RGBA8888) {
-  return {memory.data() + offset, width, height, pitch, format, SELVAGE_LAYOUT_ROWS, nullptr};
+  return {pixel_memory.data() + offset, width, height, pitch, format, SELVAGE_LAYOUT_ROWS, nullptr};
 }
 
 [[nodiscard]] selvage_status target_status(const selvage_image& target) {
@@ -73,7 +73,7 @@ TEST(Pair, LetsTwoPartsOfAnAtlasInterleave) {
 TEST(Vertices, MustLieApartFromTheTarget) {
   const selvage_image target = image(0, 4, 4, 16);
   const auto at = [](size_t offset) {
-    return reinterpret_cast<const selvage_vertex*>(memory.data() + offset);
+    return reinterpret_cast<const selvage_vertex*>(pixel_memory.data() + offset);
   };
   EXPECT_EQ(check_vertices(memory_of(target), at(64), 3), SELVAGE_OK);
   EXPECT_EQ(check_vertices(memory_of(target), at(60), 3), SELVAGE_ERROR_OVERLAP);
@@ -105,17 +105,18 @@ TEST(Clip, IsCutToTheTarget) {
 TEST(Image, OfOneColumnUpwardsBeginsAtItsLastRow) {
   const selvage_image upwards = image(100, 1, 8, -1, SELVAGE_INDEX8);
   EXPECT_EQ(target_status(upwards), SELVAGE_OK);
-  EXPECT_EQ(memory_of(upwards).begin, reinterpret_cast<uintptr_t>(memory.data()) + 93);
-  EXPECT_EQ(memory_of(upwards).end, reinterpret_cast<uintptr_t>(memory.data()) + 101);
+  EXPECT_EQ(memory_of(upwards).begin, reinterpret_cast<uintptr_t>(pixel_memory.data()) + 93);
+  EXPECT_EQ(memory_of(upwards).end, reinterpret_cast<uintptr_t>(pixel_memory.data()) + 101);
   EXPECT_EQ(check_pair(upwards, texture(94, 1, 1, 1, SELVAGE_INDEX8)), SELVAGE_ERROR_OVERLAP);
 }
 
 // As many values as no memory holds: up to the last whole one, and not around its end.
 TEST(Image, OfTooManyValuesEndsWithTheMemory) {
-  const auto begin = reinterpret_cast<uintptr_t>(memory.data());
-  EXPECT_EQ(memory_of(memory.data(), SIZE_MAX, 1).end, UINTPTR_MAX);
-  EXPECT_EQ(memory_of(memory.data(), SIZE_MAX, 20).end, begin + (UINTPTR_MAX - begin) / 20 * 20);
-  EXPECT_EQ(memory_of(memory.data(), 7, 20).end, begin + 140);
+  const auto begin = reinterpret_cast<uintptr_t>(pixel_memory.data());
+  EXPECT_EQ(memory_of(pixel_memory.data(), SIZE_MAX, 1).end, UINTPTR_MAX);
+  EXPECT_EQ(memory_of(pixel_memory.data(), SIZE_MAX, 20).end,
+            begin + (UINTPTR_MAX - begin) / 20 * 20);
+  EXPECT_EQ(memory_of(pixel_memory.data(), 7, 20).end, begin + 140);
 }
 
 TEST(Image, IsInTilesAsManyAsHoldIt) {

@@ -18,25 +18,26 @@ inline constexpr int64_t kHalf_fx32 = int64_t{1} << (kLaneFraction - 1);
 inline constexpr int32_t kMostLost_px = 3;  // at each end
 
 // Of one coordinate: neither the lane nor what it may lack leaves [1/2, size - 1/2).
-[[nodiscard]] bool is_inside(int64_t lane_fx32, int32_t size_texel, uint32_t margin_fx32) {
+[[nodiscard]] bool is_coordinate_inside(int64_t lane_fx32, int32_t size_texel,
+                                        uint32_t margin_fx32) {
   const int64_t from_first_fx32 = lane_fx32 - kHalf_fx32;
   return 0 <= from_first_fx32 && from_first_fx32 + margin_fx32 < int64_t{size_texel - 1}
                                                                      << kLaneFraction;
 }
 
-struct Row {
+struct TexturedRow {
   AffineField field;
   selvage_texture texture;
   Span span;
 
   [[nodiscard]] bool holds(int32_t px) const {
     const Lane lane = field.at(px, span.row);
-    return is_inside(lane.u_fx32, texture.width, field.margin_fx32) &&
-           is_inside(lane.v_fx32, texture.height, field.margin_fx32);
+    return is_coordinate_inside(lane.u_fx32, texture.width, field.margin_fx32) &&
+           is_coordinate_inside(lane.v_fx32, texture.height, field.margin_fx32);
   }
 };
 
-[[nodiscard]] Row any_row(spec::Random& random, selvage_layout layout) {
+[[nodiscard]] TexturedRow any_textured_row(spec::Random& random, selvage_layout layout) {
   const auto size = [&] { return random.pick({1, 2, 3, random.in(2, 40), random.in(2, 32769)}); };
   const auto step_fx32 = [&]() -> int64_t {
     const int64_t unit = int64_t{1} << random.in(0, 36);
@@ -59,7 +60,7 @@ TEST(Interior, HoldsPixelsThatAreInsideAndMissesFew) {
   spec::Random random(5);
   int64_t inside_px = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Row row = any_row(random, SELVAGE_LAYOUT_ROWS);
+    const TexturedRow row = any_textured_row(random, SELVAGE_LAYOUT_ROWS);
     const Span& span = row.span;
     const Span inner = Interior(row.field, row.texture).of(span);
     ASSERT_EQ(inner.row, span.row);
@@ -99,7 +100,7 @@ void expect_told(const SpanBatch& batch, const Field& field, const selvage_textu
 }
 
 // Rows of one to 60 pixels, or none, from a row's first pixel on.
-[[nodiscard]] SpanBatch any_batch(const Row& row, spec::Random& random) {
+[[nodiscard]] SpanBatch any_batch_from(const TexturedRow& row, spec::Random& random) {
   SpanBatch batch;
   batch.first_row = row.span.row;
   batch.rows = random.in(1, 5);
@@ -116,10 +117,10 @@ TEST(Inside, IsToldOfAffineRowsAsTheirPixelsTellIt) {
   spec::Random random(7);
   int inside = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Row row = any_row(random, SELVAGE_LAYOUT_ROWS);
+    const TexturedRow row = any_textured_row(random, SELVAGE_LAYOUT_ROWS);
     SCOPED_TRACE(i);
     ASSERT_NO_FATAL_FAILURE(expect_told(
-        any_batch(row, random), row.field, row.texture, row.field.margin_fx32,
+        any_batch_from(row, random), row.field, row.texture, row.field.margin_fx32,
         [&](const Span& span, int32_t px) { return row.field.at(px, span.row); }, &inside));
   }
   EXPECT_GT(inside, 2000);
@@ -131,8 +132,8 @@ TEST(Inside, IsToldOfRowsInPerspectiveAsTheirPixelsTellIt) {
   spec::Random random(8);
   int inside = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Row row = any_row(random, SELVAGE_LAYOUT_ROWS);
-    const SpanBatch batch = any_batch(row, random);
+    const TexturedRow row = any_textured_row(random, SELVAGE_LAYOUT_ROWS);
+    const SpanBatch batch = any_batch_from(row, random);
     const auto line = [&](int64_t start, int64_t step) {
       const auto step_fx32 = static_cast<double>(step % (int64_t{1} << 31));
       return ProjectiveField::Form{static_cast<double>(start), step_fx32, 0};
@@ -197,7 +198,7 @@ TEST(Interior, IsTheWholeRowWhereThatIsFarFromEachSide) {
 TEST(Interior, IsEmptyInTiles) {
   spec::Random random(6);
   for (int i = 0; i < 100; ++i) {
-    const Row row = any_row(random, SELVAGE_LAYOUT_TILES);
+    const TexturedRow row = any_textured_row(random, SELVAGE_LAYOUT_TILES);
     EXPECT_TRUE(Interior(row.field, row.texture).of(row.span).empty());
   }
 }

@@ -33,6 +33,9 @@ namespace selvage::mapper {
   return stepping;
 }
 
+// A side of the textures that tests give to one row.
+inline constexpr int32_t kRowTexture_texel = 64;
+
 // What kernels that are compared draw from and onto.
 [[nodiscard]] inline spec::TextureMemory texture_of(const spec::Case& c) {
   return spec::TextureMemory(
@@ -59,6 +62,15 @@ namespace selvage::mapper {
                                              c.vertices.data(), c.vertices.size(), &view, &options);
   EXPECT_NE(status, SELVAGE_ERROR_KERNEL);
   return target;
+}
+
+// Fatal where some kernel draws something else than the scalar one.
+inline void expect_drawn_alike(const spec::Case& c, uint64_t seed) {
+  const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR);
+  for (const selvage_kernel kernel : usable_kernels()) {
+    ASSERT_TRUE(drawing_of(c, kernel) == scalar) << "kernel " << kernel << ", seed " << seed << "\n"
+                                                 << spec::print(c);
+  }
 }
 
 }  // namespace selvage::mapper

@@ -35,8 +35,9 @@ namespace {
 }
 
 template <class Pixel>
-[[nodiscard]] std::vector<Pixel> drawn(selvage_kernel kernel, selvage_format format,
-                                       selvage_address address, int32_t first_texel, bool affine) {
+[[nodiscard]] std::vector<Pixel> drawn_row(selvage_kernel kernel, selvage_format format,
+                                           selvage_address address, int32_t first_texel,
+                                           bool affine) {
   const std::vector<Pixel> texels = {10, 11, 12};
   std::vector<Pixel> row(7, 99);
   const Surface surface{{row.data(), 7, 1, 7 * sizeof(Pixel), format},
@@ -60,7 +61,7 @@ void expect_rows(selvage_kernel kernel, selvage_format format) {
   using Row = std::vector<Pixel>;
   for (const bool affine : {false, true}) {
     const auto row = [&](selvage_address address, int32_t first_texel) {
-      return drawn<Pixel>(kernel, format, address, first_texel, affine);
+      return drawn_row<Pixel>(kernel, format, address, first_texel, affine);
     };
     EXPECT_EQ(row(SELVAGE_ADDRESS_CLAMP, -1), (Row{99, 10, 10, 11, 12, 99, 99}));
     EXPECT_EQ(row(SELVAGE_ADDRESS_CLAMP, 0), (Row{99, 10, 11, 12, 12, 99, 99}));

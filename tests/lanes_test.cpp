@@ -18,8 +18,8 @@ namespace {
 }
 
 // The law of the filter: lane <= true value < lane + margin.
-void expect_lawful(int64_t lane_fx32, uint32_t margin_fx32, const spec::Rational& exact_texel,
-                   const spec::Case& c) {
+void expect_lawful_lane(int64_t lane_fx32, uint32_t margin_fx32, const spec::Rational& exact_texel,
+                        const spec::Case& c) {
   const spec::Rational exact_fx32 = exact_texel * spec::Rational(4294967296.0);
   ASSERT_LE(spec::Rational(lane_fx32), exact_fx32) << spec::print(c);
   ASSERT_LT(exact_fx32, spec::Rational(lane_fx32) + margin_fx32) << spec::print(c);
@@ -33,8 +33,8 @@ void expect_lawful_lanes(const spec::Case& c, const SpanMap& map, const Span& sp
     if (offset_px > last) continue;
     const auto exact = spec::sample(c.vertices, span.left_px + offset_px, span.row);
     const Lane lane = lanes.at(offset_px);
-    expect_lawful(lane.u_fx32, lanes.margin_fx32(), exact->u, c);
-    expect_lawful(lane.v_fx32, lanes.margin_fx32(), exact->v, c);
+    expect_lawful_lane(lane.u_fx32, lanes.margin_fx32(), exact->u, c);
+    expect_lawful_lane(lane.v_fx32, lanes.margin_fx32(), exact->v, c);
   }
 }
 

@@ -9,13 +9,16 @@
 
 #include "mapper/vector_kernel.h"
 #include "spec/random.h"
+#include "spec/vertex_units.h"
 #include "tests/fenced_bytes.h"
 #include "tests/kernel_support.h"
 
 namespace selvage::mapper {
 namespace {
 
-constexpr int32_t kTexel = SELVAGE_SUBTEXELS, kPixel = SELVAGE_SUBPIXELS;
+using spec::kPixel_fx8;
+using spec::kTexel_fx16;
+
 constexpr int kCasesPerTexture = 40;
 
 struct TextureKind {
@@ -71,7 +74,7 @@ class LargeTexture {
 
 // A triangle over more than a batch of rows, or over few short ones; u and v step by a texel a
 // pixel or more, from whole texels, so that many samples are ties, or from anywhere.
-[[nodiscard]] spec::Case any_case(uint64_t seed, const selvage_texture& texture) {
+[[nodiscard]] spec::Case any_case_on(uint64_t seed, const selvage_texture& texture) {
   spec::Random random(seed);
   spec::Case c;
   c.format = texture.format;
@@ -84,23 +87,24 @@ class LargeTexture {
   const double degrees = random.pick({0, 23, 90, 180, 203, 270, 315});
   const double angle = degrees * std::numbers::pi / 180;
   const double cos = std::cos(angle) * scale, sin = std::sin(angle) * scale;
-  const int32_t u_fx16 = random.in(0, texture.width) * kTexel + random.pick({0, 12345});
-  const int32_t v_fx16 = random.in(0, texture.height) * kTexel + random.pick({0, 54321});
+  const int32_t u_fx16 = random.in(0, texture.width) * kTexel_fx16 + random.pick({0, 12345});
+  const int32_t v_fx16 = random.in(0, texture.height) * kTexel_fx16 + random.pick({0, 54321});
   const int32_t depth = random.pick({1, 2, 20});
-  c.vertices = {
-      {-9 * kPixel, -kPixel, 0, 0, random.in(1, depth + 1)},
-      {(c.target_width_px + 50) * kPixel, -kPixel, 0, 0, random.in(1, depth + 1)},
-      {random.in(0, 300) * kPixel, 2 * c.target_height_px * kPixel, 0, 0, random.in(1, depth + 1)}};
+  c.vertices = {{-9 * kPixel_fx8, -kPixel_fx8, 0, 0, random.in(1, depth + 1)},
+                {(c.target_width_px + 50) * kPixel_fx8, -kPixel_fx8, 0, 0, random.in(1, depth + 1)},
+                {random.in(0, 300) * kPixel_fx8, 2 * c.target_height_px * kPixel_fx8, 0, 0,
+                 random.in(1, depth + 1)}};
   for (selvage_vertex& vertex : c.vertices) {
-    const double x = vertex.x * double{kTexel} / kPixel, y = vertex.y * double{kTexel} / kPixel;
+    const double x = vertex.x * double{kTexel_fx16} / kPixel_fx8;
+    const double y = vertex.y * double{kTexel_fx16} / kPixel_fx8;
     vertex.u = u_fx16 + static_cast<int32_t>(std::lround(x * cos - y * sin));
     vertex.v = v_fx16 + static_cast<int32_t>(std::lround(x * sin + y * cos));
   }
   return c;
 }
 
-[[nodiscard]] spec::Canvas drawn(const spec::Case& c, const selvage_texture& texture,
-                                 selvage_kernel kernel) {
+[[nodiscard]] spec::Canvas drawing_from(const spec::Case& c, const selvage_texture& texture,
+                                        selvage_kernel kernel) {
   spec::Canvas target(c.format, c.target_width_px, c.target_height_px, c.padding_px, false, 0x11);
   const selvage_image image = target.image();
   selvage_options options{};
@@ -118,10 +122,10 @@ TEST_P(LargeTextures, AreDrawnByEveryKernelAsByTheScalarOne) {
     const LargeTexture texture(kKinds[GetParam()], side);
     ASSERT_FALSE(is_cached(texture.view()));
     for (uint64_t seed = 1; seed <= kCasesPerTexture; ++seed) {
-      const spec::Case c = any_case(seed, texture.view());
-      const spec::Canvas scalar = drawn(c, texture.view(), SELVAGE_KERNEL_SCALAR);
+      const spec::Case c = any_case_on(seed, texture.view());
+      const spec::Canvas scalar = drawing_from(c, texture.view(), SELVAGE_KERNEL_SCALAR);
       for (const selvage_kernel kernel : usable_kernels()) {
-        ASSERT_TRUE(drawn(c, texture.view(), kernel) == scalar)
+        ASSERT_TRUE(drawing_from(c, texture.view(), kernel) == scalar)
             << "kernel " << kernel << ", seed " << seed << "\n"
             << spec::print(c);
       }

@@ -15,10 +15,8 @@
 namespace selvage::mapper {
 namespace {
 
-inline constexpr int32_t kTexture_texel = 64;
-
 // Next to a whole texel at both edges, and so in between.
-struct Row {
+struct NearTieRow {
   Span span;
   EdgePoint left, right;
   int32_t lag_fx32;  // affine lanes are low by so much more
@@ -43,7 +41,7 @@ enum class Side { kLeft, kRight };
           near_by(texel / 2), scale};
 }
 
-[[nodiscard]] Row any_row(uint64_t seed) {
+[[nodiscard]] NearTieRow any_near_tie_row(uint64_t seed) {
   spec::Random random(seed);
   const int32_t width_px = random.pick({1, 1, 2, 2, 2, 3, 17, 40, 300});
   const int32_t texel = random.in(-40, 100);
@@ -56,9 +54,9 @@ enum class Side { kLeft, kRight };
           random.percent(50) ? 0 : random.in(0, 1 << 17)};
 }
 
-[[nodiscard]] std::vector<uint32_t> drawn(const Row& row, selvage_kernel kernel) {
+[[nodiscard]] std::vector<uint32_t> drawn_near_ties(const NearTieRow& row, selvage_kernel kernel) {
   static const std::vector<uint32_t> texels = [] {
-    std::vector<uint32_t> all(kTexture_texel * kTexture_texel);
+    std::vector<uint32_t> all(kRowTexture_texel * kRowTexture_texel);
     for (size_t i = 0; i < all.size(); ++i) all[i] = static_cast<uint32_t>(i) * 2654435761U;
     return all;
   }();
@@ -66,7 +64,7 @@ enum class Side { kLeft, kRight };
   const int32_t width_px = row.span.width_px();
   std::vector<uint32_t> pixels(static_cast<size_t>(width_px));
   const Surface surface{{pixels.data(), width_px, 1, width_px * 4, SELVAGE_RGBA8888},
-                        {texels.data(), kTexture_texel, kTexture_texel, kTexture_texel * 4,
+                        {texels.data(), kRowTexture_texel, kRowTexture_texel, kRowTexture_texel * 4,
                          SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr},
                         SELVAGE_ADDRESS_WRAP};
   const Kernels& kernels = kernel == SELVAGE_KERNEL_SCALAR
@@ -90,10 +88,10 @@ enum class Side { kLeft, kRight };
 
 TEST(NearTieDigits, AreEnoughForEveryRow) {
   for (uint64_t seed = 1; seed <= 30000; ++seed) {
-    const Row row = any_row(seed);
-    const std::vector<uint32_t> scalar = drawn(row, SELVAGE_KERNEL_SCALAR);
+    const NearTieRow row = any_near_tie_row(seed);
+    const std::vector<uint32_t> scalar = drawn_near_ties(row, SELVAGE_KERNEL_SCALAR);
     for (const selvage_kernel kernel : usable_kernels()) {
-      ASSERT_EQ(drawn(row, kernel), scalar) << "kernel " << kernel << ", seed " << seed;
+      ASSERT_EQ(drawn_near_ties(row, kernel), scalar) << "kernel " << kernel << ", seed " << seed;
     }
   }
 }
@@ -104,7 +102,7 @@ TEST(NearTieDigits, AreEnoughForEveryRow) {
   spec::Case c;
   c.target_width_px = 2000;
   c.target_height_px = 12;
-  c.texture_width_texel = c.texture_height_texel = kTexture_texel;
+  c.texture_width_texel = c.texture_height_texel = kRowTexture_texel;
   c.address = SELVAGE_ADDRESS_WRAP;
   const bool falls = random.percent(50);
   const int32_t q_left = falls ? SELVAGE_Q_MAX : SELVAGE_Q_MAX / 64;

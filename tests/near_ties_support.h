@@ -13,6 +13,8 @@
 
 namespace selvage::mapper {
 
+inline constexpr int32_t kNearTiesTexture_texel = 32;
+
 struct NearTiesTarget {
   int32_t width_px = 300, height_px = 6;
   selvage_format format = SELVAGE_RGBA8888;
@@ -20,12 +22,12 @@ struct NearTiesTarget {
   std::optional<selvage_rect> clip = std::nullopt;
 };
 
-[[nodiscard]] inline spec::Canvas drawn(const std::vector<selvage_vertex>& polygon,
-                                        selvage_kernel kernel, const NearTiesTarget& on) {
-  constexpr int32_t kTexture_texel = 32;
-  spec::Canvas texels(on.format, kTexture_texel, kTexture_texel, 0, false, 0);
-  for (int32_t t = 0; t < kTexture_texel; ++t) {
-    for (int32_t s = 0; s < kTexture_texel; ++s) {
+[[nodiscard]] inline spec::Canvas near_ties_drawing(const std::vector<selvage_vertex>& polygon,
+                                                    selvage_kernel kernel,
+                                                    const NearTiesTarget& on) {
+  spec::Canvas texels(on.format, kNearTiesTexture_texel, kNearTiesTexture_texel, 0, false, 0);
+  for (int32_t t = 0; t < kNearTiesTexture_texel; ++t) {
+    for (int32_t s = 0; s < kNearTiesTexture_texel; ++s) {
       texels.set_pixel(s, t, static_cast<uint32_t>(s * 40503 + t * 7919) * 2654435761U);
     }
   }
@@ -40,12 +42,13 @@ struct NearTiesTarget {
 }
 
 // Fatal where some kernel draws something else than the scalar one.
-inline void expect_alike(const std::vector<selvage_vertex>& polygon, const NearTiesTarget& on,
-                         uint64_t seed) {
-  const spec::Canvas scalar = drawn(polygon, SELVAGE_KERNEL_SCALAR, on);
+inline void expect_near_ties_alike(const std::vector<selvage_vertex>& polygon,
+                                   const NearTiesTarget& on, uint64_t seed) {
+  const spec::Canvas scalar = near_ties_drawing(polygon, SELVAGE_KERNEL_SCALAR, on);
   for (selvage_kernel kernel = SELVAGE_KERNEL_SCALAR; kernel <= SELVAGE_KERNEL_NEON; ++kernel) {
     if (!is_usable(kernel)) continue;
-    ASSERT_TRUE(drawn(polygon, kernel, on) == scalar) << "kernel " << kernel << ", seed " << seed;
+    ASSERT_TRUE(near_ties_drawing(polygon, kernel, on) == scalar)
+        << "kernel " << kernel << ", seed " << seed;
   }
 }
 

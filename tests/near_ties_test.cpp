@@ -16,13 +16,13 @@
 namespace selvage::mapper {
 namespace {
 
-inline constexpr int32_t kWidth_px = 300, kTexture_texel = 32;
+inline constexpr int32_t kTargetWidth_px = 300;
 inline constexpr int32_t kFar_px = 32766;
 
 // u = x / `slow` + off where nothing is nudged, v as u or across.
 [[nodiscard]] std::vector<selvage_vertex> far_quad(spec::Random& random) {
   // Denominators of all sizes: areas from small to the largest, any q.
-  const int32_t far_px = random.percent(50) ? kFar_px : kWidth_px << random.in(0, 7);
+  const int32_t far_px = random.percent(50) ? kFar_px : kTargetWidth_px << random.in(0, 7);
   const int32_t far_fx8 = far_px * kSubpixels, far_fx16 = far_px << kTexelFraction;
   const int32_t off_fx16 = random.pick({0, 1 << 15, 3 << 14, (1 << 15) + (1 << 8)});
   const int32_t slow = random.pick({1, 1, 2, 3, 6});
@@ -68,7 +68,7 @@ TEST_P(NearTiesOf, AllPixelsAreDecidedAlikeByAllKernels) {
     if (random.percent(30)) polygon.pop_back();
     const selvage_filter filter = random.pick({SELVAGE_FILTER_NEAREST, SELVAGE_FILTER_NEAREST,
                                                SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR});
-    ASSERT_NO_FATAL_FAILURE(expect_alike(polygon, {.filter = filter}, seed));
+    ASSERT_NO_FATAL_FAILURE(expect_near_ties_alike(polygon, {.filter = filter}, seed));
   }
 }
 
@@ -104,7 +104,7 @@ TEST_P(NearTiesInPerspective, AllPixelsAreDecidedAlikeByAllKernels) {
     spec::Random random(seed);
     const int32_t side_px = random.pick({16, 50, 64, 300, 1024, 8192, kFar_px});
     const auto triangle = almost_affine_triangle(random, side_px, random.in(0, 9));
-    ASSERT_NO_FATAL_FAILURE(expect_alike(triangle, {.height_px = kTall_px}, seed));
+    ASSERT_NO_FATAL_FAILURE(expect_near_ties_alike(triangle, {.height_px = kTall_px}, seed));
   }
 }
 
@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Block, NearTiesInPerspective, testing::Range(uint64_t{0
   for (int32_t selvage_vertex::*of : {&selvage_vertex::u, &selvage_vertex::v}) {
     const auto [least, most] = std::ranges::minmax(triangle, {}, of);
     const int32_t first_texel = -(least.*of >> kTexelFraction);
-    const int32_t last_texel = kTexture_texel - 1 - (most.*of >> kTexelFraction);
+    const int32_t last_texel = kNearTiesTexture_texel - 1 - (most.*of >> kTexelFraction);
     const int32_t shift_texel =
         is_within ? random.in(first_texel, last_texel + 1) : random.in(-40, 41);
     for (selvage_vertex& vertex : triangle) vertex.*of += shift_texel * (1 << kTexelFraction);
@@ -151,7 +151,7 @@ TEST_P(NearTiesOfFewTexels, AllPixelsAreDecidedAlikeByAllKernels) {
     const std::vector<selvage_vertex> triangle = triangle_of_few_texels(random);
     const auto format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
     ASSERT_NO_FATAL_FAILURE(
-        expect_alike(triangle, {.height_px = kTall_px, .format = format}, seed));
+        expect_near_ties_alike(triangle, {.height_px = kTall_px, .format = format}, seed));
   }
 }
 
@@ -170,7 +170,7 @@ TEST_P(NearTiesOfBoxes, AllPixelsAreDecidedAlikeByAllKernels) {
       if (vertex.y != 0) vertex.u -= across_fx16;
     }
     if (random.percent(50)) polygon.pop_back();
-    ASSERT_NO_FATAL_FAILURE(expect_alike(polygon, {.filter = SELVAGE_FILTER_AREA}, seed));
+    ASSERT_NO_FATAL_FAILURE(expect_near_ties_alike(polygon, {.filter = SELVAGE_FILTER_AREA}, seed));
   }
 }
 
@@ -222,8 +222,8 @@ TEST(NearTies, AreFewInPiecesOfSteepSpans) {
 }
 
 void expect_alike_over_a_steep_span(int32_t least_q) {
-  const SpanMap map = steep(kWidth_px, true, least_q);
-  const Span whole{0, 0, kWidth_px};
+  const SpanMap map = steep(kTargetWidth_px, true, least_q);
+  const Span whole{0, 0, kTargetWidth_px};
   const ProjectiveLanes lanes(map, whole);
   ASSERT_GE(lanes.margin_fx32(), (1U << 24) / static_cast<uint32_t>(least_q));
   std::vector<uint32_t> texels(64 * 64);
@@ -232,9 +232,9 @@ void expect_alike_over_a_steep_span(int32_t least_q) {
     std::vector<std::vector<uint32_t>> rows;
     for (selvage_kernel kernel = SELVAGE_KERNEL_SCALAR; kernel <= SELVAGE_KERNEL_NEON; ++kernel) {
       if (!is_usable(kernel)) continue;
-      std::vector<uint32_t>& row = rows.emplace_back(kWidth_px);
+      std::vector<uint32_t>& row = rows.emplace_back(kTargetWidth_px);
       const Surface surface{
-          {row.data(), kWidth_px, 1, kWidth_px * 4, SELVAGE_RGBA8888},
+          {row.data(), kTargetWidth_px, 1, kTargetWidth_px * 4, SELVAGE_RGBA8888},
           {texels.data(), 64, 64, 64 * 4, SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr},
           SELVAGE_ADDRESS_WRAP};
       kernels_for({SELVAGE_PROFILE_EXACT, filter, SELVAGE_ADDRESS_WRAP, 0, kernel}, surface.texture,
@@ -278,11 +278,11 @@ TEST(NearTies, OfRowsInNoPlaneAreDecidedAlikeByAllKernels) {
   for (uint64_t seed = 1; seed <= 3000; ++seed) {
     spec::Random random(seed);
     const std::vector<selvage_vertex> quad = quad_on_a_point(random);
-    ASSERT_NO_FATAL_FAILURE(
-        expect_alike(quad,
-                     {.height_px = 40,
-                      .format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888})},
-                     seed));
+    ASSERT_NO_FATAL_FAILURE(expect_near_ties_alike(
+        quad,
+        {.height_px = 40,
+         .format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888})},
+        seed));
   }
 }
 

@@ -2,19 +2,17 @@
 // more beyond it, where no pixel is.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
 
 #include "spec/random.h"
 #include "tests/kernel_support.h"
+#include "tests/rounded.h"
 
 namespace selvage::mapper {
 namespace {
 
-[[nodiscard]] int32_t rounded(double value) { return static_cast<int32_t>(std::lround(value)); }
-
 // A rectangle whose q falls to the right, or rises, on a texture that is wider than a window.
-[[nodiscard]] spec::Case any_case(uint64_t seed) {
+[[nodiscard]] spec::Case any_receding_rectangle(uint64_t seed) {
   spec::Random random(seed);
   spec::Case c;
   c.format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
@@ -49,7 +47,7 @@ namespace {
 
 TEST(PieceWindows, EveryKernelDrawsWhatTheScalarOneDraws) {
   for (uint64_t seed = 1; seed <= 3000; ++seed) {
-    const spec::Case c = any_case(seed);
+    const spec::Case c = any_receding_rectangle(seed);
     const spec::Canvas scalar = drawing_of(c, SELVAGE_KERNEL_SCALAR);
     for (const selvage_kernel kernel : usable_kernels()) {
       ASSERT_TRUE(drawing_of(c, kernel) == scalar)

@@ -18,7 +18,6 @@ namespace selvage::mapper {
 namespace {
 
 constexpr BoxSides kLeast{kLeastSide_fx8, kLeastSide_fx8}, kMost{kMostSide_fx8, kMostSide_fx8};
-constexpr selvage_rect kEverywhere{-40000, -40000, 40000, 40000};
 
 [[nodiscard]] BoxSides wanted_sides(const spec::Gradient& gradient) {
   const spec::BoxSides sides = spec::box_sides(gradient);
@@ -39,17 +38,17 @@ struct Bounds {
                                         const spec::Rational& along_y) {
   return 256 * (abs(along_x) + abs(along_y));
 }
-[[nodiscard]] bool holds(const Bounds& bounds, const spec::Rational& side_fx8) {
+[[nodiscard]] bool bounds_hold(const Bounds& bounds, const spec::Rational& side_fx8) {
   return bounds.low <= side_fx8 && side_fx8 <= bounds.high;
 }
 
-struct Seen {
+struct PlaneSideCounts {
   int least = 0, between = 0, most = 0, told_least = 0, open = 0, all_least = 0;
 };
 
 // At both ends and in the middle of a span.
 void expect_sides(std::span<const selvage_vertex> vertices, const PlaneFootprint& footprint,
-                  const Span& span, Seen* seen) {
+                  const Span& span, PlaneSideCounts* seen) {
   const FootprintRow row = footprint.row(span);
   const bool is_least = footprint.is_least() || row.is_least(span.width_px());
   for (const int32_t offset : {0, span.width_px() / 2, span.width_px() - 1}) {
@@ -60,9 +59,9 @@ void expect_sides(std::span<const selvage_vertex> vertices, const PlaneFootprint
     ASSERT_EQ(footprint.exact(px, span.row, kLeast, kMost), wanted) << px << ", " << span.row;
     const double weight = 1 / (row.denominator.start + offset * row.denominator.step);
     const Bounds u = bounds_of(row.u, offset, weight), v = bounds_of(row.v, offset, weight);
-    ASSERT_TRUE(holds(u, exact_side(gradient->u_along_x, gradient->u_along_y)))
+    ASSERT_TRUE(bounds_hold(u, exact_side(gradient->u_along_x, gradient->u_along_y)))
         << px << ", " << span.row;
-    ASSERT_TRUE(holds(v, exact_side(gradient->v_along_x, gradient->v_along_y)))
+    ASSERT_TRUE(bounds_hold(v, exact_side(gradient->v_along_x, gradient->v_along_y)))
         << px << ", " << span.row;
     ASSERT_TRUE(!is_least || wanted == kLeast) << px << ", " << span.row;
     ++(wanted == kLeast ? seen->least : wanted == kMost ? seen->most : seen->between);
@@ -75,7 +74,7 @@ void expect_sides(std::span<const selvage_vertex> vertices, const PlaneFootprint
 // terms can be in the visible rectangle. What no corner of it reaches beyond is told to be least.
 constexpr double kRoundings = 20;
 void expect_bounds(const PlaneFootprint& footprint, const selvage_rect& rectangle,
-                   const ProjectiveField& lanes, Seen* seen) {
+                   const ProjectiveField& lanes, PlaneSideCounts* seen) {
   const int32_t columns = rectangle.right - lanes.first_px;
   const int32_t rows = rectangle.bottom - lanes.first_row;
   const FootprintRow first = footprint.row({lanes.first_row, lanes.first_px, rectangle.right});
@@ -98,7 +97,7 @@ void expect_bounds(const PlaneFootprint& footprint, const selvage_rect& rectangl
 }
 
 void expect_sides_of(const std::vector<selvage_vertex>& vertices, const selvage_rect& visible,
-                     Seen* seen) {
+                     PlaneSideCounts* seen) {
   Polygon polygon;
   if (examine(vertices, &polygon) != SELVAGE_OK || polygon.affine) return;
   const selvage_rect rows{visible.left, std::max(visible.top, polygon.top_row), visible.right,
@@ -119,7 +118,7 @@ void expect_sides_of(const std::vector<selvage_vertex>& vertices, const selvage_
 }
 
 TEST(PlaneFootprint, IsTheSpecificationsForGeneratedCases) {
-  Seen seen;
+  PlaneSideCounts seen;
   for (uint64_t seed = 1; seed <= 20000; ++seed) {
     const spec::Case c = spec::generate(seed);
     expect_sides_of(c.vertices, {0, 0, c.target_width_px, c.target_height_px}, &seen);
@@ -134,7 +133,7 @@ TEST(PlaneFootprint, IsTheSpecificationsForGeneratedCases) {
 // Triangles with numbers as long as they may be; those that are too steep have no plane.
 TEST(PlaneFootprint, IsExactAtTheEndsOfEveryRange) {
   spec::Random random(17);
-  Seen seen;
+  PlaneSideCounts seen;
   for (int i = 0; i < 6000; ++i) {
     const auto position = [&] {
       const int32_t any = random.in(SELVAGE_X_MIN, SELVAGE_X_END);
@@ -160,7 +159,7 @@ TEST(PlaneFootprint, IsExactAtTheEndsOfEveryRange) {
 // u q = A x and q = Q + B y, from a pixel's centre on: A / Q is the side there. It is whole, or
 // barely not.
 TEST(PlaneFootprint, LeavesToIntegersWhatDoublesCannotDecide) {
-  Seen seen;
+  PlaneSideCounts seen;
   for (const int32_t side_fx8 : {256, 300, 4999}) {
     for (const int32_t beyond : {-1, 0, 1}) {
       constexpr int32_t kHalf = 25600, kNear = 1 << 19, kCentre = 128 + kHalf;

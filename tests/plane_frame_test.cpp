@@ -8,21 +8,21 @@
 #include <utility>
 #include <vector>
 
+#include "tests/vertex.h"
+
 namespace selvage::mapper {
 namespace {
-
-[[nodiscard]] selvage_vertex at(int32_t x, int32_t y) { return {x, y, 0, 0, 1}; }
 
 // The area of a frame is positive however its vertices run, and may be the least there is.
 TEST(PlaneFrame, IsOfThreeVerticesThatAreNotOnOneLine) {
   const std::vector<std::vector<selvage_vertex>> outlines = {
-      {at(0, 0), at(1, 0), at(0, 1)},
-      {at(0, 0), at(0, 1), at(1, 0)},
-      {at(0, 0), at(256, 0), at(512, 0), at(0, 300)},
-      {at(0, 0), at(512, 0), at(256, 0), at(0, 300)},
-      {at(5, 5), at(5, 5), at(5, 5), at(6, 5), at(9, 9)},
-      {at(5, 5), at(6, 5), at(5, 5), at(6, 5), at(7, 5), at(9, 9)},
-      {at(-7, 3), at(-7, 3), at(100, 3), at(100, 3), at(-50, 3), at(8, 2)},
+      {vertex(0, 0), vertex(1, 0), vertex(0, 1)},
+      {vertex(0, 0), vertex(0, 1), vertex(1, 0)},
+      {vertex(0, 0), vertex(256, 0), vertex(512, 0), vertex(0, 300)},
+      {vertex(0, 0), vertex(512, 0), vertex(256, 0), vertex(0, 300)},
+      {vertex(5, 5), vertex(5, 5), vertex(5, 5), vertex(6, 5), vertex(9, 9)},
+      {vertex(5, 5), vertex(6, 5), vertex(5, 5), vertex(6, 5), vertex(7, 5), vertex(9, 9)},
+      {vertex(-7, 3), vertex(-7, 3), vertex(100, 3), vertex(100, 3), vertex(-50, 3), vertex(8, 2)},
   };
   for (const std::vector<selvage_vertex>& outline : outlines) {
     const auto frame = PlaneFrame::of(outline);
@@ -35,9 +35,12 @@ TEST(PlaneFrame, IsOfThreeVerticesThatAreNotOnOneLine) {
 }
 
 TEST(PlaneFrame, IsNotOfVerticesOnOneLine) {
-  EXPECT_EQ(PlaneFrame::of(std::vector{at(3, 4), at(3, 4), at(3, 4)}).doubled_area(), 0);
-  EXPECT_EQ(PlaneFrame::of(std::vector{at(0, 0), at(0, 0), at(1, 1)}).doubled_area(), 0);
-  EXPECT_EQ(PlaneFrame::of(std::vector{at(0, 0), at(7, 7), at(1, 1), at(-9, -9)}).doubled_area(),
+  EXPECT_EQ(PlaneFrame::of(std::vector{vertex(3, 4), vertex(3, 4), vertex(3, 4)}).doubled_area(),
+            0);
+  EXPECT_EQ(PlaneFrame::of(std::vector{vertex(0, 0), vertex(0, 0), vertex(1, 1)}).doubled_area(),
+            0);
+  EXPECT_EQ(PlaneFrame::of(std::vector{vertex(0, 0), vertex(7, 7), vertex(1, 1), vertex(-9, -9)})
+                .doubled_area(),
             0);
 }
 
@@ -49,11 +52,11 @@ TEST(PlaneFrame, IsNotOfVerticesOnOneLine) {
 // Of a parallelogram, two vertices are as far from the line through the other two.
 TEST(PlaneFrame, IsTheSameWhateverTheOrderOfVertices) {
   std::vector<std::vector<selvage_vertex>> outlines = {
-      {at(0, 0), at(1, 0), at(0, 1)},
-      {at(0, 0), at(256, 0), at(256, 256), at(0, 256)},
-      {at(0, 0), at(300, 100), at(400, 500), at(100, 400)},
-      {at(0, 0), at(300, 100), at(400, 500), at(400, 500), at(100, 400)},
-      {at(9, 9), at(-50, 300), at(8, 2), at(600, -7), at(44, 44)},
+      {vertex(0, 0), vertex(1, 0), vertex(0, 1)},
+      {vertex(0, 0), vertex(256, 0), vertex(256, 256), vertex(0, 256)},
+      {vertex(0, 0), vertex(300, 100), vertex(400, 500), vertex(100, 400)},
+      {vertex(0, 0), vertex(300, 100), vertex(400, 500), vertex(400, 500), vertex(100, 400)},
+      {vertex(9, 9), vertex(-50, 300), vertex(8, 2), vertex(600, -7), vertex(44, 44)},
   };
   for (std::vector<selvage_vertex>& outline : outlines) {
     const auto found = [&] {
@@ -72,13 +75,17 @@ TEST(PlaneFrame, IsTheSameWhateverTheOrderOfVertices) {
 }
 
 TEST(PlaneFrame, IsOfTheLeastAreasThatThereAre) {
-  for (const selvage_vertex third : {at(0, 1), at(1, 1), at(-1, -1), at(0, -1), at(2, 1)}) {
-    EXPECT_EQ(PlaneFrame::canonical(std::vector{at(0, 0), at(1, 0), third}).doubled_area(), 1)
+  for (const selvage_vertex third :
+       {vertex(0, 1), vertex(1, 1), vertex(-1, -1), vertex(0, -1), vertex(2, 1)}) {
+    EXPECT_EQ(PlaneFrame::canonical(std::vector{vertex(0, 0), vertex(1, 0), third}).doubled_area(),
+              1)
         << third.x << ", " << third.y;
   }
-  const auto line = std::vector{at(0, 0), at(7, 7), at(1, 1), at(-9, -9)};
+  const auto line = std::vector{vertex(0, 0), vertex(7, 7), vertex(1, 1), vertex(-9, -9)};
   EXPECT_EQ(PlaneFrame::canonical(line).doubled_area(), 0);
-  EXPECT_EQ(PlaneFrame::canonical(std::vector{at(3, 4), at(3, 4), at(3, 4)}).doubled_area(), 0);
+  EXPECT_EQ(
+      PlaneFrame::canonical(std::vector{vertex(3, 4), vertex(3, 4), vertex(3, 4)}).doubled_area(),
+      0);
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "spec/exact.h"
 #include "spec/generate.h"
 #include "spec/random.h"
+#include "tests/floor_of.h"
 #include "tests/kernel_support.h"
 #include "tests/span_support.h"
 
@@ -29,8 +30,8 @@ using spec::Rational;
 }
 
 // The law of the filter, and the exact decision, at one pixel.
-void expect_lawful(const Plane& plane, const AffineLanes& lanes, const Span& span,
-                   int32_t offset_px, const spec::Case& c) {
+void expect_lawful_affine(const Plane& plane, const AffineLanes& lanes, const Span& span,
+                          int32_t offset_px, const spec::Case& c) {
   const int32_t px = span.left_px + offset_px;
   const auto exact = spec::sample(c.vertices, px, span.row);
   const Lane lane = lanes.at(offset_px);
@@ -64,7 +65,7 @@ TEST(Plane, LanesAreLowByLessThanTheirMargin) {
       const AffineLanes lanes(field.at(span.left_px, span.row), field.step_x, field.margin_fx32);
       const int32_t last = span.width_px() - 1;
       for (const int32_t offset_px : {0, last / 2, last}) {
-        expect_lawful(*plane, lanes, span, offset_px, c);
+        expect_lawful_affine(*plane, lanes, span, offset_px, c);
       }
     });
     if (!covers) continue;
@@ -174,10 +175,6 @@ TEST(Plane, MarginHasAUnitForTheStartAndForEachStep) {
     EXPECT_EQ(plane->lanes().first_px, left);
     EXPECT_EQ(plane->lanes().first_row, top);
   }
-}
-
-[[nodiscard]] int64_t floor_of(int128 n, int128 d) {
-  return static_cast<int64_t>(n / d - (n % d < 0 ? 1 : 0));
 }
 
 [[nodiscard]] std::vector<FindLanes> lane_kernels() {

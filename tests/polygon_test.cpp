@@ -9,21 +9,23 @@
 
 #include "spec/exact.h"
 #include "spec/generate.h"
+#include "spec/vertex_units.h"
+#include "tests/vertex.h"
 
 namespace selvage::mapper {
 namespace {
 
-[[nodiscard]] selvage_vertex at(int32_t x, int32_t y, int32_t q = 1) { return {x, y, 0, 0, q}; }
+using spec::kTexel_fx16;
 
 TEST(Polygon, TellsTopRowsAndAffinity) {
-  const std::vector<selvage_vertex> v = {at(0, 300), at(500, -129), at(200, 640)};
+  const std::vector<selvage_vertex> v = {vertex(0, 300), vertex(500, -129), vertex(200, 640)};
   Polygon polygon;
   ASSERT_EQ(examine(v, &polygon), SELVAGE_OK);
   EXPECT_EQ(polygon.top, 1U);
   EXPECT_EQ(polygon.top_row, -1);
   EXPECT_EQ(polygon.bottom_row, 2);  // the centre at 640 is row 2's, and is not below the bottom
   EXPECT_TRUE(polygon.affine);
-  const std::vector<selvage_vertex> w = {at(0, 300), at(500, -129, 2), at(200, 640)};
+  const std::vector<selvage_vertex> w = {vertex(0, 300), vertex(500, -129, 2), vertex(200, 640)};
   ASSERT_EQ(examine(w, &polygon), SELVAGE_OK);
   EXPECT_FALSE(polygon.affine);
 }
@@ -31,26 +33,27 @@ TEST(Polygon, TellsTopRowsAndAffinity) {
 TEST(Polygon, RefusesWhatIsOutOfRange) {
   Polygon polygon;
   const auto status = [&](selvage_vertex odd) {
-    return examine(std::vector{at(0, 0), at(9, 0), odd}, &polygon);
+    return examine(std::vector{vertex(0, 0), vertex(9, 0), odd}, &polygon);
   };
-  EXPECT_EQ(status(at(SELVAGE_X_MIN, SELVAGE_X_END - 1)), SELVAGE_OK);
-  EXPECT_EQ(status(at(SELVAGE_X_MIN - 1, 5)), SELVAGE_ERROR_VERTEX_POSITION);
-  EXPECT_EQ(status(at(5, SELVAGE_X_END)), SELVAGE_ERROR_VERTEX_POSITION);
-  EXPECT_EQ(status(at(5, 5, 0)), SELVAGE_ERROR_VERTEX_Q);
-  EXPECT_EQ(status(at(5, 5, SELVAGE_Q_MAX)), SELVAGE_OK);
-  EXPECT_EQ(status(at(5, 5, SELVAGE_Q_MAX + 1)), SELVAGE_ERROR_VERTEX_Q);
-  EXPECT_EQ(examine(std::vector{at(0, 0), at(9, 9)}, &polygon), SELVAGE_ERROR_VERTEX_COUNT);
+  EXPECT_EQ(status(vertex(SELVAGE_X_MIN, SELVAGE_X_END - 1)), SELVAGE_OK);
+  EXPECT_EQ(status(vertex(SELVAGE_X_MIN - 1, 5)), SELVAGE_ERROR_VERTEX_POSITION);
+  EXPECT_EQ(status(vertex(5, SELVAGE_X_END)), SELVAGE_ERROR_VERTEX_POSITION);
+  EXPECT_EQ(status(vertex(5, 5, 0)), SELVAGE_ERROR_VERTEX_Q);
+  EXPECT_EQ(status(vertex(5, 5, SELVAGE_Q_MAX)), SELVAGE_OK);
+  EXPECT_EQ(status(vertex(5, 5, SELVAGE_Q_MAX + 1)), SELVAGE_ERROR_VERTEX_Q);
+  EXPECT_EQ(examine(std::vector{vertex(0, 0), vertex(9, 9)}, &polygon), SELVAGE_ERROR_VERTEX_COUNT);
 }
 
 TEST(Polygon, AcceptsLedgesAndRepeatedVerticesButNoSecondDescent) {
   Polygon polygon;
-  const std::vector ledges = {at(0, 0),  at(9, 0),  at(9, 5), at(12, 5), at(12, 5),
-                              at(12, 9), at(-3, 9), at(0, 4), at(0, 4)};
+  const std::vector ledges = {vertex(0, 0),  vertex(9, 0),  vertex(9, 5),
+                              vertex(12, 5), vertex(12, 5), vertex(12, 9),
+                              vertex(-3, 9), vertex(0, 4),  vertex(0, 4)};
   EXPECT_EQ(examine(ledges, &polygon), SELVAGE_OK);
-  const std::vector flat = {at(0, 7), at(9, 7), at(4, 7)};
+  const std::vector flat = {vertex(0, 7), vertex(9, 7), vertex(4, 7)};
   EXPECT_EQ(examine(flat, &polygon), SELVAGE_OK);
   EXPECT_EQ(polygon.top_row, polygon.bottom_row);
-  const std::vector zigzag = {at(0, 0), at(4, 9), at(8, 3), at(12, 9)};
+  const std::vector zigzag = {vertex(0, 0), vertex(4, 9), vertex(8, 3), vertex(12, 9)};
   EXPECT_EQ(examine(zigzag, &polygon), SELVAGE_ERROR_NOT_MONOTONE);
 }
 
@@ -107,7 +110,7 @@ TEST(Polygon, TellsItsExtents) {
 
 TEST(Polygon, IsUntransformedByWholeTexelsAlone) {
   const auto shifted = [](int32_t u_fx16, int32_t v_fx16) {
-    std::vector v = {at(-300, 0), at(500, -129), at(200, 640)};
+    std::vector v = {vertex(-300, 0), vertex(500, -129), vertex(200, 640)};
     for (selvage_vertex& each : v) {
       each.u = each.x * 256 + u_fx16;
       each.v = each.y * 256 + v_fx16;
@@ -119,22 +122,21 @@ TEST(Polygon, IsUntransformedByWholeTexelsAlone) {
     EXPECT_EQ(examine(v, &polygon), SELVAGE_OK);
     return polygon.untransformed;
   };
-  constexpr int32_t kTexel = SELVAGE_SUBTEXELS;
-  const std::vector whole = shifted(3 * kTexel, -5 * kTexel);
+  const std::vector whole = shifted(3 * kTexel_fx16, -5 * kTexel_fx16);
   Polygon polygon;
   ASSERT_EQ(examine(whole, &polygon), SELVAGE_OK);
   EXPECT_TRUE(polygon.untransformed);
   EXPECT_EQ(polygon.ds, 3);
   EXPECT_EQ(polygon.dt, -5);
-  for (const int32_t part : {1, 2, kTexel / 2, kTexel - 1}) {
-    EXPECT_FALSE(is_untransformed(shifted(kTexel + part, 0))) << part;
-    EXPECT_FALSE(is_untransformed(shifted(0, kTexel + part))) << part;
+  for (const int32_t part : {1, 2, kTexel_fx16 / 2, kTexel_fx16 - 1}) {
+    EXPECT_FALSE(is_untransformed(shifted(kTexel_fx16 + part, 0))) << part;
+    EXPECT_FALSE(is_untransformed(shifted(0, kTexel_fx16 + part))) << part;
     EXPECT_FALSE(is_untransformed(shifted(part, part))) << part;
   }
   for (size_t i = 0; i < whole.size(); ++i) {
     for (int32_t selvage_vertex::*axis : {&selvage_vertex::u, &selvage_vertex::v}) {
       std::vector odd = whole;
-      odd[i].*axis += kTexel;
+      odd[i].*axis += kTexel_fx16;
       EXPECT_FALSE(is_untransformed(odd)) << i;
     }
     std::vector deep = whole;

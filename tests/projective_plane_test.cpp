@@ -20,17 +20,17 @@ namespace {
 
 using spec::Rational;
 
-[[nodiscard]] std::optional<ProjectivePlane> plane_of(const std::vector<selvage_vertex>& vertices,
-                                                      const selvage_rect& visible = {
-                                                          -32768, -32768, 32768, 32768}) {
+[[nodiscard]] std::optional<ProjectivePlane> projective_plane_of(
+    const std::vector<selvage_vertex>& vertices,
+    const selvage_rect& visible = {-32768, -32768, 32768, 32768}) {
   Polygon polygon;
   EXPECT_EQ(examine(vertices, &polygon), SELVAGE_OK);
   return ProjectivePlane::of(polygon, visible);
 }
 
 // The law of the filter, and the exact decision, at one pixel.
-void expect_lawful(const ProjectivePlane& plane, const Span& span, int32_t offset_px,
-                   const std::vector<selvage_vertex>& vertices) {
+void expect_lawful_projective(const ProjectivePlane& plane, const Span& span, int32_t offset_px,
+                              const std::vector<selvage_vertex>& vertices) {
   const auto exact = spec::sample(vertices, span.left_px + offset_px, span.row);
   ASSERT_TRUE(exact);
   const DividedLanes lanes = plane.lanes().of(span);
@@ -48,11 +48,11 @@ void expect_lawful(const ProjectivePlane& plane, const Span& span, int32_t offse
   }
 }
 
-void expect_lawful(const ProjectivePlane& plane, const Span& span,
-                   const std::vector<selvage_vertex>& vertices) {
+void expect_lawful_projective(const ProjectivePlane& plane, const Span& span,
+                              const std::vector<selvage_vertex>& vertices) {
   const int32_t last = span.width_px() - 1;
   for (const int32_t offset_px : {0, last / 2, last}) {
-    expect_lawful(plane, span, offset_px, vertices);
+    expect_lawful_projective(plane, span, offset_px, vertices);
   }
 }
 
@@ -128,7 +128,7 @@ TEST(ProjectivePlane, LanesAreLowByLessThanTheirMargin) {
     for_each_span(c, [&](const spec::Case&, const Polygon&, const SpanMap&, const Span& span) {
       covers = true;
       SCOPED_TRACE(seed);
-      if (plane) expect_lawful(*plane, span, c.vertices);
+      if (plane) expect_lawful_projective(*plane, span, c.vertices);
     });
     if (HasFatalFailure()) return;
     if (!covers || polygon.affine) continue;
@@ -163,7 +163,7 @@ TEST(ProjectivePlane, HoldsOverTheWholeRange) {
       const int32_t row = random.in(polygon.top_row, polygon.bottom_row);
       for_each_row(polygon, row, row + 1, -32768, 32768,
                    [&](const Edge&, const Edge&, const Span& span) {
-                     expect_lawful(*plane, span, triangle);
+                     expect_lawful_projective(*plane, span, triangle);
                    });
     }
     if (HasFatalFailure()) return;
@@ -183,23 +183,23 @@ TEST(ProjectivePlane, HoldsOverTheWholeRange) {
 
 TEST(ProjectivePlane, IsThatOfAllVertices) {
   std::vector<selvage_vertex> quad = tilted_quad();
-  EXPECT_TRUE(plane_of(quad));
+  EXPECT_TRUE(projective_plane_of(quad));
   for (int32_t selvage_vertex::*member :
        {&selvage_vertex::x, &selvage_vertex::u, &selvage_vertex::v, &selvage_vertex::q}) {
     quad[3].*member += 1;
-    EXPECT_FALSE(plane_of(quad));
+    EXPECT_FALSE(projective_plane_of(quad));
     quad[3].*member -= 1;
   }
   quad.push_back(quad.back());
   quad.push_back(quad.front());  // repeated vertices
-  EXPECT_TRUE(plane_of(quad));
+  EXPECT_TRUE(projective_plane_of(quad));
   quad.insert(quad.begin(), quad.front());
-  EXPECT_TRUE(plane_of(quad));
+  EXPECT_TRUE(projective_plane_of(quad));
 }
 
 TEST(ProjectivePlane, NeedsAnArea) {
-  EXPECT_FALSE(plane_of({{0, 0, 0, 0, 1}, {256, 256, 1, 1, 2}, {512, 512, 2, 2, 3}}));
-  EXPECT_FALSE(plane_of({{9, 9, 0, 0, 1}, {9, 9, 1, 1, 2}, {9, 9, 2, 2, 3}}));
+  EXPECT_FALSE(projective_plane_of({{0, 0, 0, 0, 1}, {256, 256, 1, 1, 2}, {512, 512, 2, 2, 3}}));
+  EXPECT_FALSE(projective_plane_of({{9, 9, 0, 0, 1}, {9, 9, 1, 1, 2}, {9, 9, 2, 2, 3}}));
 }
 
 // A sliver along the pixels' diagonal, whose q is 1 there and grows across it, so that the plane's
@@ -212,13 +212,14 @@ TEST(ProjectivePlane, NeedsAnArea) {
 }
 
 TEST(ProjectivePlane, RefusesWhatReachesTooFar) {
-  const std::optional<ProjectivePlane> far = plane_of(sliver(2), {0, 0, 100, 100});
+  const std::optional<ProjectivePlane> far = projective_plane_of(sliver(2), {0, 0, 100, 100});
   ASSERT_TRUE(far);
   EXPECT_GT(far->lanes().error_fx32, kMostReach / 2);
   EXPECT_LE(far->lanes().error_fx32, int64_t{kMostReach} + kProjectiveTruncations_fx32);
-  EXPECT_FALSE(plane_of(sliver(3), {0, 0, 100, 100}));
-  EXPECT_FALSE(plane_of(sliver(SELVAGE_Q_MAX)));
-  EXPECT_TRUE(plane_of(sliver(3), {0, 0, 50, 50})) << "the part that is seen reaches less far";
+  EXPECT_FALSE(projective_plane_of(sliver(3), {0, 0, 100, 100}));
+  EXPECT_FALSE(projective_plane_of(sliver(SELVAGE_Q_MAX)));
+  EXPECT_TRUE(projective_plane_of(sliver(3), {0, 0, 50, 50}))
+      << "the part that is seen reaches less far";
 }
 
 // Exact on both sides of that limit, whichever kernel draws.
@@ -229,7 +230,7 @@ TEST(ProjectivePlane, DrawsSliversAsTheModelDoes) {
   for (const int32_t q : {2, 3, 32, 1000, int32_t{SELVAGE_Q_MAX}}) {
     c.vertices = sliver(q);
     const selvage_rect all{0, 0, c.target_width_px, c.target_height_px};
-    EXPECT_EQ(plane_of(c.vertices, all).has_value(), q <= 3) << q;
+    EXPECT_EQ(projective_plane_of(c.vertices, all).has_value(), q <= 3) << q;
     for (const char* law : {"COV", "MAP", "SAME"}) {
       const spec::Judgement judgement = spec::find_law(law)->check(spec::built_in(), c);
       EXPECT_FALSE(judgement.violation) << spec::explain(*judgement.violation);
@@ -239,7 +240,7 @@ TEST(ProjectivePlane, DrawsSliversAsTheModelDoes) {
 }
 
 TEST(ProjectivePlane, StepsAreDifferences) {
-  const std::optional<ProjectivePlane> plane = plane_of(tilted_quad());
+  const std::optional<ProjectivePlane> plane = projective_plane_of(tilted_quad());
   ASSERT_TRUE(plane);
   const ExactRow row = ExactMap(*plane).row_from(300, 400),
                  next = ExactMap(*plane).row_from(301, 400);
@@ -325,12 +326,12 @@ TEST(ProjectivePlane, BoundsWhatTheProofBounds) {
 TEST(ProjectivePlane, IsNotOfARepeatedVertexWithOtherCoordinates) {
   std::vector<selvage_vertex> vertices = {
       {0, 0, 0, 0, 1}, {0, 0, 0, 0, 1}, {9000, 100, 60000, 5, 2}, {300, 8000, 7, 90000, 3}};
-  EXPECT_TRUE(plane_of(vertices));
+  EXPECT_TRUE(projective_plane_of(vertices));
   vertices[1].u = 1;
-  EXPECT_FALSE(plane_of(vertices));
+  EXPECT_FALSE(projective_plane_of(vertices));
   vertices[1] = vertices[0];
   vertices[1].q = 2;
-  EXPECT_FALSE(plane_of(vertices));
+  EXPECT_FALSE(projective_plane_of(vertices));
 }
 
 }  // namespace

@@ -18,13 +18,12 @@
 #include "spec/generate.h"
 #include "spec/random.h"
 #include "tests/kernel_support.h"
+#include "tests/span_support.h"
 
 namespace selvage::mapper {
 namespace {
 
 using spec::Rational;
-
-inline constexpr selvage_rect kEverywhere = {-40000, -40000, 40000, 40000};
 
 // A quad of any place and size, its corners rounded or far from where they were.
 [[nodiscard]] std::vector<selvage_vertex> any_quad(spec::Random& random, bool affine) {

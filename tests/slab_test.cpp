@@ -12,7 +12,7 @@
 namespace selvage::mapper {
 namespace {
 
-[[nodiscard]] selvage_rect whole(const Polygon& polygon) {
+[[nodiscard]] selvage_rect bounding_rect(const Polygon& polygon) {
   return {polygon.left_px, polygon.top_row, polygon.right_px, polygon.bottom_row};
 }
 
@@ -31,7 +31,7 @@ TEST(Slabs, TileTheVisibleRows) {
     Polygon polygon;
     if (examine(c.vertices, &polygon) != SELVAGE_OK) continue;
     spec::Random random(seed);
-    selvage_rect part = whole(polygon);
+    selvage_rect part = bounding_rect(polygon);
     part.bottom = std::min(part.bottom, part.top + 300);
     if (part.top >= part.bottom) continue;
     if (random.percent(50)) part.top += random.in(0, part.bottom - part.top);
@@ -65,8 +65,8 @@ TEST(Slabs, HaveOutlinesWithTheSameSpans) {
     Polygon polygon;
     if (examine(c.vertices, &polygon) != SELVAGE_OK || polygon.bottom_row - polygon.top_row > 300)
       continue;
-    SpanWalk spans(polygon, whole(polygon));
-    for (const Slab& slab : slabs_of(polygon, whole(polygon))) {
+    SpanWalk spans(polygon, bounding_rect(polygon));
+    for (const Slab& slab : slabs_of(polygon, bounding_rect(polygon))) {
       const SlabOutline corners_of(slab);
       const Polygon outline = corners_of.polygon();
       const size_t corners = outline.vertices.size();
@@ -98,7 +98,7 @@ TEST(Slabs, AreTrianglesWhereTheirEdgesMeet) {
   Polygon polygon;
   ASSERT_EQ(examine(vertices, &polygon), SELVAGE_OK);
   std::vector<size_t> corners;
-  for (const Slab& slab : slabs_of(polygon, whole(polygon)))
+  for (const Slab& slab : slabs_of(polygon, bounding_rect(polygon)))
     corners.push_back(SlabOutline(slab).polygon().vertices.size());
   EXPECT_EQ(corners, (std::vector<size_t>{3, 4, 3}));
 }
@@ -110,9 +110,9 @@ TEST(Slabs, MayBeSkippedByAWalkOverAllRows) {
     Polygon polygon;
     if (examine(c.vertices, &polygon) != SELVAGE_OK || polygon.bottom_row - polygon.top_row > 300)
       continue;
-    SpanWalk every(polygon, whole(polygon)), some(polygon, whole(polygon));
+    SpanWalk every(polygon, bounding_rect(polygon)), some(polygon, bounding_rect(polygon));
     bool skipped = false;
-    for (const Slab& slab : slabs_of(polygon, whole(polygon))) {
+    for (const Slab& slab : slabs_of(polygon, bounding_rect(polygon))) {
       skipped = !skipped;
       if (skipped) {
         while (every.next_above(slab.end_row)) {

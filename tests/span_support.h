@@ -14,6 +14,9 @@ namespace selvage::mapper {
 // Texels of which nothing is known: no window holds them.
 inline constexpr TexelBox kFarApart = {INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX};
 
+// More than all pixels that a polygon may have.
+inline constexpr selvage_rect kEverywhere{-40000, -40000, 40000, 40000};
+
 // Calls visit(left, right, span) for rows of a polygon between two columns, at their edges.
 template <class Visit>
 void for_each_row(const Polygon& polygon, int32_t first_row, int32_t end_row, int32_t first_px,

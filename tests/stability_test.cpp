@@ -8,16 +8,16 @@
 #include "reports/stability/bound.h"
 #include "reports/stability/measure.h"
 #include "spec/law_tools.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::stability {
 namespace {
 
 using spec::Case;
+using spec::kPixel_fx8;
+using spec::kTexel_fx16;
 using spec::Rational;
 using spec::Texel;
-
-constexpr int32_t kPx = SELVAGE_SUBPIXELS;
-constexpr int32_t kTexel = SELVAGE_SUBTEXELS;
 
 // Columns [1, 4) of a row of 6 pixels; u is 1/3, 1, 5/3 at their centres.
 [[nodiscard]] Case thirds() {
@@ -26,10 +26,10 @@ constexpr int32_t kTexel = SELVAGE_SUBTEXELS;
   c.target_height_px = 1;
   c.texture_width_texel = 4;
   c.texture_height_texel = 1;
-  c.vertices = {{kPx, 0, 0, 0, 1},
-                {4 * kPx, 0, 2 * kTexel, 0, 1},
-                {4 * kPx, kPx, 2 * kTexel, kTexel, 1},
-                {kPx, kPx, 0, kTexel, 1}};
+  c.vertices = {{kPixel_fx8, 0, 0, 0, 1},
+                {4 * kPixel_fx8, 0, 2 * kTexel_fx16, 0, 1},
+                {4 * kPixel_fx8, kPixel_fx8, 2 * kTexel_fx16, kTexel_fx16, 1},
+                {kPixel_fx8, kPixel_fx8, 0, kTexel_fx16, 1}};
   return c;
 }
 
@@ -240,7 +240,7 @@ TEST(Errors, OfAMapperBeyondItsBoundAreSeen) {
       [](const selvage_image* target, const selvage_rect* clip, const selvage_vertex* vertices,
          size_t count, const selvage_texture* texture, const selvage_options* options) {
         std::vector<selvage_vertex> moved(vertices, vertices + count);
-        for (selvage_vertex& vertex : moved) vertex.u += kTexel;
+        for (selvage_vertex& vertex : moved) vertex.u += kTexel_fx16;
         return selvage_draw(target, clip, moved.data(), count, texture, options);
       }};
   Case c = thirds();

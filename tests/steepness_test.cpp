@@ -14,7 +14,7 @@ namespace {
 
 using Linear = DividedLanes::Linear;
 
-[[nodiscard]] spec::Rational at(const Linear& line, int32_t i) {
+[[nodiscard]] spec::Rational exact_at(const Linear& line, int32_t i) {
   return spec::Rational(line.start) + i * spec::Rational(line.step);
 }
 
@@ -23,20 +23,20 @@ using Linear = DividedLanes::Linear;
                                       int32_t width_px) {
   spec::Rational most = 0;
   for (int32_t i = 0; i + 1 < width_px; ++i) {
-    const spec::Rational change =
-        at(numerator, i + 1) / at(denominator, i + 1) - at(numerator, i) / at(denominator, i);
+    const spec::Rational change = exact_at(numerator, i + 1) / exact_at(denominator, i + 1) -
+                                  exact_at(numerator, i) / exact_at(denominator, i);
     most = std::max(most, spec::Rational(abs(change)));
   }
   return most;
 }
 
-[[nodiscard]] double any(spec::Random& random, double most) {
+[[nodiscard]] double any_within(spec::Random& random, double most) {
   return most * random.in(-1'000'000, 1'000'001) / 1e6;
 }
 
 // Of denominators from 1 up, to the right or to the left.
 [[nodiscard]] Linear any_denominator(spec::Random& random, int32_t width_px) {
-  const double rise = 1e-3 + std::abs(any(random, 3));
+  const double rise = 1e-3 + std::abs(any_within(random, 3));
   const Linear up{1, rise / width_px};
   return random.percent(50) ? up : Linear{1 + rise, -up.step};
 }
@@ -47,8 +47,8 @@ TEST(Steepness, IsNoLessThanAnyStepWhereItCancels) {
     const int32_t width_px = random.in(2, 40);
     const Linear d = any_denominator(random, width_px);
     // u is nearly the same everywhere, and far from 0 on either side.
-    const double u_fx32 = any(random, 0x1p47),
-                 tilt = 1 + any(random, random.pick({0.0, 0x1p-52, 0x1p-49}));
+    const double u_fx32 = any_within(random, 0x1p47),
+                 tilt = 1 + any_within(random, random.pick({0.0, 0x1p-52, 0x1p-49}));
     const Linear numerator{u_fx32 * d.start, u_fx32 * d.step * tilt};
     const double bound_fx32 = steepest_fx32(numerator, d, width_px);
     ASSERT_GE(spec::Rational(bound_fx32), steepest(numerator, d, width_px)) << "case " << i;
@@ -64,7 +64,7 @@ TEST(Steepness, IsThatOfTheLeastDenominator) {
   for (int i = 0; i < 4000; ++i) {
     const int32_t width_px = random.in(2, 40);
     const Linear d = any_denominator(random, width_px);
-    const Linear numerator{any(random, 0x1p36), any(random, 0x1p32)};
+    const Linear numerator{any_within(random, 0x1p36), any_within(random, 0x1p32)};
     const double bound_fx32 = steepest_fx32(numerator, d, width_px);
     ASSERT_GE(spec::Rational(bound_fx32), steepest(numerator, d, width_px)) << "case " << i;
     const double least = std::min(d.start, d.start + (width_px - 1) * d.step);

@@ -10,16 +10,16 @@
 #include "mapper/stepped.h"
 #include "mapper/vector_kernel.h"
 #include "spec/random.h"
+#include "spec/vertex_units.h"
 #include "tests/kernel_support.h"
+#include "tests/lane_units.h"
 
 namespace selvage::mapper {
 namespace {
 
-inline constexpr int32_t kSide_texel = 64;
-inline constexpr double kFx32PerFx16 = 65536;
-inline constexpr int32_t kTexel_fx16 = 65536;
+using spec::kTexel_fx16;
 
-struct Row {
+struct SteppedRow {
   DividedLanes::Linear u_fx32, v_fx32, denominator;
   int64_t error_fx32;
   int32_t width_px, segment_px;
@@ -29,7 +29,7 @@ struct Row {
 // of starts, of steps, of lanes at every 16 pixels, and of the steps from there.
 class Coordinate {
  public:
-  Coordinate(const Row& row, const DividedLanes::Linear& numerator_fx32)
+  Coordinate(const SteppedRow& row, const DividedLanes::Linear& numerator_fx32)
       : row_(row), numerator_fx32_(numerator_fx32) {}
 
   // In units of 2^-16 texel.
@@ -53,12 +53,12 @@ class Coordinate {
     return numerator_fx16 * w - static_cast<double>(row_.error_fx32) / kFx32PerFx16;
   }
 
-  const Row& row_;
+  const SteppedRow& row_;
   DividedLanes::Linear numerator_fx32_;
 };
 
 [[nodiscard]] uint32_t wrapped(int64_t texel) {
-  return static_cast<uint32_t>(texel) % uint32_t{kSide_texel};
+  return static_cast<uint32_t>(texel) % uint32_t{kRowTexture_texel};
 }
 
 [[nodiscard]] selvage_choice choice_of(const spec::Case& c, selvage_kernel kernel,
@@ -78,8 +78,8 @@ class Coordinate {
 class SteppedRows : public testing::Test {
  protected:
   SteppedRows() {
-    for (uint32_t t = 0; t < kSide_texel; ++t) {
-      for (uint32_t s = 0; s < kSide_texel; ++s) texels_.push_back(s | t << 16);
+    for (uint32_t t = 0; t < kRowTexture_texel; ++t) {
+      for (uint32_t s = 0; s < kRowTexture_texel; ++s) texels_.push_back(s | t << 16);
     }
     for (const selvage_kernel kernel : usable_kernels()) {
       draws_.push_back(kernel == SELVAGE_KERNEL_SCALAR
@@ -89,7 +89,7 @@ class SteppedRows : public testing::Test {
   }
 
   // All kernels draw the pixels [left, right) of the row as they are defined, and no other.
-  void expect_drawn(const Row& row, int32_t left_px, int32_t right_px) {
+  void expect_drawn(const SteppedRow& row, int32_t left_px, int32_t right_px) {
     right_px = std::min(right_px, row.width_px);
     const Coordinate u(row, row.u_fx32), v(row, row.v_fx32);
     std::vector<uint32_t> wanted(static_cast<size_t>(row.width_px), kUntouched);
@@ -106,8 +106,8 @@ class SteppedRows : public testing::Test {
     std::vector<uint32_t> drawn(wanted.size());
     const Surface surface{
         {drawn.data(), row.width_px, 1, ptrdiff_t{4} * row.width_px, SELVAGE_RGBA8888},
-        {texels_.data(), kSide_texel, kSide_texel, 4 * kSide_texel, SELVAGE_RGBA8888,
-         SELVAGE_LAYOUT_ROWS, nullptr},
+        {texels_.data(), kRowTexture_texel, kRowTexture_texel, 4 * kRowTexture_texel,
+         SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr},
         SELVAGE_ADDRESS_WRAP};
     for (const auto draw : draws_) {
       std::ranges::fill(drawn, kUntouched);
@@ -122,7 +122,7 @@ class SteppedRows : public testing::Test {
   std::vector<void (*)(const SteppedSpans&, const Surface&)> draws_;
 };
 
-void shift(DividedLanes::Linear* numerator_fx32, const Row& row, int64_t by_fx16) {
+void shift(DividedLanes::Linear* numerator_fx32, const SteppedRow& row, int64_t by_fx16) {
   const double by_fx32 = static_cast<double>(by_fx16) * kFx32PerFx16;
   numerator_fx32->start += by_fx32 * row.denominator.start;
   numerator_fx32->step += by_fx32 * row.denominator.step;
@@ -130,7 +130,8 @@ void shift(DividedLanes::Linear* numerator_fx32, const Row& row, int64_t by_fx16
 
 // Both coordinates moved to so many units past a border at some pixel: u right of one, v left of
 // it.
-[[nodiscard]] Row with_border(Row row, int32_t px, int32_t beyond_fx16, int32_t border_texel) {
+[[nodiscard]] SteppedRow with_border(SteppedRow row, int32_t px, int32_t beyond_fx16,
+                                     int32_t border_texel) {
   const int64_t border_fx16 = int64_t{border_texel} * kTexel_fx16;
   const int64_t u = Coordinate(row, row.u_fx32).at(px), v = Coordinate(row, row.v_fx32).at(px);
   shift(&row.u_fx32, row, border_fx16 + beyond_fx16 - u);
@@ -145,18 +146,22 @@ struct Border {
 
 // Of the texture too, where one coordinate is well inside.
 TEST_F(SteppedRows, AreDrawnByTheirDefinitionWithBordersAtEveryPixel) {
-  constexpr int64_t kTexel = int64_t{kTexel_fx16} << 16;
-  constexpr int64_t kSteps[] = {
-      0x8000,          0xAAAB,     43691 + 5 * kTexel_fx16, kTexel, kTexel - 1,
-      kTexel - 0xAAAB, kTexel / 7, kTexel * 5 / 2 + 1};
+  constexpr int64_t kSteps[] = {0x8000,
+                                0xAAAB,
+                                43691 + 5 * kTexel_fx16,
+                                kTexel_fx32,
+                                kTexel_fx32 - 1,
+                                kTexel_fx32 - 0xAAAB,
+                                kTexel_fx32 / 7,
+                                kTexel_fx32 * 5 / 2 + 1};
   constexpr Border kBorders[] = {{20, true, true},
                                  {0, true, false},
                                  {0, false, true},
-                                 {kSide_texel, true, false},
-                                 {kSide_texel, false, true}};
+                                 {kRowTexture_texel, true, false},
+                                 {kRowTexture_texel, false, true}};
   constexpr DividedLanes::Linear kStill_fx32{30.5 * 0x1p32, 0};
   constexpr int32_t kWidth_px = 102;
-  const auto all_spans = [&](const Row& row, int32_t px) {
+  const auto all_spans = [&](const SteppedRow& row, int32_t px) {
     expect_drawn(row, 0, kWidth_px);
     expect_drawn(row, std::max(px - 3, 0), px + 18);
     expect_drawn(row, std::max(px - 3, 0), px + 1);
@@ -172,8 +177,8 @@ TEST_F(SteppedRows, AreDrawnByTheirDefinitionWithBordersAtEveryPixel) {
             const auto step_fx32 = static_cast<double>(sign * step);
             const int32_t segment_px = px % 3 == 0 ? 48 : kWidth_px;
             const DividedLanes::Linear rises{start_fx32, step_fx32}, falls{start_fx32, -step_fx32};
-            Row row = with_border({rises, falls, {1, 0}, 5, kWidth_px, segment_px}, px, beyond_fx16,
-                                  border.texel);
+            SteppedRow row = with_border({rises, falls, {1, 0}, 5, kWidth_px, segment_px}, px,
+                                         beyond_fx16, border.texel);
             if (!border.of_u) row.u_fx32 = kStill_fx32;
             if (!border.of_v) row.v_fx32 = kStill_fx32;
             all_spans(row, px);
@@ -197,8 +202,8 @@ TEST_F(SteppedRows, AreDrawnByTheirDefinitionHoweverLong) {
       const double most_fx32 = std::min(std::exp2(random.in(12, 38)), 0x1p46 / width_px);
       return DividedLanes::Linear{0, most_fx32 * random.in(-1000000, 1000000) / 1000000};
     };
-    Row row{numerator(),        numerator(), {1, grows / width_px},
-            random.in(2, 4097), width_px,    std::min(segment_px, width_px)};
+    SteppedRow row{numerator(),        numerator(), {1, grows / width_px},
+                   random.in(2, 4097), width_px,    std::min(segment_px, width_px)};
     const int32_t px = random.percent(20) ? width_px - 1 : random.in(0, width_px);
     row = with_border(row, px, random.in(-1, 1), 20);
     expect_drawn(row, std::max(px - random.in(1, 40), 0), px + random.in(1, 40));
@@ -226,7 +231,7 @@ TEST_F(SteppedRows, StepDownByNextToNothing) {
     const DividedLanes::Linear denominator{static_cast<double>(q), 1.0 + q % 7};
     const DividedLanes::Linear unit_fx32{denominator.start * kFx32PerFx16,
                                          denominator.step * kFx32PerFx16};
-    const Row row{unit_fx32, unit_fx32, denominator, 3, kWidth_px, 48};
+    const SteppedRow row{unit_fx32, unit_fx32, denominator, 3, kWidth_px, 48};
     const Coordinate u(row, row.u_fx32);
     for (int32_t px = 0; px < kWidth_px; ++px) lower += u.at(px) < 0 ? 1 : 0;
     expect_drawn(row, 0, kWidth_px);

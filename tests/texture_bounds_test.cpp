@@ -14,7 +14,7 @@
 namespace selvage::mapper {
 namespace {
 
-struct Drawing {
+struct BorderDrawing {
   selvage_format format;
   selvage_options options;
   int32_t width_texel, height_texel;
@@ -22,11 +22,11 @@ struct Drawing {
 };
 
 // About one of the texture's four corners, at most a texel a pixel in most.
-[[nodiscard]] Drawing any_drawing(uint64_t seed, int32_t side_px) {
+[[nodiscard]] BorderDrawing about_a_corner(uint64_t seed, int32_t side_px) {
   static constexpr int32_t kSizes[] = {1, 2, 3, 8, 15, 16, 17, 18, 31, 40};
   static constexpr int32_t kSlopes_fx16[] = {65536, 32768, 65535, 21845, 4000, 0, 90000};
   spec::Random random(seed);
-  Drawing d;
+  BorderDrawing d;
   d.format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
   d.options = {SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST,
                random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP, 0, 0};
@@ -48,8 +48,8 @@ struct Drawing {
 }
 
 // Three of the texture's corners, so that no texel is shown beyond it, but some at each end.
-[[nodiscard]] Drawing up_to_its_ends(uint64_t seed, int32_t side_px) {
-  Drawing d = any_drawing(seed, side_px);
+[[nodiscard]] BorderDrawing up_to_its_ends(uint64_t seed, int32_t side_px) {
+  BorderDrawing d = about_a_corner(seed, side_px);
   spec::Random random(seed);
   const int32_t u_end = d.width_texel << 16, v_end = d.height_texel << 16;
   const int32_t corners[4][2] = {{0, 0}, {u_end, 0}, {u_end, v_end}, {0, v_end}};
@@ -76,7 +76,8 @@ TEST_P(TextureBoundsOf, AreKeptByEveryKernel) {
   std::vector<uint32_t> row(kWidths_px[0] * kHeight_px);
   for (uint64_t seed = 1; seed <= 6000; ++seed) {
     SCOPED_TRACE(seed);
-    Drawing d = seed % 5 == 0 ? up_to_its_ends(seed, GetParam()) : any_drawing(seed, GetParam());
+    BorderDrawing d =
+        seed % 5 == 0 ? up_to_its_ends(seed, GetParam()) : about_a_corner(seed, GetParam());
     const ptrdiff_t pitch = d.width_texel * bytes_of(d.format);
     const auto bytes = static_cast<size_t>(pitch * d.height_texel);
     const FencedBytes texels(bytes,

@@ -10,13 +10,13 @@
 
 #include "mapper/vector_kernel.h"
 #include "tests/kernel_support.h"
+#include "tests/lane_units.h"
 
 namespace selvage::mapper {
 namespace {
 
 // A vector of the most lanes walks so many steps.
 inline constexpr double kSteps = 15;
-inline constexpr double kFx32PerFx16 = 65536;
 
 [[nodiscard]] ProjectiveField field_of(double turn, double walk_fx16, int64_t error_fx32 = 3) {
   ProjectiveField field{};

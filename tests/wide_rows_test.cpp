@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "spec/random.h"
+#include "spec/vertex_units.h"
 #include "tests/kernel_support.h"
 
 namespace selvage::mapper {
 namespace {
 
-constexpr int32_t kTexel = SELVAGE_SUBTEXELS, kPixel = SELVAGE_SUBPIXELS;
+using spec::kPixel_fx8;
+using spec::kTexel_fx16;
 
 struct WideCase {
   spec::Case c;
@@ -44,7 +46,8 @@ void set_coordinates(spec::Random& random, spec::Case* c) {
     const double x_px = vertex.x / 256.0, y_px = vertex.y / 256.0;
     const auto fx16 = [&](double texel) {
       const double most = 32000, least = -most;
-      const auto near = static_cast<int32_t>(std::lround(std::clamp(texel, least, most) * kTexel));
+      const auto near =
+          static_cast<int32_t>(std::lround(std::clamp(texel, least, most) * kTexel_fx16));
       return near + (random.percent(off_percent) ? random.in(-1, 2) : 0);
     };
     vertex.u = fx16(u_texel + x_px * cos - y_px * sin);
@@ -53,7 +56,7 @@ void set_coordinates(spec::Random& random, spec::Case* c) {
   }
 }
 
-[[nodiscard]] WideCase any_case(uint64_t seed) {
+[[nodiscard]] WideCase any_wide_case(uint64_t seed) {
   static constexpr selvage_format kFormats[] = {SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888};
   static constexpr int32_t kSizes[] = {1, 2, 7, 8, 9, 15, 16, 17, 24, 32, 33, 64, 100, 256};
   spec::Random random(seed);
@@ -74,16 +77,16 @@ void set_coordinates(spec::Random& random, spec::Case* c) {
   if (c.format == SELVAGE_RGBA8888 && random.percent(60)) {
     c.filter = random.pick({SELVAGE_FILTER_FOUR, SELVAGE_FILTER_BILINEAR});
   }
-  const int32_t right = (c.target_width_px + random.in(-3, 400)) * kPixel;
-  const int32_t left = random.in(-400, 3) * kPixel, slant = random.in(-600, 600);
-  const int32_t low = (c.target_height_px + 1) * kPixel + random.in(-400, 2000);
+  const int32_t right = (c.target_width_px + random.in(-3, 400)) * kPixel_fx8;
+  const int32_t left = random.in(-400, 3) * kPixel_fx8, slant = random.in(-600, 600);
+  const int32_t low = (c.target_height_px + 1) * kPixel_fx8 + random.in(-400, 2000);
   c.vertices = {{left, -random.in(1, 999), 0, 0, 1},
                 {right, -random.in(1, 999), 0, 0, 1},
                 {right + slant, low, 0, 0, 1},
                 {left + slant / 2, low + random.in(-200, 900), 0, 0, 1}};
   if (random.percent(60)) c.vertices.erase(c.vertices.begin() + random.in(0, 4));
   set_coordinates(random, &c);
-  if (random.percent(30)) wide.tolerance = random.pick({256, 4096, kTexel / 2, kTexel});
+  if (random.percent(30)) wide.tolerance = random.pick({256, 4096, kTexel_fx16 / 2, kTexel_fx16});
   return wide;
 }
 
@@ -93,7 +96,7 @@ class WideRows : public testing::TestWithParam<uint64_t> {};
 TEST_P(WideRows, EveryKernelDrawsWhatTheScalarOneDraws) {
   constexpr uint64_t kSeeds = 200;
   for (uint64_t seed = GetParam() * kSeeds; seed < (GetParam() + 1) * kSeeds; ++seed) {
-    const WideCase wide = any_case(seed);
+    const WideCase wide = any_wide_case(seed);
     for (const int32_t tolerance : {0, wide.tolerance}) {
       const spec::Canvas scalar = drawing_of(wide.c, SELVAGE_KERNEL_SCALAR, tolerance);
       for (const selvage_kernel kernel : tolerance == 0 ? usable_kernels() : stepping_kernels()) {

@@ -22,7 +22,7 @@ namespace {
 [[nodiscard]] mpz_class whole(const Wide& n) { return (whole(n.high) << 128) + whole(n.low); }
 
 // Of any length up to the given one, or just below a power of two.
-[[nodiscard]] uint128 any(spec::Random& random, int most_bits) {
+[[nodiscard]] uint128 any_unsigned(spec::Random& random, int most_bits) {
   const int bits = random.in(0, most_bits + 1);
   if (bits == 0) return 0;
   const uint128 mask = ~uint128{0} >> (128 - bits);
@@ -31,7 +31,7 @@ namespace {
 }
 
 [[nodiscard]] int128 any_signed(spec::Random& random, int most_bits) {
-  const auto number = static_cast<int128>(any(random, most_bits));
+  const auto number = static_cast<int128>(any_unsigned(random, most_bits));
   return random.percent(50) ? -number : number;
 }
 
@@ -61,8 +61,8 @@ TEST(Wide, MagnitudesHaveNoSign) {
 TEST(Wide, MultipliesAddsAndCompares) {
   spec::Random random(1);
   for (int i = 0; i < 20000; ++i) {
-    const uint128 a = any(random, 128), b = any(random, 128);
-    const uint128 c = any(random, 127), d = any(random, 127);
+    const uint128 a = any_unsigned(random, 128), b = any_unsigned(random, 128);
+    const uint128 c = any_unsigned(random, 127), d = any_unsigned(random, 127);
     const Wide p = product(a, b), r = product(c, d);
     ASSERT_EQ(whole(p), whole(a) * whole(b));
     ASSERT_EQ(p < r, whole(p) < whole(r));

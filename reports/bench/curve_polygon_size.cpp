@@ -8,7 +8,7 @@ namespace selvage::reports {
 
 namespace {
 
-constexpr int32_t kTarget_px = 1536;  // holds a turned square of 1024 px
+constexpr int32_t kWideTarget_px = 1536;  // holds a turned square of 1024 px
 constexpr double kSpread_px[2] = {0.7548776662,
                                   0.5698402910};  // multiples fill [0, 1) x [0, 1) evenly
 constexpr int32_t kMostCovered_px = 1 << 18, kMostSquares = 4096;
@@ -21,13 +21,13 @@ Workload squares_of(double area_px) {
   const double side_px = std::sqrt(area_px);
   const int count = std::clamp(static_cast<int>(kMostCovered_px / area_px), 1, kMostSquares);
   const int across = static_cast<int>(std::ceil(std::sqrt(count)));
-  const double pitch_px = static_cast<double>(kTarget_px) / across;
+  const double pitch_px = static_cast<double>(kWideTarget_px) / across;
   for (int i = 0; i < count; ++i) {
     const double x_px = (i % across + 0.5) * pitch_px + std::fmod(i * kSpread_px[0], 1.0);
     const double y_px = (i / across + 0.5) * pitch_px + std::fmod(i * kSpread_px[1], 1.0);
     load.polygons.push_back(turned_square(x_px, y_px, side_px, std::min(side_px, 256.0)));
   }
-  load.target_side_px = kTarget_px;
+  load.target_side_px = kWideTarget_px;
   return load;
 }
 

@@ -2,20 +2,19 @@
 
 #include <algorithm>
 
+#include "spec/vertex_units.h"
+
 namespace selvage::reports {
 
 namespace {
 
-constexpr double kSubpixels = SELVAGE_SUBPIXELS, kSubtexels = SELVAGE_SUBTEXELS;
-constexpr double kPerPixel = 1 / kSubpixels, kPerTexel = 1 / kSubtexels;
-constexpr double kOne_fx32 = 4294967296.0;
-constexpr int kSubpixelBits = 8, kTexelBits = 16;
-static_assert(1 << kSubpixelBits == SELVAGE_SUBPIXELS && 1 << kTexelBits == SELVAGE_SUBTEXELS);
+using spec::kPixel_fx8;
+using spec::kTexel_fx16;
 
-// The first row whose centre is at or below y.
-int32_t row_at_or_below(int32_t y_fx8) {
-  return (y_fx8 + SELVAGE_SUBPIXELS / 2 - 1) >> kSubpixelBits;
-}
+constexpr double kPerPixel = 1.0 / kPixel_fx8, kPerTexel = 1.0 / kTexel_fx16;
+constexpr double kOne_fx32 = 4294967296.0;
+constexpr int kTexelBits = 16;
+static_assert(1 << kTexelBits == kTexel_fx16);
 
 InexactEdge edge_between(const selvage_vertex& a, const selvage_vertex& b, int32_t height_px) {
   const selvage_vertex& top = a.y < b.y ? a : b;
@@ -62,7 +61,7 @@ class Frame {
         y1_(b.y - a.y),
         x2_(c.x - a.x),
         y2_(c.y - a.y),
-        reciprocal_(kSubpixels / (x1_ * y2_ - x2_ * y1_)),
+        reciprocal_(kPixel_fx8 / (x1_ * y2_ - x2_ * y1_)),
         x_px_(0.5 - a.x * kPerPixel),
         y_px_(0.5 - a.y * kPerPixel) {}
 

@@ -2,11 +2,14 @@
 
 #include <array>
 
+#include "spec/vertex_units.h"
+
 namespace selvage::reports {
 
 namespace {
 
-constexpr double kSubpixels = SELVAGE_SUBPIXELS, kSubtexels = SELVAGE_SUBTEXELS;
+using spec::kPixel_fx8;
+using spec::kTexel_fx16;
 
 struct Point {
   double x_px, y_px;
@@ -30,11 +33,11 @@ Planes planes_of(std::span<const selvage_vertex> polygon) {
   std::array<Point, 3> p{};
   std::array<double, 3> u{}, v{}, q{};
   for (size_t i = 0; i < 3; ++i) {
-    p[i] = {static_cast<double>(corner[i].x) / kSubpixels,
-            static_cast<double>(corner[i].y) / kSubpixels};
+    p[i] = {static_cast<double>(corner[i].x) / kPixel_fx8,
+            static_cast<double>(corner[i].y) / kPixel_fx8};
     q[i] = static_cast<double>(corner[i].q) / corner[0].q;
-    u[i] = static_cast<double>(corner[i].u) / kSubtexels * q[i];
-    v[i] = static_cast<double>(corner[i].v) / kSubtexels * q[i];
+    u[i] = static_cast<double>(corner[i].u) / kTexel_fx16 * q[i];
+    v[i] = static_cast<double>(corner[i].v) / kTexel_fx16 * q[i];
   }
   Planes planes;
   planes.affine = corner[0].q == corner[1].q && corner[0].q == corner[2].q;

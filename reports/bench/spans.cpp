@@ -1,20 +1,17 @@
 #include "reports/bench/spans.h"
 
+#include "spec/vertex_units.h"
+
 namespace selvage::reports {
 
 namespace {
 
-constexpr int32_t kHalfPixel = SELVAGE_SUBPIXELS / 2;
+using spec::kHalfPixel_fx8;
+using spec::kPixel_fx8;
 
 int64_t floor_div(int64_t n, int64_t d) {
   const int64_t q = n / d;
   return q - (n % d < 0 ? 1 : 0);
-}
-
-// The first row whose centre is at or below y.
-int32_t row_at_or_below(int32_t y_fx8) {
-  return static_cast<int32_t>(
-      floor_div(int64_t{y_fx8} - kHalfPixel + SELVAGE_SUBPIXELS - 1, SELVAGE_SUBPIXELS));
 }
 
 }  // namespace
@@ -27,14 +24,14 @@ EdgeWalk::EdgeWalk(const selvage_vertex& a, const selvage_vertex& b, int32_t fir
   const selvage_vertex& bottom = a.y < b.y ? b : a;
   const int64_t dx = int64_t{bottom.x} - top.x;
   const int64_t dy = int64_t{bottom.y} - top.y;
-  denominator_ = dy * SELVAGE_SUBPIXELS;
-  const int64_t centre_fx8 = int64_t{first_row_px} * SELVAGE_SUBPIXELS + kHalfPixel;
+  denominator_ = dy * kPixel_fx8;
+  const int64_t centre_fx8 = int64_t{first_row_px} * kPixel_fx8 + kHalfPixel_fx8;
   const int64_t numerator =
-      (int64_t{top.x} - kHalfPixel) * dy + (centre_fx8 - top.y) * dx + denominator_ - 1;
+      (int64_t{top.x} - kHalfPixel_fx8) * dy + (centre_fx8 - top.y) * dx + denominator_ - 1;
   column_px_ = floor_div(numerator, denominator_);
   rest_ = numerator - column_px_ * denominator_;
-  step_px_ = floor_div(dx * SELVAGE_SUBPIXELS, denominator_);
-  step_rest_ = dx * SELVAGE_SUBPIXELS - step_px_ * denominator_;
+  step_px_ = floor_div(dx * kPixel_fx8, denominator_);
+  step_rest_ = dx * kPixel_fx8 - step_px_ * denominator_;
 }
 
 EdgeList edges_of(std::span<const selvage_vertex> polygon, int32_t height_px) {

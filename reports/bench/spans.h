@@ -11,6 +11,7 @@
 
 #include "reports/bench/workloads.h"
 #include "selvage.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::reports {
 
@@ -19,6 +20,11 @@ inline constexpr size_t kMaxPolygonVertices = 8;  // what the workloads need
 struct Span {
   int32_t y_px, left_px, right_px;  // columns [left, right)
 };
+
+// The first row whose centre is at or below y, which is in its range.
+[[nodiscard]] constexpr int32_t row_at_or_below(int32_t y_fx8) {
+  return (y_fx8 + spec::kHalfPixel_fx8 - 1) >> 8;
+}
 
 // An edge as the first covered column of each of its rows: ceil of its x at the row's centre,
 // less 1/2, held as a quotient and a remainder that are stepped by additions.

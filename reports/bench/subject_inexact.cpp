@@ -52,7 +52,7 @@ std::string names() {
 using ChooseLoop =
     std::function<InexactLoop(const Workload& load, const Texture& texture, Target& target)>;
 
-Subject subject_with(std::string id, const std::string& which, ChooseLoop choose) {
+Subject subject_of_loop(std::string id, const std::string& which, ChooseLoop choose) {
   Subject subject;
   subject.id = std::move(id);
   subject.title = "vector lanes like the mapper's, inexact";
@@ -78,16 +78,16 @@ Subject subject_with(std::string id, const std::string& which, ChooseLoop choose
 }  // namespace
 
 Subject subject_inexact() {
-  return subject_with("inexact", "on each item the fastest of " + names() + ", found beforehand",
-                      fastest);
+  return subject_of_loop("inexact", "on each item the fastest of " + names() + ", found beforehand",
+                         fastest);
 }
 
 std::vector<Subject> subjects_inexact_by_loop() {
   std::vector<Subject> subjects;
   for (const InexactLoop& loop : inexact_loops()) {
     subjects.push_back(
-        subject_with(loop.name, "by " + loop.name,
-                     [loop](const Workload&, const Texture&, Target&) { return loop; }));
+        subject_of_loop(loop.name, "by " + loop.name,
+                        [loop](const Workload&, const Texture&, Target&) { return loop; }));
   }
   return subjects;
 }

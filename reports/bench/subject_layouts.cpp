@@ -53,7 +53,7 @@ LayOut prepared_in(selvage_layout layout) {
   };
 }
 
-Subject subject_with(std::string id, std::string title, LayOut lay_out) {
+Subject subject_laid_out(std::string id, std::string title, LayOut lay_out) {
   Subject subject;
   subject.id = std::move(id);
   subject.title = std::move(title);
@@ -83,9 +83,10 @@ Subject subject_with(std::string id, std::string title, LayOut lay_out) {
 
 std::vector<Subject> subjects_in_layouts() {
   return {
-      subject_with("pow2-rows", "Selvage, rows at a power of two", rows_without_padding),
-      subject_with("padded-rows", "Selvage, prepared in rows", prepared_in(SELVAGE_LAYOUT_ROWS)),
-      subject_with("tiles", "Selvage, prepared in tiles", prepared_in(SELVAGE_LAYOUT_TILES))};
+      subject_laid_out("pow2-rows", "Selvage, rows at a power of two", rows_without_padding),
+      subject_laid_out("padded-rows", "Selvage, prepared in rows",
+                       prepared_in(SELVAGE_LAYOUT_ROWS)),
+      subject_laid_out("tiles", "Selvage, prepared in tiles", prepared_in(SELVAGE_LAYOUT_TILES))};
 }
 
 }  // namespace selvage::reports

@@ -9,7 +9,7 @@ namespace selvage::reports {
 
 namespace {
 
-Subject subject_with(std::string id, std::string title, const selvage_options& chosen) {
+Subject subject_with_options(std::string id, std::string title, const selvage_options& chosen) {
   Subject subject;
   subject.id = std::move(id);
   subject.title = std::move(title);
@@ -37,7 +37,7 @@ Subject subject_with(std::string id, std::string title, const selvage_options& c
 
 }  // namespace
 
-Subject subject_exact() { return subject_with("exact", "Selvage, exact", {}); }
+Subject subject_exact() { return subject_with_options("exact", "Selvage, exact", {}); }
 
 std::vector<Subject> subjects_by_kernel() {
   std::vector<Subject> subjects;
@@ -45,8 +45,8 @@ std::vector<Subject> subjects_by_kernel() {
     selvage_options options{};
     options.kernel = kernel;
     const std::string name = kernel_name(kernel);
-    subjects.push_back(
-        subject_with("kernel-" + name, "Selvage, exact, by its " + name + " kernel", options));
+    subjects.push_back(subject_with_options("kernel-" + name,
+                                            "Selvage, exact, by its " + name + " kernel", options));
   }
   return subjects;
 }
@@ -64,7 +64,7 @@ std::vector<Subject> subjects_tolerant() {
     selvage_options options{};
     options.tolerance = tolerance.fx16;
     subjects.push_back(
-        subject_with("tol-" + texel, "Selvage, tolerance " + texel + " texel", options));
+        subject_with_options("tol-" + texel, "Selvage, tolerance " + texel + " texel", options));
   }
   return subjects;
 }

@@ -10,8 +10,7 @@ namespace selvage::reports {
 
 namespace {
 
-constexpr int32_t kTarget_px = 1024;
-constexpr double kMiddle_px = kTarget_px / 2.0 + 0.37;  // off the pixel grid
+constexpr double kMiddle_px = kTargetSide_px / 2.0 + 0.37;  // off the pixel grid
 
 Workload square(std::string id, std::string title, std::string description, double side_px,
                 int32_t texture_side) {
@@ -35,7 +34,8 @@ Workload mesh(std::string id, int32_t columns, int32_t rows, const std::string& 
       "a jittered grid of " + std::to_string(columns) + " x " + std::to_string(rows) +
       " cells, two triangles a cell, about " + size + " px each, over most of the target" +
       (load.perspective ? ", q from 1 to 2 across it" : "") + "; a texture of 256 x 256";
-  load.polygons = jittered_mesh(columns, rows, kTarget_px, load.texture_side_texel, seed, depth);
+  load.polygons =
+      jittered_mesh(columns, rows, kTargetSide_px, load.texture_side_texel, seed, depth);
   return load;
 }
 
@@ -100,7 +100,7 @@ Workload rounded_quad() {
 // Parts of the texture as large as the squares are, a texel a pixel, turned by any angle.
 Workload small_squares(uint64_t seed) {
   constexpr int32_t kAcross = 24, kSide_px = 28;
-  constexpr double kPitch_px = static_cast<double>(kTarget_px) / kAcross;
+  constexpr double kPitch_px = static_cast<double>(kTargetSide_px) / kAcross;
   Workload load;
   load.id = "W9";
   load.title = "576 small squares, 256 x 256";
@@ -150,7 +150,7 @@ Workload half_covering_square(int32_t texture_side_texel) {
   return square("W1", "rotated quad, " + side + " x " + side,
                 "one square turned by 23 degrees over half of the target, a texture of " + side +
                     " x " + side,
-                kTarget_px * std::sqrt(0.5), texture_side_texel);
+                kTargetSide_px * std::sqrt(0.5), texture_side_texel);
 }
 
 std::vector<Workload> workloads(uint64_t seed) {
@@ -172,7 +172,7 @@ std::vector<Workload> workloads(uint64_t seed) {
           bilinear_square(),
           square("W6", "quad of 10 x the target, 256 x 256",
                  "a square of 10240 px turned by 23 degrees: all but the middle lies outside",
-                 10.0 * kTarget_px, 256),
+                 10.0 * kTargetSide_px, 256),
           by_area(minified, "W7"),
           by_area(tilted_quad(2048), "W8"),
           small_squares(seed)};

@@ -13,11 +13,13 @@ namespace selvage::reports {
 
 inline constexpr selvage_filter kBilinear = SELVAGE_FILTER_BILINEAR, kArea = SELVAGE_FILTER_AREA;
 
+inline constexpr int32_t kTargetSide_px = 1024;  // where a workload asks for no other
+
 struct Workload {
   std::string id;
   std::string title;
   std::string description;  // one sentence for the page
-  int32_t target_side_px = 1024;
+  int32_t target_side_px = kTargetSide_px;
   int32_t texture_side_texel = 256;
   bool perspective = false;
   std::vector<std::vector<selvage_vertex>> polygons;

@@ -6,12 +6,14 @@
 
 #include "reports/bench/outlines.h"
 #include "reports/bench/workloads.h"
+#include "spec/vertex_units.h"
 
 namespace selvage::reports {
 
 namespace {
 
-constexpr int32_t kTexel_fx16 = SELVAGE_SUBTEXELS;
+using spec::kTexel_fx16;
+
 constexpr int32_t kTexture_texel = 2048;
 
 // u = x + off and v = y + off, but lowered at the lower corner by `lowered` units: all samples of
@@ -62,7 +64,7 @@ Polygon points_at_the_tip(int32_t off_fx16) {
   return triangle;
 }
 
-struct Point {
+struct TexturePoint {
   int32_t u_fx16, v_fx16;
 };
 
@@ -70,15 +72,14 @@ struct Point {
 // than map(x_px, y_px): rows are short.
 template <class Map>
 std::vector<Polygon> strips(int32_t strip_px, int32_t bottom_px, int32_t lowered, const Map& map) {
-  constexpr int32_t kTarget_px = 1024;
   const auto corner = [&](int32_t x_px, int32_t y_px) {
-    const Point point = map(x_px, y_px);
+    const TexturePoint point = map(x_px, y_px);
     const int32_t less_fx16 = y_px == 0 ? 0 : lowered;
     return selvage_vertex{x_px * SELVAGE_SUBPIXELS, y_px * SELVAGE_SUBPIXELS,
                           point.u_fx16 - less_fx16, point.v_fx16 - less_fx16, 1};
   };
   std::vector<Polygon> all;
-  for (int32_t x_px = 0; x_px < kTarget_px; x_px += strip_px) {
+  for (int32_t x_px = 0; x_px < kTargetSide_px; x_px += strip_px) {
     const int32_t right_px = x_px + strip_px;
     all.push_back({corner(x_px, 0), corner(right_px, 0), corner(right_px, bottom_px),
                    corner(x_px, bottom_px)});
@@ -89,7 +90,7 @@ std::vector<Polygon> strips(int32_t strip_px, int32_t bottom_px, int32_t lowered
 // The map of upright().
 std::vector<Polygon> upright_strips(int32_t off_fx16, int32_t lowered) {
   return strips(16, kFar_px, lowered, [&](int32_t x_px, int32_t y_px) {
-    return Point{x_px * kTexel_fx16 + off_fx16, y_px * kTexel_fx16 + off_fx16};
+    return TexturePoint{x_px * kTexel_fx16 + off_fx16, y_px * kTexel_fx16 + off_fx16};
   });
 }
 
@@ -97,19 +98,18 @@ std::vector<Polygon> upright_strips(int32_t off_fx16, int32_t lowered) {
 // lowered.
 std::vector<Polygon> slanted_strips(int32_t off_fx16, int32_t lowered) {
   return strips(8, kFar_px - 2048, lowered, [&](int32_t x_px, int32_t y_px) {
-    return Point{(x_px + y_px) * kTexel_fx16 + off_fx16,
-                 (1024 + y_px - x_px) * kTexel_fx16 + off_fx16};
+    return TexturePoint{(x_px + y_px) * kTexel_fx16 + off_fx16,
+                        (1024 + y_px - x_px) * kTexel_fx16 + off_fx16};
   });
 }
 
 // Two triangles in each cell, all on the point (1024, 1024) but for off, with u lowered by
 // 1/65536 texel at the corners to the right and v at the lower ones.
 std::vector<Polygon> points_in_cells(int32_t cell_px, int32_t off_fx16) {
-  constexpr int32_t kTarget_px = 1024;
   const int32_t point_fx16 = 1024 * kTexel_fx16 + off_fx16;
   std::vector<Polygon> triangles;
-  for (int32_t y_px = 0; y_px < kTarget_px; y_px += cell_px) {
-    for (int32_t x_px = 0; x_px < kTarget_px; x_px += cell_px) {
+  for (int32_t y_px = 0; y_px < kTargetSide_px; y_px += cell_px) {
+    for (int32_t x_px = 0; x_px < kTargetSide_px; x_px += cell_px) {
       const auto corner = [&](int32_t right, int32_t below) {
         return selvage_vertex{(x_px + right * cell_px) * SELVAGE_SUBPIXELS,
                               (y_px + below * cell_px) * SELVAGE_SUBPIXELS, point_fx16 - right,
@@ -140,11 +140,10 @@ std::vector<Polygon> points_in_deep_cells(int32_t cell_px, int32_t off_fx16) {
 // A quad in each cell, all on the point (1024, 1024) but for off, with u lowered by 1/65536 texel
 // at one corner and v at two: in no plane.
 std::vector<Polygon> points_in_quads(int32_t cell_px, int32_t off_fx16) {
-  constexpr int32_t kTarget_px = 1024;
   const int32_t point_fx16 = 1024 * kTexel_fx16 + off_fx16;
   std::vector<Polygon> quads;
-  for (int32_t y_px = 0; y_px < kTarget_px; y_px += cell_px) {
-    for (int32_t x_px = 0; x_px < kTarget_px; x_px += cell_px) {
+  for (int32_t y_px = 0; y_px < kTargetSide_px; y_px += cell_px) {
+    for (int32_t x_px = 0; x_px < kTargetSide_px; x_px += cell_px) {
       const auto corner = [&](int32_t right, int32_t below) {
         return selvage_vertex{(x_px + right * cell_px) * SELVAGE_SUBPIXELS,
                               (y_px + below * cell_px) * SELVAGE_SUBPIXELS,
@@ -173,10 +172,10 @@ std::vector<Polygon> points_in_deep_quads(int32_t cell_px, int32_t off_fx16) {
 // by more than 2^-23 texel. Without off, every 16th sample of a row and of a column is as near to a
 // boundary, of one texel after another.
 std::vector<Polygon> magnified_cells(int32_t cell_px, int32_t off_fx16) {
-  constexpr int32_t kTarget_px = 1024, kStep_fx16 = kTexel_fx16 / 16;
+  constexpr int32_t kStep_fx16 = kTexel_fx16 / 16;
   std::vector<Polygon> triangles;
-  for (int32_t y_px = 0; y_px < kTarget_px; y_px += cell_px) {
-    for (int32_t x_px = 0; x_px < kTarget_px; x_px += cell_px) {
+  for (int32_t y_px = 0; y_px < kTargetSide_px; y_px += cell_px) {
+    for (int32_t x_px = 0; x_px < kTargetSide_px; x_px += cell_px) {
       const auto corner = [&](int32_t right, int32_t below) {
         const int32_t right_px = x_px + right * cell_px, below_px = y_px + below * cell_px;
         const int32_t first_fx16 = kStep_fx16 / 2 + off_fx16;

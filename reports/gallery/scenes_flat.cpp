@@ -1,5 +1,6 @@
 // Scenes without depth.
 #include <cmath>
+#include <numbers>
 
 #include "reports/gallery/camera.h"
 #include "reports/gallery/scenes.h"
@@ -7,8 +8,6 @@
 namespace selvage::reports {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 // The whole picture on a rectangle about a centre, turned.
 Polygon turned_rectangle(const cli::Raster& picture, double centre_x_px, double centre_y_px,
@@ -48,7 +47,7 @@ Scene pinwheel(const Pictures& pictures) {
       "twice.";
   const cli::Raster* faces[] = {&pictures.earth, &pictures.checker};
   const auto rim = [&](int32_t i, const cli::Raster& picture) {
-    const double angle = 2 * kPi * i / blades;
+    const double angle = 2 * std::numbers::pi * i / blades;
     const double x = std::cos(angle), y = std::sin(angle);
     return flat_vertex(centre_x_px + radius_px * x, centre_y_px + radius_px * y,
                        picture.width_px * (0.5 + 0.25 * x), picture.height_px * (0.5 + 0.5 * y));

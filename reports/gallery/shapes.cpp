@@ -1,6 +1,7 @@
 #include "reports/gallery/shapes.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "reports/gallery/camera.h"
 
@@ -8,7 +9,6 @@ namespace selvage::reports {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kDistance = 4;
 
 }  // namespace
@@ -18,7 +18,8 @@ Grid globe(const GlobeView& view, const cli::Raster& map) {
   const Camera camera{view.centre_x_px, view.centre_y_px,
                       view.radius_px * std::sqrt(kDistance * kDistance - 1), kDistance - 1.01};
   return make_grid(view.columns, view.rows, [&](double across, double down) {
-    const double longitude = (across - 0.5) * 2 * kPi, latitude = (0.5 - down) * kPi;
+    const double longitude = (across - 0.5) * 2 * std::numbers::pi,
+                 latitude = (0.5 - down) * std::numbers::pi;
     Point p{std::cos(latitude) * std::sin(longitude), -std::sin(latitude),
             -std::cos(latitude) * std::cos(longitude)};
     p = turned_about_y(p, view.east_degree);

@@ -15,13 +15,6 @@ std::string line(const char* what, const std::string& html) {
   return html.empty() ? "" : element("tr", element("th", what, "scope=row") + element("td", html));
 }
 
-std::string statement_of(const json& matrix, const json& cell) {
-  for (const json& law : matrix.at("laws")) {
-    if (law.at("law") == cell.at("law")) return escaped(law.at("statement").get<std::string>());
-  }
-  return {};
-}
-
 // The drawing in which it was seen.
 struct Drawing {
   std::string text;       // in pixels and texels
@@ -79,11 +72,13 @@ std::string facts(const json& matrix, const json& cell) {
   std::string notes;
   for (const json& note : violation.value("notes", json::array()))
     notes += line("note", escaped(note.get<std::string>()));
-  return element("table", line("law", statement_of(matrix, cell)) + line("what", text("what")) +
-                              line("pixel", pixel) + line("sample", text("sample")) +
-                              line("exact u", text("u_texel")) + line("exact v", text("v_texel")) +
-                              line("allowed", text("allowed")) + line("drawn", text("drawn")) +
-                              line("found", found_by(violation)) + notes);
+  return element(
+      "table",
+      line("law", escaped(statement_of(matrix.at("laws"), cell.at("law").get<std::string>()))) +
+          line("what", text("what")) + line("pixel", pixel) + line("sample", text("sample")) +
+          line("exact u", text("u_texel")) + line("exact v", text("v_texel")) +
+          line("allowed", text("allowed")) + line("drawn", text("drawn")) +
+          line("found", found_by(violation)) + notes);
 }
 
 std::string replay_of(const json& cell) {

@@ -55,4 +55,6 @@ std::string element(std::string_view tag, std::string_view html, std::string_vie
   return within_a_line ? text : text + "\n";
 }
 
+std::string number_cell(std::string_view html) { return element("td", html, "class=n"); }
+
 }  // namespace selvage::reports

@@ -20,4 +20,7 @@ namespace selvage::reports {
 [[nodiscard]] std::string element(std::string_view tag, std::string_view html,
                                   std::string_view attributes = {});
 
+// Of a table, its text to the right as numbers stand.
+[[nodiscard]] std::string number_cell(std::string_view html);
+
 }  // namespace selvage::reports

@@ -9,14 +9,14 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-std::string text_of(const json& values, const char* key) {
+std::string text_if_any(const json& values, const char* key) {
   return escaped(values.value(key, std::string()));
 }
 
 // As it calls itself, or where it could not be asked by its file.
-std::string name_of(const json& subject) {
-  const std::string name = text_of(subject, subject.contains("subject") ? "subject" : "id");
-  const std::string profile = text_of(subject, "profile");
+std::string subject_name(const json& subject) {
+  const std::string name = text_if_any(subject, subject.contains("subject") ? "subject" : "id");
+  const std::string profile = text_if_any(subject, "profile");
   return profile.empty() || profile == "exact" ? name : name + ", " + profile;
 }
 
@@ -46,11 +46,11 @@ std::string cell_html(const json& cell) {
   const auto verdict = cell.at("verdict").get<std::string>();
   if (verdict == "holds") return holding(cell);
   if (verdict == "not promised")
-    return element("td", "&ndash;", "class=quiet title=\"" + text_of(cell, "why") + "\"");
+    return element("td", "&ndash;", "class=quiet title=\"" + text_if_any(cell, "why") + "\"");
   if (verdict != "violated") return element("td", escaped(verdict), "class=quiet");
   const std::string kind = kind_of(cell);
-  const std::string link =
-      element("a", kind == "defect" ? "defect" : "fails", "href=\"" + text_of(cell, "page") + "\"");
+  const std::string link = element("a", kind == "defect" ? "defect" : "fails",
+                                   "href=\"" + text_if_any(cell, "page") + "\"");
   return element("td", link + element("small", escaped(kind == "defect" ? "" : kind)),
                  kind == "defect" ? "class=bad" : "class=differs");
 }
@@ -58,14 +58,14 @@ std::string cell_html(const json& cell) {
 // Of a law that has no verdict: it says nothing of the subject's profile, and why.
 std::string silent(const json& subject, const json& law) {
   const json notes = law.value("silent", json::object());
-  const std::string note = text_of(notes, subject.value("profile", "").c_str());
+  const std::string note = text_if_any(notes, subject.value("profile", "").c_str());
   return element("td", "", note.empty() ? "class=quiet" : "class=quiet title=\"" + note + "\"");
 }
 
 std::string row_html(const json& subject, const json& laws) {
-  std::string row = element("th", name_of(subject), "scope=row");
+  std::string row = element("th", subject_name(subject), "scope=row");
   if (subject.contains("error")) {
-    row += element("td", "not judged: " + text_of(subject, "error"),
+    row += element("td", "not judged: " + text_if_any(subject, "error"),
                    "class=quiet colspan=" + std::to_string(laws.size()));
     return element("tr", row);
   }
@@ -79,10 +79,10 @@ std::string row_html(const json& subject, const json& laws) {
   return element("tr", row);
 }
 
-std::string table(const json& matrix) {
+std::string matrix_table(const json& matrix) {
   std::string head = "<tr><th>subject";
   for (const json& law : matrix.at("laws"))
-    head += "<th title=\"" + text_of(law, "statement") + "\">" + text_of(law, "law");
+    head += "<th title=\"" + text_if_any(law, "statement") + "\">" + text_if_any(law, "law");
   std::string rows = head + "</tr>\n";
   for (const json& subject : matrix.at("subjects")) rows += row_html(subject, matrix.at("laws"));
   return element("div", element("table", rows, "class=matrix"), "class=\"wide reaching\"");
@@ -90,11 +90,11 @@ std::string table(const json& matrix) {
 
 std::string finding_item(const json& cell) {
   const json& finding = cell.at("finding");
-  std::string item = element("a", element("strong", text_of(cell, "law")),
-                             "href=\"" + text_of(cell, "page") + "\"") +
-                     " (" + text_of(finding, "kind") + "): " + text_of(finding, "text");
+  std::string item = element("a", element("strong", text_if_any(cell, "law")),
+                             "href=\"" + text_if_any(cell, "page") + "\"") +
+                     " (" + text_if_any(finding, "kind") + "): " + text_if_any(finding, "text");
   if (finding.contains("source"))
-    item += "<br>" + element("small", "Source: " + text_of(finding, "source"));
+    item += "<br>" + element("small", "Source: " + text_if_any(finding, "source"));
   return element("li", item);
 }
 
@@ -109,12 +109,12 @@ std::string about(const json& subject) {
     items += element("li", element("strong", escaped(law.get<std::string>())) +
                                ": the case that the finding is about holds now");
   }
-  std::string title = name_of(subject);
+  std::string title = subject_name(subject);
   const std::string examined = subject.value("examined", "");
   if (subject.value("subject", std::string()).find(examined) == std::string::npos)
     title += " (examined: " + escaped(examined) + ")";
   return element("details", element("summary", element("strong", title)) +
-                                element("p", text_of(subject, "convention")) +
+                                element("p", text_if_any(subject, "convention")) +
                                 element("ul", items));
 }
 
@@ -138,7 +138,7 @@ std::string matrix_section(const json& matrix) {
                      "works, or a defect, where its own documentation promises otherwise. &ndash; "
                      "is not promised, * is promised in part; where a cell is empty, the law says "
                      "nothing of the profile.") +
-         table(matrix) + abouts;
+         matrix_table(matrix) + abouts;
 }
 
 }  // namespace selvage::reports

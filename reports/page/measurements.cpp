@@ -69,7 +69,7 @@ std::string subjects(const json& bench) {
       "open");
 }
 
-std::string introduction(const json& bench) {
+std::string speed_introduction(const json& bench) {
   return element(
       "p",
       "Nanoseconds per covered pixel, the median of " + bench.at("repetitions").dump() +
@@ -109,8 +109,8 @@ std::string measurement_section(const Results& results) {
   if (results.bench.is_null())
     return html + element("p", "Not measured: " + escaped(results.unmeasured), "class=bad");
   const json& bench = results.bench;
-  return html + introduction(bench) + overview(bench) + standing_part(bench) + subjects(bench) +
-         comparison_part(bench) + work_items_part(bench) + curves_part(bench) +
+  return html + speed_introduction(bench) + overview(bench) + standing_part(bench) +
+         subjects(bench) + comparison_part(bench) + work_items_part(bench) + curves_part(bench) +
          adversarial_part(bench);
 }
 

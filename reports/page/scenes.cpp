@@ -13,10 +13,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-std::string text_of(const json& values, const char* key) {
-  return escaped(values.at(key).get<std::string>());
-}
-
 std::string size_of(const json& scene, int part) {
   return "width=" + std::to_string(scene.at("width_px").get<int>() / part) +
          " height=" + std::to_string(scene.at("height_px").get<int>() / part);
@@ -116,7 +112,7 @@ std::string scene_part(const json& scenes, const json& scene) {
                  element("summary", "The planner's choices within each tolerance") + small);
 }
 
-std::string introduction(const json& scenes) {
+std::string scenes_introduction(const json& scenes) {
   return element(
       "p",
       "Scenes that come with Selvage: objects in motion, in perspective, hidden surfaces by scan "
@@ -147,6 +143,10 @@ std::string plots(const json& scenes) {
 
 }  // namespace
 
+std::string text_of(const json& values, const char* key) {
+  return escaped(values.at(key).get<std::string>());
+}
+
 std::string scenes_head(const json& scenes) {
   if (scenes.is_null()) return {};
   std::string figures;
@@ -166,7 +166,7 @@ std::string scenes_section(const json& scenes) {
                            "that scenes need (Eigen, tinyobjloader).",
                            "class=bad");
   }
-  std::string html = title + introduction(scenes) + broken_promises(scenes) + plots(scenes);
+  std::string html = title + scenes_introduction(scenes) + broken_promises(scenes) + plots(scenes);
   for (const json& scene : scenes.at("scenes")) html += scene_part(scenes, scene);
   return html + element("p", "All of this as a file: <a href=scenes.json>scenes.json</a>.");
 }

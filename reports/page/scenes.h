@@ -29,4 +29,7 @@ struct KeptCount {
 };
 [[nodiscard]] KeptCount kept_promises(const nlohmann::ordered_json& scenes);
 
+// One of their texts, for HTML.
+[[nodiscard]] std::string text_of(const nlohmann::ordered_json& values, const char* key);
+
 }  // namespace selvage::reports

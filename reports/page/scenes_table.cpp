@@ -12,12 +12,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-std::string text_of(const json& values, const char* key) {
-  return escaped(values.at(key).get<std::string>());
-}
-
-std::string cell(const std::string& html) { return element("td", html, "class=n"); }
-
 std::string texels(double value) {
   if (value == 0) return "0";
   char text[32];
@@ -25,11 +19,11 @@ std::string texels(double value) {
   return text;
 }
 
-std::string time_cell(const json& spread) {
-  if (spread.is_null()) return cell("&ndash;");
+std::string spread_cell(const json& spread) {
+  if (spread.is_null()) return number_cell("&ndash;");
   const auto ns = [&](const char* key) { return rounded(spread.at(key).get<double>()); };
-  return cell(ns("median") + "<br>" +
-              element("small", ns("lower_quartile") + " &ndash; " + ns("upper_quartile")));
+  return number_cell(ns("median") + "<br>" +
+                     element("small", ns("lower_quartile") + " &ndash; " + ns("upper_quartile")));
 }
 
 std::string verdict_cell(const json& trial) {
@@ -49,12 +43,14 @@ std::string different(const json& trial) {
 }
 
 std::string trial_row(const json& trial) {
-  return element(
-      "tr", element("th", text_of(trial, "filter"), "scope=row") +
-                cell(text_of(trial, "tolerance")) +
-                cell(texels(trial.at("mean_error_texel").get<double>())) + verdict_cell(trial) +
-                cell(grouped(trial.at("wrong_texels").get<uint64_t>())) + cell(different(trial)) +
-                time_cell(trial.at("textured_ns_per_px")) + time_cell(trial.at("ns_per_px")));
+  return element("tr", element("th", text_of(trial, "filter"), "scope=row") +
+                           number_cell(text_of(trial, "tolerance")) +
+                           number_cell(texels(trial.at("mean_error_texel").get<double>())) +
+                           verdict_cell(trial) +
+                           number_cell(grouped(trial.at("wrong_texels").get<uint64_t>())) +
+                           number_cell(different(trial)) +
+                           spread_cell(trial.at("textured_ns_per_px")) +
+                           spread_cell(trial.at("ns_per_px")));
 }
 
 using Trials = std::vector<const json*>;

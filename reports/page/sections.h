@@ -20,6 +20,9 @@ struct Results {
   std::string unmeasured;            // why, where bench is null
 };
 
+// What a law demands, from `selvage laws --json`; empty where there is no such law.
+[[nodiscard]] std::string statement_of(const nlohmann::ordered_json& laws, const std::string& name);
+
 // For a terminal.
 [[nodiscard]] std::string summary_line(const Results& results);
 [[nodiscard]] std::string summary_section(const Results& results);

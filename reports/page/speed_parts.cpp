@@ -14,8 +14,8 @@ using json = nlohmann::ordered_json;
 
 constexpr int kMostForNearTies = 6;  // times the ordinary cost: what the exact mapper may take
 
-std::string cell(const std::string& html, const std::string& attributes = "") {
-  return element("td", html, "class=\"n" + (attributes.empty() ? "" : " " + attributes) + "\"");
+std::string coloured_cell(const std::string& html, const std::string& colour = "") {
+  return element("td", html, "class=\"n" + (colour.empty() ? "" : " " + colour) + "\"");
 }
 
 std::vector<std::string> ids_of(const json& bench) {
@@ -26,13 +26,14 @@ std::vector<std::string> ids_of(const json& bench) {
 }
 
 std::string near_tie_cell(const json* result, bool ours) {
-  if (result == nullptr || result->at("ratio_to_ordinary").is_null()) return cell("&ndash;");
+  if (result == nullptr || result->at("ratio_to_ordinary").is_null())
+    return coloured_cell("&ndash;");
   const double ratio = result->at("ratio_to_ordinary").get<double>();
   const bool errs = has_errors(*result) && errors_per_million(*result) > 0;
   const std::string wrong =
       errs ? "<br>" + element("small", error_share(*result) + " wrong") : std::string();
   const char* colour = !ours ? "" : ratio <= kMostForNearTies ? "good" : "bad";
-  return cell(rounded(ratio) + wrong, colour);
+  return coloured_cell(rounded(ratio) + wrong, colour);
 }
 
 std::map<std::string, std::map<std::string, double>> ratios_of(const json& comparison) {
@@ -122,7 +123,7 @@ std::string comparison_part(const json& bench) {
     if (ratios[id].empty()) continue;
     std::string cells;
     for (const std::string& item : items)
-      cells += cell(ratios[id].contains(item) ? rounded(ratios[id][item]) : "&ndash;");
+      cells += coloured_cell(ratios[id].contains(item) ? rounded(ratios[id][item]) : "&ndash;");
     rows += element("tr", element("th", escaped(id), "scope=row") + cells);
   }
   const std::string about = "Times of this run over those of " +

@@ -12,7 +12,9 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-std::string name_of(const json& cell) { return cell.at("arithmetic").get<std::string>(); }
+std::string arithmetic_name(const json& arithmetic) {
+  return arithmetic.at("arithmetic").get<std::string>();
+}
 
 std::string share(const json& cell) {
   const double percent = 100 * cell.at("wrong_share").get<double>();
@@ -79,10 +81,10 @@ std::string family_row(const json& run, const json& family) {
   return element("tr", row);
 }
 
-std::string table(const json& run) {
+std::string stability_table(const json& run) {
   std::string head = "<tr><th>family";
   for (const json& arithmetic : run.at("arithmetics"))
-    head += "<th class=n>" + escaped(name_of(arithmetic));
+    head += "<th class=n>" + escaped(arithmetic_name(arithmetic));
   std::string rows = head + "</tr>\n";
   for (const json& family : run.at("families")) rows += family_row(run, family);
   return element("div", element("table", rows, "class=stability"), "class=wide");
@@ -91,7 +93,7 @@ std::string table(const json& run) {
 std::string arithmetics(const json& run) {
   std::string list;
   for (const json& arithmetic : run.at("arithmetics")) {
-    list += element("li", element("strong", escaped(name_of(arithmetic))) + ": " +
+    list += element("li", element("strong", escaped(arithmetic_name(arithmetic))) + ": " +
                               escaped(arithmetic.at("statement").get<std::string>()) + ".");
   }
   return element("ul", list);
@@ -138,8 +140,8 @@ std::string stability_section(const Results& results) {
                      "and, where a bound on the error is derived, how much of it was used. The "
                      "line in a family measures it again; the worst scene is in the cell's "
                      "tooltip.") +
-         element("p", escaped(run.at("notes").get<std::string>())) + arithmetics(run) + table(run) +
-         pictures(run);
+         element("p", escaped(run.at("notes").get<std::string>())) + arithmetics(run) +
+         stability_table(run) + pictures(run);
 }
 
 }  // namespace selvage::reports

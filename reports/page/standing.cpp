@@ -14,10 +14,8 @@ using json = nlohmann::ordered_json;
 
 double median_of(const json& result) { return result.at("ns_per_px").at("median").get<double>(); }
 
-std::string cell(const std::string& html) { return element("td", html, "class=n"); }
-
 std::string ratio_cell(const json& of, const json* by) {
-  return cell(by == nullptr ? "&ndash;" : rounded(median_of(of) / median_of(*by)));
+  return number_cell(by == nullptr ? "&ndash;" : rounded(median_of(of) / median_of(*by)));
 }
 
 // Of the mappers of other projects that draw the item; null where none does.
@@ -33,18 +31,19 @@ const json* fastest_peer(const json& bench, const json& work) {
 }
 
 std::string time_cell(const json* result) {
-  return cell(result == nullptr ? "&ndash;" : rounded(median_of(*result)) + " ns");
+  return number_cell(result == nullptr ? "&ndash;" : rounded(median_of(*result)) + " ns");
 }
 
 // A peer's time by ours; whoever draws a mesh gives it to us in one call.
 std::string peer_cells(const json* peer, const json& exact, const json* in_one_call) {
-  if (peer == nullptr) return cell("&ndash;") + cell("&ndash;") + cell("&ndash;");
-  return cell(escaped(peer->at("id").get<std::string>()) + ", " + rounded(median_of(*peer)) +
-              " ns") +
+  if (peer == nullptr)
+    return number_cell("&ndash;") + number_cell("&ndash;") + number_cell("&ndash;");
+  return number_cell(escaped(peer->at("id").get<std::string>()) + ", " + rounded(median_of(*peer)) +
+                     " ns") +
          ratio_cell(*peer, &exact) + ratio_cell(*peer, in_one_call);
 }
 
-std::string row(const json& bench, const json& work) {
+std::string item_row(const json& bench, const json& work) {
   const json* exact = result_of(work, "exact");
   if (exact == nullptr) return {};
   const json* in_one_call = result_of(work, "exact-many");
@@ -59,7 +58,7 @@ std::string row(const json& bench, const json& work) {
 std::string standing_part(const json& bench) {
   std::string rows;
   for (const json& work : bench.at("workloads")) {
-    if (!is_adversarial(bench, work)) rows += row(bench, work);
+    if (!is_adversarial(bench, work)) rows += item_row(bench, work);
   }
   if (rows.empty()) return {};
   return element("h3", "What exactness costs") +

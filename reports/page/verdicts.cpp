@@ -10,13 +10,6 @@ namespace {
 
 using json = nlohmann::ordered_json;
 
-std::string statement_of(const json& laws, const std::string& name) {
-  for (const json& law : laws) {
-    if (law.at("law") == name) return law.at("statement").get<std::string>();
-  }
-  return {};
-}
-
 std::string class_of(const std::string& verdict) {
   if (verdict == "holds") return "class=good";
   return verdict == "not judged" ? "class=quiet" : "class=bad";
@@ -37,6 +30,13 @@ std::string violation_row(const json& violation) {
 }
 
 }  // namespace
+
+std::string statement_of(const json& laws, const std::string& name) {
+  for (const json& law : laws) {
+    if (law.at("law") == name) return law.at("statement").get<std::string>();
+  }
+  return {};
+}
 
 std::string verdict_section(const Results& results) {
   std::string rows =

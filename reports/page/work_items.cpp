@@ -13,17 +13,15 @@ using json = nlohmann::ordered_json;
 
 constexpr int kColumns = 11;
 
-std::string cell(const std::string& html) { return element("td", html, "class=n"); }
-
 std::string ratio_cell(const json& result, const char* key) {
-  return cell(result.at(key).is_null() ? "&ndash;" : rounded(result[key].get<double>()));
+  return number_cell(result.at(key).is_null() ? "&ndash;" : rounded(result[key].get<double>()));
 }
 
 std::string count_cell(const json& result, const char* key) {
-  return cell(result.at(key).is_null() ? "&ndash;" : grouped(result[key].get<uint64_t>()));
+  return number_cell(result.at(key).is_null() ? "&ndash;" : grouped(result[key].get<uint64_t>()));
 }
 
-std::string row(const json& result, bool filtered) {
+std::string subject_row(const json& result, bool filtered) {
   const std::string name = element("th", escaped(result.at("id").get<std::string>()), "scope=row");
   if (result.contains("refusal")) {
     return element(
@@ -31,19 +29,21 @@ std::string row(const json& result, bool filtered) {
                              "colspan=" + std::to_string(kColumns - 1)));
   }
   const json& time = result.at("ns_per_px");
-  std::string cells = cell(rounded(time.at("median").get<double>())) +
-                      cell(rounded(time.at("lower_quartile").get<double>()) + " to " +
-                           rounded(time.at("upper_quartile").get<double>()));
+  std::string cells = number_cell(rounded(time.at("median").get<double>())) +
+                      number_cell(rounded(time.at("lower_quartile").get<double>()) + " to " +
+                                  rounded(time.at("upper_quartile").get<double>()));
   for (const char* key : {"ratio_to_fill", "ratio_to_exact"}) cells += ratio_cell(result, key);
   for (const char* key : {filtered ? "wrong_colours" : "wrong_texels", "missing_px", "extra_px",
                           "double_px", filtered ? "largest_level" : "largest_texel"})
     cells += count_cell(result, key);
   const json& mean = result.at(filtered ? "mean_level" : "mean_texel");
-  cells += cell(mean.is_null() ? "&ndash;" : mean == 0.0 ? "0" : rounded(mean.get<double>()));
+  cells += number_cell(mean.is_null() ? "&ndash;"
+                       : mean == 0.0  ? "0"
+                                      : rounded(mean.get<double>()));
   return element("tr", name + cells);
 }
 
-std::string table(const json& work) {
+std::string work_table(const json& work) {
   const bool filtered = work.at("filter") != "nearest";
   const std::string unit = filtered ? ", levels" : ", texels";
   std::string rows =
@@ -52,7 +52,7 @@ std::string table(const json& work) {
       std::string(filtered ? "wrong colours" : "wrong texels") +
       "<th class=n>missing<th class=n>extra<th class=n>double<th class=n>largest" + unit +
       "<th class=n>mean" + unit + "</tr>\n";
-  for (const json& result : work.at("results")) rows += row(result, filtered);
+  for (const json& result : work.at("results")) rows += subject_row(result, filtered);
   return element("div", element("table", rows), "class=wide");
 }
 
@@ -73,7 +73,7 @@ std::string work_item(const json& work) {
                            " pixels of a target of " +
                            escaped(work.at("target_px").get<std::string>()) + "." + sample(work);
   return element("h3", escaped(id) + ": " + escaped(work.at("title").get<std::string>())) +
-         element("p", text) + table(work);
+         element("p", text) + work_table(work);
 }
 
 std::string plane(const json& work) {

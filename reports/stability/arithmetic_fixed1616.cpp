@@ -67,9 +67,9 @@ void draw_span(const Call& call, const Pixels& pixels, int32_t y_px, const Edge&
     pixels.copy(row, x, static_cast<int32_t>(u >> 16), static_cast<int32_t>(v >> 16));
 }
 
-selvage_status draw(const selvage_image* target, const selvage_rect* clip,
-                    const selvage_vertex* vertices, size_t count, const selvage_texture* texture,
-                    const selvage_options* options) {
+selvage_status draw_fixed1616(const selvage_image* target, const selvage_rect* clip,
+                              const selvage_vertex* vertices, size_t count,
+                              const selvage_texture* texture, const selvage_options* options) {
   return draw_checked(target, clip, vertices, count, texture, options,
                       [](const Call& call, const auto& pixels) {
                         for_each_row<Edge>(call, [&](int32_t y_px, const Edge& a, const Edge& b) {
@@ -85,7 +85,7 @@ Arithmetic fixed1616() {
   return {"fixed1616",
           "16.16 fixed point: x, u, v stepped down the edges, u, v along the span, prestepped; "
           "slopes and presteps rounded down, floor; affine",
-          true, draw};
+          true, draw_fixed1616};
 }
 
 }  // namespace selvage::stability

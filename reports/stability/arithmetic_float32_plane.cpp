@@ -126,9 +126,9 @@ void draw_fan(const Call& call, const Pixels& pixels) {
   }
 }
 
-selvage_status draw(const selvage_image* target, const selvage_rect* clip,
-                    const selvage_vertex* vertices, size_t count, const selvage_texture* texture,
-                    const selvage_options* options) {
+selvage_status draw_planes(const selvage_image* target, const selvage_rect* clip,
+                           const selvage_vertex* vertices, size_t count,
+                           const selvage_texture* texture, const selvage_options* options) {
   return draw_checked(target, clip, vertices, count, texture, options,
                       [](const Call& call, const auto& pixels) {
                         if (call.affine)
@@ -144,7 +144,7 @@ Arithmetic float32_plane() {
   return {"float32-plane",
           "float, 24 bits: edge functions and planes of u/w, v/w, 1/w evaluated at each pixel, a "
           "division a pixel; floor; n-gons as a fan of triangles",
-          false, draw};
+          false, draw_planes};
 }
 
 }  // namespace selvage::stability

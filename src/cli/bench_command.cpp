@@ -76,11 +76,11 @@ namespace {
 }
 
 void put_out(const BenchOptions& options, const BenchReport& report, const Console& console) {
-  const std::string json = options.brief ? bench_brief_json(report) : bench_json(report);
+  const std::string text = options.brief ? bench_brief_json(report) : bench_json(report);
   if (!options.output.empty())
-    write_file(options.output, {reinterpret_cast<const uint8_t*>(json.data()), json.size()});
+    write_file(options.output, {reinterpret_cast<const uint8_t*>(text.data()), text.size()});
   if (options.json) {
-    console.out << json;
+    console.out << text;
     return;
   }
   console.out << bench_table(report);

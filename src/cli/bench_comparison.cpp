@@ -63,8 +63,8 @@ template <typename Name>
   return found;
 }
 
-[[nodiscard]] std::optional<double> ratio_of(const Comparison& comparison, const std::string& item,
-                                             const std::string& subject) {
+[[nodiscard]] std::optional<double> ratio_of(const TimeComparison& comparison,
+                                             const std::string& item, const std::string& subject) {
   const auto found = std::ranges::find_if(comparison.times, [&](const ComparedTime& time) {
     return time.item == item && time.subject == subject;
   });
@@ -72,8 +72,8 @@ template <typename Name>
   return found->ratio();
 }
 
-[[nodiscard]] std::string row(const Comparison& comparison, const std::string& subject,
-                              const std::vector<std::string>& items, size_t columns) {
+[[nodiscard]] std::string ratios_row(const TimeComparison& comparison, const std::string& subject,
+                                     const std::vector<std::string>& items, size_t columns) {
   std::string line = subject + field("", kNameColumns - std::min(kNameColumns, subject.size()));
   for (const std::string& item : items) {
     const auto ratio = ratio_of(comparison, item, subject);
@@ -83,7 +83,7 @@ template <typename Name>
 }
 
 // As many items across as there is room for, then the next.
-[[nodiscard]] std::string blocks(const Comparison& comparison) {
+[[nodiscard]] std::string blocks(const TimeComparison& comparison) {
   const auto items = names(comparison.times, &ComparedTime::item);
   size_t columns = 8;
   for (const std::string& item : items) columns = std::max(columns, item.size() + 2);
@@ -97,12 +97,12 @@ template <typename Name>
     for (const std::string& item : some) text += field(item, columns);
     text += "\n";
     for (const std::string& subject : names(comparison.times, &ComparedTime::subject))
-      text += row(comparison, subject, some, columns);
+      text += ratios_row(comparison, subject, some, columns);
   }
   return text;
 }
 
-[[nodiscard]] std::string means(const Comparison& comparison) {
+[[nodiscard]] std::string means(const TimeComparison& comparison) {
   std::string text = "\nGeometric mean of all items:";
   for (const std::string& subject : names(comparison.times, &ComparedTime::subject)) {
     double sum = 0;
@@ -143,9 +143,9 @@ Baseline parse_baseline(const std::string& source, const std::string& text) {
   });
 }
 
-Comparison compare(const std::vector<reports::ItemResult>& results, const Conditions& conditions,
-                   Baseline baseline) {
-  Comparison comparison;
+TimeComparison compare(const std::vector<reports::ItemResult>& results,
+                       const Conditions& conditions, Baseline baseline) {
+  TimeComparison comparison;
   comparison.conditions = conditions;
   for (const reports::ItemResult& result : results) {
     const auto item = baseline.ns.find(result.load->id);
@@ -164,7 +164,7 @@ Comparison compare(const std::vector<reports::ItemResult>& results, const Condit
   return comparison;
 }
 
-std::string comparison_table(const Comparison& comparison) {
+std::string comparison_table(const TimeComparison& comparison) {
   const Baseline& then = comparison.baseline;
   const Conditions& now = comparison.conditions;
   std::string text = wrapped("Against " + then.source + " (" + then.date + ", " + then.compiler +

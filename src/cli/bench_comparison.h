@@ -33,17 +33,17 @@ struct ComparedTime {
   [[nodiscard]] double ratio() const { return now_ns / then_ns; }
 };
 
-struct Comparison {
+struct TimeComparison {
   Baseline baseline;
   Conditions conditions;            // of this run
   std::vector<ComparedTime> times;  // what both have, in the order of this run
   size_t only_now = 0;              // measured here, absent from the baseline
 };
 
-[[nodiscard]] Comparison compare(const std::vector<reports::ItemResult>& results,
-                                 const Conditions& conditions, Baseline baseline);
+[[nodiscard]] TimeComparison compare(const std::vector<reports::ItemResult>& results,
+                                     const Conditions& conditions, Baseline baseline);
 
 // A row a subject, a column an item, the ratios now / baseline; at most 100 columns.
-[[nodiscard]] std::string comparison_table(const Comparison& comparison);
+[[nodiscard]] std::string comparison_table(const TimeComparison& comparison);
 
 }  // namespace selvage::cli

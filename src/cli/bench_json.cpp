@@ -1,16 +1,18 @@
-#include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "cli/bench_report.h"
+#include "cli/job.h"
+#include "cli/json_text.h"
 
 namespace selvage::cli {
 namespace {
 
 using nlohmann::ordered_json;
-using reports::Cell;
 using reports::ErrorCount;
 using reports::ItemResult;
+
+constexpr int kIndent = 1;  // as in reports/baseline.json
 
 template <typename Number>
 [[nodiscard]] ordered_json maybe(const std::optional<Number>& number) {
@@ -42,7 +44,7 @@ void add_errors(ordered_json& values, const std::optional<ErrorCount>& judged, b
   add("mean_level", colours, errors.mean_level());
 }
 
-[[nodiscard]] ordered_json cell_json(const ItemResult& item, const Cell& cell,
+[[nodiscard]] ordered_json cell_json(const ItemResult& item, const reports::Cell& cell,
                                      const ItemResult* ordinary) {
   ordered_json values{{"id", cell.subject->id}};
   if (!cell.refusal.empty()) {
@@ -69,13 +71,8 @@ void add_errors(ordered_json& values, const std::optional<ErrorCount>& judged, b
       ordinary = &other;
   }
   ordered_json cells = ordered_json::array();
-  for (const Cell& cell : item.cells) cells.push_back(cell_json(item, cell, ordinary));
+  for (const reports::Cell& cell : item.cells) cells.push_back(cell_json(item, cell, ordinary));
   return cells;
-}
-
-[[nodiscard]] const char* filter_name(selvage_filter filter) {
-  constexpr std::array kNames{"nearest", "four", "bilinear", "area"};
-  return kNames.at(static_cast<size_t>(filter));
 }
 
 [[nodiscard]] ordered_json workload_json(const BenchReport& report, const ItemResult& item) {
@@ -110,7 +107,7 @@ void add_errors(ordered_json& values, const std::optional<ErrorCount>& judged, b
           {"points", std::move(points)}};
 }
 
-[[nodiscard]] ordered_json comparison_json(const Comparison& comparison) {
+[[nodiscard]] ordered_json comparison_json(const TimeComparison& comparison) {
   ordered_json times = ordered_json::array();
   for (const ComparedTime& time : comparison.times) {
     times.push_back({{"item", time.item},
@@ -139,10 +136,6 @@ void add_errors(ordered_json& values, const std::optional<ErrorCount>& judged, b
           {"padding_px", report.settings.padding_px}};
 }
 
-[[nodiscard]] std::string text_of(const ordered_json& values) {
-  return values.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-}
-
 }  // namespace
 
 std::string bench_json(const BenchReport& report) {
@@ -165,19 +158,19 @@ std::string bench_json(const BenchReport& report) {
   document["unavailable"] = report.plan->unavailable;
   document["build_information"] = report.plan->build_information;
   document["comparison"] = report.comparison ? comparison_json(*report.comparison) : ordered_json();
-  return text_of(document);
+  return json_text(document, kIndent);
 }
 
 // One line an item: a file that a person can read, and a change of which shows what changed.
 std::string bench_brief_json(const BenchReport& report) {
-  std::string text = text_of(heading(report));
+  std::string text = json_text(heading(report), kIndent);
   text.erase(text.rfind("\n}"));
   text += ",\n \"medians_ns_per_px\": {";
   for (size_t i = 0; i < report.plan->work_items; ++i) {
     const ItemResult& item = report.results[i];
     text += std::string(i == 0 ? "" : ",") + "\n  " + ordered_json(item.load->id).dump() + ": {";
     std::string separator;
-    for (const Cell& cell : item.cells) {
+    for (const reports::Cell& cell : item.cells) {
       if (!cell.refusal.empty()) continue;
       char median[32];
       std::snprintf(median, sizeof median, "%.4g", cell.ns_per_px.median);

@@ -21,7 +21,7 @@ struct BenchReport {
   std::vector<reports::FastestKernel> fastest_kernels;
   const reports::Plan* plan = nullptr;
   std::vector<reports::ItemResult> results;  // one for each item of the plan
-  std::optional<Comparison> comparison;
+  std::optional<TimeComparison> comparison;
 };
 
 // The command on a plan that was made already.

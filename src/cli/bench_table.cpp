@@ -9,7 +9,6 @@
 namespace selvage::cli {
 namespace {
 
-using reports::Cell;
 using reports::ErrorCount;
 using reports::ItemResult;
 
@@ -22,12 +21,12 @@ template <typename Number>
     return std::to_string(*number);
 }
 
-[[nodiscard]] std::string row(const std::vector<std::string>& fields) {
+[[nodiscard]] std::string subject_row(const std::vector<std::string>& fields) {
   constexpr int widths[] = {-13, 7, 18, 7, 8, 8, 8, 7, 7, 8, 9};
   return columns(fields, widths);
 }
 
-[[nodiscard]] std::string row(const ItemResult& item, const Cell& cell) {
+[[nodiscard]] std::string subject_row(const ItemResult& item, const reports::Cell& cell) {
   const std::string& id = cell.subject->id;
   if (!cell.refusal.empty()) return list_entry(id, "not measured: " + cell.refusal, 13);
   const reports::Spread& ns = cell.ns_per_px;
@@ -48,7 +47,7 @@ template <typename Number>
   fields.push_back(shown(errors.double_px));
   add(textures, std::to_string(filtered ? errors.largest_level : errors.largest_texel));
   add(textures, short_number(filtered ? errors.mean_level() : errors.mean_texel()));
-  return row(fields);
+  return subject_row(fields);
 }
 
 [[nodiscard]] std::string unit_of_errors(const reports::Workload& load) {
@@ -65,14 +64,14 @@ template <typename Number>
   std::string text = wrapped(load.id + ": " + load.title + ". " + polygons + ", " +
                              std::to_string(item.covered_px) + " pixels covered, " +
                              std::to_string(judged_px) + " pixels judged" + unit_of_errors(load)) +
-                     row({"subject", "ns/px", "quartiles", "/ fill", "/ exact", "wrong", "missing",
-                          "extra", "double", "largest", "mean"});
-  for (const Cell& cell : item.cells) text += row(item, cell);
+                     subject_row({"subject", "ns/px", "quartiles", "/ fill", "/ exact", "wrong",
+                                  "missing", "extra", "double", "largest", "mean"});
+  for (const reports::Cell& cell : item.cells) text += subject_row(item, cell);
   return text + "\n";
 }
 
 [[nodiscard]] uint64_t judged_px_of(const ItemResult& item) {
-  for (const Cell& cell : item.cells) {
+  for (const reports::Cell& cell : item.cells) {
     if (cell.errors) return cell.errors->judged_px;
   }
   return 0;
@@ -87,7 +86,7 @@ template <typename Number>
       return other.load->id == item.load->ordinary_id;
     });
     if (twin == report.results.end()) continue;
-    for (const Cell& cell : item.cells) {
+    for (const reports::Cell& cell : item.cells) {
       const auto times =
           reports::ratio(item.measured(cell.subject->id), twin->measured(cell.subject->id));
       if (times && cell.subject->group == "ours")
@@ -117,7 +116,7 @@ template <typename Number>
     const ItemResult& item = report.results[planned.items[i]];
     std::vector<std::string> fields{short_number(planned.xs[i])};
     for (const std::string& id : ids) {
-      const Cell* cell = item.measured(id);
+      const reports::Cell* cell = item.measured(id);
       fields.push_back(cell == nullptr ? "-" : short_number(cell->ns_per_px.median));
     }
     text += columns(fields, widths);

@@ -93,7 +93,7 @@ struct Point {
 };
 
 // The pixel to show: the given one, or the first that differs, or the first of all.
-[[nodiscard]] Point focus(const Comparison& c) {
+[[nodiscard]] Point focus(const PictureComparison& c) {
   const bool given =
       c.x_px >= 0 && c.x_px < c.drawn.width_px && c.y_px >= 0 && c.y_px < c.drawn.height_px;
   if (given) return {c.x_px, c.y_px};
@@ -126,7 +126,7 @@ void frame(Raster& raster, int32_t left_px, int32_t top_px, int32_t side_px) {
 
 }  // namespace
 
-Raster comparison_picture(const Comparison& c) {
+Raster comparison_picture(const PictureComparison& c) {
   const Palette palette(c.scene, c.colours);
   const Point shown = focus(c);
   const View view = view_around(c.drawn, shown.x_px, shown.y_px);

@@ -10,7 +10,7 @@
 
 namespace selvage::cli {
 
-struct Comparison {
+struct PictureComparison {
   spec::Case scene;      // whose coordinate texture both were drawn with, unless
   bool colours = false;  // the pixels are colours: RGBA8888
   spec::Picture drawn{}, expected{};
@@ -27,6 +27,6 @@ struct Comparison {
 // chequerboard. The difference is a dim copy of what was expected where nothing differs. A white
 // frame marks the pixel to show. Of a large target only the surroundings of that pixel are shown;
 // of one much wider than high, one panel below the other.
-[[nodiscard]] Raster comparison_picture(const Comparison& comparison);
+[[nodiscard]] Raster comparison_picture(const PictureComparison& comparison);
 
 }  // namespace selvage::cli

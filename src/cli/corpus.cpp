@@ -17,7 +17,7 @@ namespace {
 constexpr size_t kMaxFileOfCaseBytes = size_t{64} << 10;
 
 // Empty unless the digits are a case's whole encoding: a file that was cut off is none.
-[[nodiscard]] std::optional<spec::Case> read_case(std::string_view digits) {
+[[nodiscard]] std::optional<spec::Case> case_of(std::string_view digits) {
   const std::optional<spec::Case> found = spec::from_hex(digits);
   return found && spec::to_hex(*found) == digits ? found : std::nullopt;
 }
@@ -27,7 +27,7 @@ constexpr size_t kMaxFileOfCaseBytes = size_t{64} << 10;
   std::string text = read_text_file(path, kMaxFileOfCaseBytes);
   while (text.ends_with('\n') || text.ends_with('\r')) text.pop_back();
   const std::vector<std::string_view> words = split(text, ' ');
-  const std::optional<spec::Case> found = words.size() == 2 ? read_case(words[1]) : std::nullopt;
+  const std::optional<spec::Case> found = words.size() == 2 ? case_of(words[1]) : std::nullopt;
   if (found && !spec::is_law_name(words[0])) {
     throw UserError("'" + path.string() + "': no law is called '" + std::string(words[0]) +
                     "'; 'selvage laws' lists them");

@@ -10,6 +10,7 @@
 #include "cli/polygon_text.h"
 #include "cli/scene_file.h"
 #include "cli/shipped_scene.h"
+#include "scene/clip.h"
 
 namespace selvage::cli {
 namespace {
@@ -17,14 +18,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 
-inline constexpr int32_t kMostSide_px = 16384;  // the scene's guard band
-inline constexpr double kMostStep_s = 0.25;     // a long pause is no jump
-inline constexpr int64_t kFrame_ms = 16;        // at least, so that a core is left to others
+inline constexpr double kMostStep_s = 0.25;  // a long pause is no jump
+inline constexpr int64_t kFrame_ms = 16;     // at least, so that a core is left to others
 
 [[nodiscard]] scene::Size parse_window_size(const std::string& text) {
   const Size size = parse_size_text(text);
-  if (size.width_px > kMostSide_px || size.height_px > kMostSide_px) {
-    throw UserError("windows have sides of at most " + std::to_string(kMostSide_px) + " px");
+  if (size.width_px > scene::kMostSide_px || size.height_px > scene::kMostSide_px) {
+    throw UserError("windows have sides of at most " + std::to_string(scene::kMostSide_px) + " px");
   }
   return {size.width_px, size.height_px};
 }

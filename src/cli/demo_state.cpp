@@ -6,6 +6,7 @@
 #include <iterator>
 #include <numbers>
 
+#include "cli/job.h"
 #include "spec/profiles.h"
 
 namespace selvage::cli {
@@ -78,9 +79,8 @@ void flip_axis(DemoState& state) {
   state.axis_name = flipped ? state.axis_name.substr(1) : "-" + state.axis_name;
 }
 
-[[nodiscard]] const char* filter_name(const std::optional<selvage_filter>& filter) {
-  constexpr const char* kNames[] = {"nearest", "four", "bilinear", "area"};
-  return filter ? kNames[*filter] : "auto";
+[[nodiscard]] std::string wished_filter_name(const std::optional<selvage_filter>& filter) {
+  return filter ? std::string(filter_name(*filter)) : "auto";
 }
 
 }  // namespace
@@ -163,7 +163,7 @@ std::string demo_settings(const DemoState& state) {
   char speed[16];
   std::snprintf(speed, sizeof speed, "%.2f", state.speed_quarters / 4.0);
   return "mapper " + std::string(spec::profile_of(state.mapper).name) + ", filter " +
-         filter_name(state.filter) + ", axis " + state.axis_name + ", speed " + speed;
+         wished_filter_name(state.filter) + ", axis " + state.axis_name + ", speed " + speed;
 }
 
 }  // namespace selvage::cli

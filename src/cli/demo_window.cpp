@@ -86,25 +86,25 @@ namespace {
          (driver == "offscreen" || driver == "dummy" || driver == "evdev");
 }
 
-struct Video {
-  Video() {
-    SDL_SetMainReady();
-    SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // Ctrl-C ends the program, as everywhere
-    if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no window can be opened");
-    if (shows_nothing()) {
-      SDL_Quit();
-      SDL_SetError("no window system answers");
-      fail("no window can be opened");
-    }
-  }
-  ~Video() { SDL_Quit(); }
-  Video(const Video&) = delete;
-  Video& operator=(const Video&) = delete;
-};
-
 }  // namespace
 
 struct DemoWindow::Handles {
+  struct Video {
+    Video() {
+      SDL_SetMainReady();
+      SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");  // Ctrl-C ends the program, as everywhere
+      if (SDL_Init(SDL_INIT_VIDEO) != 0) fail("no window can be opened");
+      if (shows_nothing()) {
+        SDL_Quit();
+        SDL_SetError("no window system answers");
+        fail("no window can be opened");
+      }
+    }
+    ~Video() { SDL_Quit(); }
+    Video(const Video&) = delete;
+    Video& operator=(const Video&) = delete;
+  };
+
   Video video;
   std::unique_ptr<SDL_Window, void (*)(SDL_Window*)> window{nullptr, SDL_DestroyWindow};
 };

@@ -11,6 +11,7 @@
 
 #include "cli/error.h"
 #include "cli/file.h"
+#include "cli/json_text.h"
 #include "cli/picture_file.h"
 #include "cli/png.h"
 #include "cli/polygon_json.h"
@@ -162,7 +163,7 @@ void report(const DrawOptions& options, const Job& job, const Raster& picture, i
       {"draw_ns", time_ns},
       {"methods", std::move(methods)},
   };
-  console.out << values.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  console.out << json_text(values);
 }
 
 }  // namespace

@@ -71,6 +71,12 @@ double parse_tolerance(std::string_view texels) {
   throw no_tolerance(std::string(texels));
 }
 
+std::string_view filter_name(selvage_filter filter) {
+  constexpr std::array<std::string_view, SELVAGE_FILTER_AREA + 1> kNames = {"nearest", "four",
+                                                                            "bilinear", "area"};
+  return kNames[static_cast<size_t>(filter)];
+}
+
 std::string_view method_name(selvage_method method) {
   constexpr std::array<std::string_view, SELVAGE_METHOD_HISTORIC + 1> kNames = {
       "nothing drawn", "copy",         "affine for perspective",

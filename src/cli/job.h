@@ -33,6 +33,7 @@ using Job = std::vector<JobPolygon>;
 // A tolerance that is given, in texels, whether as text or as a number; else a UserError.
 [[nodiscard]] double parse_tolerance(std::string_view texels);
 [[nodiscard]] double checked_tolerance(double texels);
+[[nodiscard]] std::string_view filter_name(selvage_filter filter);  // as parse_filter takes it
 // "exact perspective", "subdivided", ...
 [[nodiscard]] std::string_view method_name(selvage_method method);
 // "fastest", "scalar", "sse4", ...

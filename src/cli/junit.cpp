@@ -19,7 +19,7 @@ namespace {
 }
 
 // What may not be shown becomes U+FFFD, but for the ends of lines.
-[[nodiscard]] std::string escaped(std::string_view text) {
+[[nodiscard]] std::string xml_escaped(std::string_view text) {
   std::string xml;
   while (!text.empty()) {
     const auto [bytes, is_printable] = testbed::first_character(text);
@@ -35,10 +35,10 @@ namespace {
 }
 
 [[nodiscard]] std::string attribute(std::string_view name, std::string_view value) {
-  return " " + std::string(name) + "=\"" + escaped(value) + "\"";
+  return " " + std::string(name) + "=\"" + xml_escaped(value) + "\"";
 }
 
-[[nodiscard]] std::string seconds(int64_t time_ns) {
+[[nodiscard]] std::string seconds_text(int64_t time_ns) {
   char text[32];
   std::snprintf(text, sizeof text, "%.3f", static_cast<double>(time_ns) * 1e-9);
   return text;
@@ -53,9 +53,9 @@ namespace {
   std::string xml;
   size_t from = 0;
   for (size_t end; (end = text.find('\n', from)) != std::string::npos; from = end + 1) {
-    xml += escaped(std::string_view(text).substr(from, end - from)) + "\n";
+    xml += xml_escaped(std::string_view(text).substr(from, end - from)) + "\n";
   }
-  return xml + escaped(std::string_view(text).substr(from));
+  return xml + xml_escaped(std::string_view(text).substr(from));
 }
 
 [[nodiscard]] std::string what_failed(const VerifyRun& run, const Verdict& verdict) {
@@ -77,7 +77,7 @@ namespace {
   const spec::LawVerdict& found = verdict.found;
   std::string xml = "    <testcase" + attribute("name", found.law->name) +
                     attribute("classname", run.subject) +
-                    attribute("time", seconds(verdict.time_ns)) + ">\n";
+                    attribute("time", seconds_text(verdict.time_ns)) + ">\n";
   if (is_failure(run, verdict)) {
     const std::string message = found.violation ? found.violation->what : "judged nothing";
     xml += "      <failure" + attribute("message", message) + attribute("type", outcome(verdict)) +
@@ -86,9 +86,10 @@ namespace {
   if (outcome(verdict) == "not judged") {
     xml += "      <skipped" + attribute("message", "not judged: the time was over") + "/>\n";
   }
-  xml += "      <system-out>" + escaped(found.law->statement) + ": " + std::to_string(found.cases) +
-         " cases, " + std::to_string(found.judged_px) + " pixels judged" +
-         (margin_text(verdict).empty() ? "" : ", " + margin_text(verdict)) + "</system-out>\n";
+  xml += "      <system-out>" + xml_escaped(found.law->statement) + ": " +
+         std::to_string(found.cases) + " cases, " + std::to_string(found.judged_px) +
+         " pixels judged" + (margin_text(verdict).empty() ? "" : ", " + margin_text(verdict)) +
+         "</system-out>\n";
   return xml + "    </testcase>\n";
 }
 
@@ -115,7 +116,7 @@ std::string junit_xml(const VerifyRun& run) {
   const std::string counts =
       attribute("tests", std::to_string(run.verdicts.size() + run.not_promised.size())) +
       attribute("failures", std::to_string(failures)) + attribute("errors", "0") +
-      attribute("skipped", std::to_string(skips)) + attribute("time", seconds(time_ns));
+      attribute("skipped", std::to_string(skips)) + attribute("time", seconds_text(time_ns));
   std::string properties = property("selvage", selvage_version()) +
                            property("profile", run.profile) + property("arguments", run.arguments);
   for (const auto& [function, law] : run.not_exported) {

@@ -46,7 +46,7 @@ class CountingIterator {
 }
 
 // "/key", as in a JSON pointer.
-[[nodiscard]] std::string escaped(std::string key) {
+[[nodiscard]] std::string pointer_token(std::string key) {
   return (json::json_pointer() / std::move(key)).to_string();
 }
 
@@ -79,7 +79,7 @@ class Lines {
 
   void note_key(const std::string& key) {
     Frame& frame = frames_.back();
-    frame.key = frame.path + escaped(key);
+    frame.key = frame.path + pointer_token(key);
     if (!located_.lines.emplace(frame.key, line_).second) {
       fail_at(located_.file, line_, "the key " + excerpt(key) + " stands twice");
     }
@@ -152,7 +152,7 @@ void JsonNode::expect_keys(const std::vector<std::string>& known) const {
   for (const std::string& key : known) list += (list.empty() ? "" : ", ") + key;
   for (const auto& item : value_.items()) {
     if (std::find(known.begin(), known.end(), item.key()) == known.end()) {
-      const JsonNode unknown(source_, item.value(), path_ + escaped(item.key()), where_);
+      const JsonNode unknown(source_, item.value(), path_ + pointer_token(item.key()), where_);
       unknown.fail("unknown key " + excerpt(item.key()) + "; known here: " + list);
     }
   }
@@ -162,7 +162,7 @@ JsonNode JsonNode::at(const std::string& key) const {
   if (!value_.is_object()) fail_for("an object");
   if (!has(key)) fail("'" + key + "' is missing");
   const std::string named = key.size() <= kMostNamed ? key : key.substr(0, kMostNamed) + "...";
-  return {source_, value_[key], path_ + escaped(key), where_ + ": " + named};
+  return {source_, value_[key], path_ + pointer_token(key), where_ + ": " + named};
 }
 
 std::vector<JsonNode> JsonNode::elements(const std::string& name) const {

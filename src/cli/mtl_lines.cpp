@@ -9,7 +9,7 @@ namespace selvage::cli {
 namespace {
 
 // Statements of the format and of its usual extensions that have no say in a picture here.
-constexpr std::array<std::string_view, 42> kLeftOut = {
+constexpr std::array<std::string_view, 42> kMtlKeywordsLeftOut = {
     "Ka",     "Ks",     "Ke",     "Km",       "Ns",       "Ni",        "d",
     "Tr",     "Tf",     "map_Ka", "map_Ks",   "map_Ke",   "map_Ns",    "map_Ni",
     "map_d",  "map_Tr", "map_Tf", "map_bump", "map_Bump", "bump",      "Bump",
@@ -64,7 +64,7 @@ MtlLines check_mtl_lines(const std::string& file, std::string_view text) {
       check_illumination(file, statement);
     } else if (keyword == "map_Kd") {
       check_texture(file, statement);
-    } else if (std::ranges::find(kLeftOut, keyword) != kLeftOut.end()) {
+    } else if (std::ranges::find(kMtlKeywordsLeftOut, keyword) != kMtlKeywordsLeftOut.end()) {
       continue;
     } else {
       throw UserError(file + ":" + std::to_string(statement.line) + ": " + quoted(keyword) +

@@ -10,9 +10,9 @@ namespace selvage::cli {
 namespace {
 
 // Statements that have no say in a picture of plane faces here.
-constexpr std::array kLeftOut = {"vn",    "g",        "s",        "mg",         "o",
-                                 "p",     "l",        "lod",      "usemap",     "maplib",
-                                 "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
+constexpr std::array kObjKeywordsLeftOut = {
+    "vn",     "g",      "s",     "mg",       "o",        "p",          "l",        "lod",
+    "usemap", "maplib", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj"};
 
 // An index, or 0 if it is none.
 [[nodiscard]] int index_of(std::string_view text) {
@@ -80,7 +80,8 @@ ObjLines check_obj_lines(const std::string& file, std::string_view text) {
       if (is_vertex) lines.vertices.push_back(statement.line);
       lines.statements +=
           keyword + " " + numbers(file, statement, is_vertex ? 3 : 2, is_vertex ? 7 : 3) + '\n';
-    } else if (std::find(kLeftOut.begin(), kLeftOut.end(), keyword) == kLeftOut.end()) {
+    } else if (std::find(kObjKeywordsLeftOut.begin(), kObjKeywordsLeftOut.end(), keyword) ==
+               kObjKeywordsLeftOut.end()) {
       throw UserError(file + ":" + std::to_string(statement.line) + ": " + quoted(keyword) +
                       " begins no statement that is read here; v, vt, f, usemtl and mtllib do");
     }

@@ -9,14 +9,14 @@
 namespace selvage::cli {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kVertexSeparators = " \t\r\n";
 
-[[nodiscard]] std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+[[nodiscard]] std::string in_quotes(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 [[nodiscard]] JobVertex parse_vertex(std::string_view text) {
   const std::vector<std::string_view> fields = split(text, ',');
   if (fields.size() != 4 && fields.size() != 5) {
-    throw UserError(quoted(text) + " has " + std::to_string(fields.size()) +
+    throw UserError(in_quotes(text) + " has " + std::to_string(fields.size()) +
                     (fields.size() == 1 ? " number" : " numbers") +
                     "; a vertex is x,y,u,v or x,y,u,v,w without blanks");
   }
@@ -24,7 +24,7 @@ constexpr std::string_view kBlanks = " \t\r\n";
   for (size_t i = 0; i < fields.size(); ++i) {
     const std::optional<double> value = parse_double(fields[i]);
     if (!value) {
-      throw UserError(quoted(fields[i]) + " in " + quoted(text) +
+      throw UserError(in_quotes(fields[i]) + " in " + in_quotes(text) +
                       " is no number; 12, -0.5 and 1e3 are");
     }
     values[i] = *value;
@@ -37,10 +37,10 @@ constexpr std::string_view kBlanks = " \t\r\n";
 std::vector<JobVertex> parse_polygon_text(std::string_view text) {
   std::vector<JobVertex> vertices;
   for (;;) {
-    const size_t start = text.find_first_not_of(kBlanks);
+    const size_t start = text.find_first_not_of(kVertexSeparators);
     if (start == std::string_view::npos) break;
     text.remove_prefix(start);
-    const std::string_view vertex = text.substr(0, text.find_first_of(kBlanks));
+    const std::string_view vertex = text.substr(0, text.find_first_of(kVertexSeparators));
     text.remove_prefix(vertex.size());
     vertices.push_back(about("vertex " + std::to_string(vertices.size() + 1),
                              [&] { return parse_vertex(vertex); }));
@@ -62,7 +62,7 @@ selvage_rect parse_clip_text(std::string_view text) {
     sides[i] = side.value_or(0);
   }
   if (!good) {
-    throw UserError(quoted(text) + " is no clip; left,top,right,bottom in whole pixels is");
+    throw UserError(in_quotes(text) + " is no clip; left,top,right,bottom in whole pixels is");
   }
   return {sides[0], sides[1], sides[2], sides[3]};
 }
@@ -76,7 +76,7 @@ Size parse_size_text(std::string_view text, const SizeLimits& limits) {
     height = parse_integer<int32_t>(fields[1]);
   }
   if (!width || !height) {
-    throw UserError(quoted(text) + " is no size; WIDTHxHEIGHT in pixels is, as in 256x192");
+    throw UserError(in_quotes(text) + " is no size; WIDTHxHEIGHT in pixels is, as in 256x192");
   }
   check_size(*width, *height, limits);
   return {*width, *height};

@@ -10,19 +10,20 @@
 #include "cli/error.h"
 #include "cli/file.h"
 #include "cli/job.h"
+#include "cli/json_text.h"
 #include "cli/png.h"
 #include "cli/polygon_text.h"
 #include "cli/render_report.h"
 #include "cli/render_stats.h"
 #include "cli/scene_file.h"
 #include "cli/status_line.h"
+#include "scene/clip.h"
 
 namespace selvage::cli {
 namespace {
 
 inline constexpr int32_t kMostFrames = 99999;
-inline constexpr double kMostTime_s = 1e9;
-inline constexpr int32_t kMostSide_px = 16384;  // the scene's guard band
+inline constexpr double kMostFrameTime_s = 1e9;
 
 [[nodiscard]] scene::Hidden parse_hidden(const std::string& name) {
   if (name == "scan-line") return scene::Hidden::kScanLine;
@@ -41,7 +42,7 @@ inline constexpr int32_t kMostSide_px = 16384;  // the scene's guard band
 
 [[nodiscard]] Size parse_picture_size(const std::string& text) {
   SizeLimits limits;
-  limits.side_px = kMostSide_px;
+  limits.side_px = scene::kMostSide_px;
   return parse_size_text(text, limits);
 }
 
@@ -72,7 +73,7 @@ void check(const RenderOptions& options) {
     throw UserError("--rate: a number of frames a second, above 0, is needed");
   }
   const double last_s = options.start_s + (options.frames - 1) / options.frames_per_s;
-  if (!(std::abs(options.start_s) <= kMostTime_s && std::abs(last_s) <= kMostTime_s)) {
+  if (!(std::abs(options.start_s) <= kMostFrameTime_s && std::abs(last_s) <= kMostFrameTime_s)) {
     throw UserError("--time: all frames must lie within 1000000000 s of 0");
   }
   if (std::filesystem::path(options.output).extension() != ".png" && !is_animation(options)) {
@@ -183,7 +184,7 @@ class Told {
     nlohmann::ordered_json told;
     if (options_.explain) told["faces"] = faces_;
     if (options_.stats) told["stats"] = stats_json(stats_, options_.frames);
-    out << told.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    out << json_text(told);
   }
 
  private:

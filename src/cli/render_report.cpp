@@ -13,11 +13,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-[[nodiscard]] std::string filter_name(selvage_filter filter) {
-  constexpr const char* kNames[] = {"nearest", "four", "bilinear", "area"};
-  return kNames[filter];
-}
-
 // Why this and nothing cheaper.
 [[nodiscard]] std::string method_reason(const scene::ScreenFace& face, const scene::Plan& plan,
                                         double tolerance) {
@@ -66,7 +61,7 @@ FaceChoice choice_of(const scene::Scene& scene, const scene::Drawing& drawing, s
   return {instead   ? "affine for perspective, whole face"
           : by_rows ? "exact perspective, cheaper in wide rows"
                     : std::string(method_name(choice.method)),
-          filter_name(plan.options.filter), kernel, choice.segment_px,
+          std::string(filter_name(plan.options.filter)), kernel, choice.segment_px,
           plan.affine ? plan.bound_texel : choice.bound / scene::kSubtexels};
 }
 

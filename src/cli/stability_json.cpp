@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/json_text.h"
 #include "cli/stability_table.h"
 
 namespace selvage::cli {
@@ -66,10 +67,6 @@ using stability::Promise;
   return values;
 }
 
-[[nodiscard]] std::string text_of(const ordered_json& values) {
-  return values.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-}
-
 }  // namespace
 
 std::string stability_json(const StabilityRun& run, std::span<const Contender> contenders) {
@@ -89,7 +86,7 @@ std::string stability_json(const StabilityRun& run, std::span<const Contender> c
                                   {"perspective", family.perspective},
                                   {"cells", std::move(cells)}});
   }
-  return text_of(values);
+  return json_text(values);
 }
 
 std::string stability_list_json(std::span<const Contender> contenders) {
@@ -97,7 +94,8 @@ std::string stability_list_json(std::span<const Contender> contenders) {
   for (const spec::HardFamily& family : spec::hard_families()) {
     families.push_back({{"family", family.name}, {"reason", family.reason}});
   }
-  return text_of({{"families", std::move(families)}, {"arithmetics", contenders_json(contenders)}});
+  return json_text(
+      {{"families", std::move(families)}, {"arithmetics", contenders_json(contenders)}});
 }
 
 }  // namespace selvage::cli

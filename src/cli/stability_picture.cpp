@@ -40,7 +40,7 @@ constexpr Colour kExtra{60, 200, 90};
 }
 
 // The pixel of the largest texel error; -1, -1 if there is none.
-void find_worst(Comparison& c) {
+void find_worst(PictureComparison& c) {
   int32_t largest = 0;
   for (int32_t y = 0; y < c.drawn.height_px; ++y) {
     for (int32_t x = 0; x < c.drawn.width_px; ++x) {
@@ -59,9 +59,9 @@ void find_worst(Comparison& c) {
 
 Raster stability_picture(const stability::Contender& contender, const stability::Reference& model) {
   const spec::Case& scene = model.scene;
-  Comparison comparison{.scene = scene,
-                        .drawn = stability::drawing_of(contender, model),
-                        .expected = picture_of(model)};
+  PictureComparison comparison{.scene = scene,
+                               .drawn = stability::drawing_of(contender, model),
+                               .expected = picture_of(model)};
   comparison.difference = [&](const auto& drawn, const auto& expected) {
     if (!drawn) return kMissing;
     if (!expected) return kExtra;

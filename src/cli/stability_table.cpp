@@ -13,7 +13,7 @@ using stability::Cell;
 using stability::FamilyRow;
 using stability::Promise;
 
-[[nodiscard]] std::string row(const std::vector<std::string>& fields) {
+[[nodiscard]] std::string arithmetic_row(const std::vector<std::string>& fields) {
   constexpr int widths[] = {-14, 13, 8, 9, 10, 10, 9};
   std::string line = columns(std::span(fields).first(std::size(widths)), widths);
   line.pop_back();
@@ -75,14 +75,15 @@ std::string stability_block(const FamilyRow& family) {
   std::string text =
       wrapped(std::string(family.family->name) + ": " + std::string(family.family->reason)) +
       std::to_string(family.covered_px) + " pixels covered\n" +
-      row({"arithmetic", "wrong texels", "largest", "mean", "missing", "extra", "of bound",
-           "worst seed"});
+      arithmetic_row({"arithmetic", "wrong texels", "largest", "mean", "missing", "extra",
+                      "of bound", "worst seed"});
   for (const Cell& cell : family.cells) {
     const stability::Errors& errors = cell.errors;
-    text += row({std::string(cell.contender->name), percent(errors.wrong_share()),
-                 std::to_string(errors.largest_texel), short_number(errors.mean_texel()),
-                 std::to_string(errors.missing_px), std::to_string(errors.extra_px),
-                 part_text(errors), cell.worst ? std::to_string(cell.worst->seed) : "-"});
+    text +=
+        arithmetic_row({std::string(cell.contender->name), percent(errors.wrong_share()),
+                        std::to_string(errors.largest_texel), short_number(errors.mean_texel()),
+                        std::to_string(errors.missing_px), std::to_string(errors.extra_px),
+                        part_text(errors), cell.worst ? std::to_string(cell.worst->seed) : "-"});
   }
   return text + "\n";
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr size_t kMostQuoted = 60;
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-constexpr const char* kBlanks = " \t\v\f";
+constexpr const char* kWordSeparators = " \t\v\f";
 
 // What strtod takes besides (hexadecimal, inf, nan) is no number of these files.
 [[nodiscard]] std::optional<double> finite_number(const std::string& word) {
@@ -50,9 +50,9 @@ constexpr const char* kBlanks = " \t\v\f";
   Statement statement{number, {}, {}, {}};
   size_t rest = 0, end = 0;
   for (;;) {
-    const size_t begin = line.find_first_not_of(kBlanks, end);
+    const size_t begin = line.find_first_not_of(kWordSeparators, end);
     if (begin == std::string::npos || line[begin] == '#') break;
-    end = std::min(line.find_first_of(kBlanks, begin), line.size());
+    end = std::min(line.find_first_of(kWordSeparators, begin), line.size());
     const std::string word = line.substr(begin, end - begin);
     if (statement.keyword.empty()) {
       statement.keyword = word;

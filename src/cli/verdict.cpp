@@ -8,9 +8,9 @@
 namespace selvage::cli {
 namespace {
 
-[[nodiscard]] std::string row(std::string_view law, std::string_view verdict,
-                              std::string_view cases, std::string_view judged,
-                              std::string_view margin, std::string_view time) {
+[[nodiscard]] std::string law_row(std::string_view law, std::string_view verdict,
+                                  std::string_view cases, std::string_view judged,
+                                  std::string_view margin, std::string_view time) {
   char line[160];
   const auto width = [](std::string_view text) { return static_cast<int>(text.size()); };
   std::snprintf(line, sizeof line, "%-10.*s %-16.*s %10.*s %14.*s %14.*s %10.*s\n", width(law),
@@ -20,7 +20,7 @@ namespace {
   return line;
 }
 
-[[nodiscard]] std::string seconds(int64_t time_ns) {
+[[nodiscard]] std::string time_text(int64_t time_ns) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f s", static_cast<double>(time_ns) * 1e-9);
   return text;
@@ -134,13 +134,13 @@ std::string margin_text(const Verdict& verdict) {
 }
 
 std::string table_header() {
-  return row("law", "verdict", "cases", "pixels judged", "nearest", "time");
+  return law_row("law", "verdict", "cases", "pixels judged", "nearest", "time");
 }
 
 std::string table_row(const Verdict& verdict) {
-  return row(verdict.found.law->name, shown_outcome(verdict), std::to_string(verdict.found.cases),
-             std::to_string(verdict.found.judged_px), margin_text(verdict),
-             seconds(verdict.time_ns));
+  return law_row(verdict.found.law->name, shown_outcome(verdict),
+                 std::to_string(verdict.found.cases), std::to_string(verdict.found.judged_px),
+                 margin_text(verdict), time_text(verdict.time_ns));
 }
 
 std::string table_summary(const VerifyRun& run) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/error.h"
+#include "cli/json_text.h"
 #include "selvage.h"
 #include "spec/sample_place.h"
 #include "testbed/printable.h"
@@ -231,7 +232,7 @@ std::string verdict_json(const VerifyRun& run) {
   for (const auto& [function, law] : run.not_exported) {
     values["not_exported"].push_back({{"function", function}, {"law", law}});
   }
-  return values.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return json_text(values);
 }
 
 VerifyRun read_verdict(const std::string& json) {

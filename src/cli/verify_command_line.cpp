@@ -37,7 +37,7 @@ of the shards that this has made:
 All shards of one run are needed. What they knew from a corpus may differ: each violation is one. The verdict is that of the run in one piece, its times are summed.
 )";
 
-[[nodiscard]] std::string footer(const char* examples) {
+[[nodiscard]] std::string verdict_footer(const char* examples) {
   return std::string(examples) + "\n" + kUsualExitCodes +
          "\n3 no violation, but --time was over before each law had judged something.\n";
 }
@@ -172,7 +172,7 @@ CLI::App* add_verify(CLI::App& program, VerifyOptions& options) {
   verify->add_option("--junit", options.junit, "Write them as JUnit XML, too")->type_name("FILE");
   add_subject(*verify, options);
   add_claims(*verify, options);
-  verify->footer(footer(kVerifyExamples));
+  verify->footer(verdict_footer(kVerifyExamples));
   return verify;
 }
 
@@ -187,7 +187,7 @@ CLI::App* add_merge(CLI::App& program, MergeOptions& options) {
       ->type_name("DIR");
   merge->add_flag("--json", options.json, "Print the verdict as JSON");
   merge->add_option("--junit", options.junit, "Write it as JUnit XML, too")->type_name("FILE");
-  merge->footer(footer(kMergeExamples));
+  merge->footer(verdict_footer(kMergeExamples));
   return merge;
 }
 

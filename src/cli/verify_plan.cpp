@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr uint64_t kCasesPerRound = 20;
 constexpr auto kFirstRoundGrace = std::chrono::seconds(5);
-constexpr double kMostTime_s = 1e6;
+constexpr double kMostRunTime_s = 1e6;
 
 void check_shard(const VerifyPlan& plan, const Console& console, LawRun* run,
                  std::string_view law) {
@@ -101,7 +101,7 @@ uint64_t parse_hunt(const std::string& text, bool by_time) {
 
 std::chrono::nanoseconds parse_time(const std::string& text) {
   const std::optional<double> seconds = parse_double(text);
-  if (!seconds || *seconds <= 0 || *seconds > kMostTime_s) {
+  if (!seconds || *seconds <= 0 || *seconds > kMostRunTime_s) {
     throw UserError("--time: '" + text + "' is no time; more than 0 and up to 1000000 seconds are");
   }
   return std::chrono::nanoseconds(static_cast<int64_t>(*seconds * 1e9));

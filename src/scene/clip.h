@@ -36,6 +36,7 @@ struct ClipPlane {
 
 // Half of what the mapper takes: places within are never refused, whatever their rounding.
 inline constexpr double kGuard_px = 16384;
+inline constexpr int kMostSide_px = 16384;  // of a picture, so that it lies in the guard band
 
 // Nearest and farthest w, then the guard band's four sides. The order matters: after the first, w
 // is positive.

@@ -12,10 +12,6 @@ namespace {
 
 inline constexpr double kSixDigits = 5e-6;  // half of the last of 1.00000
 
-[[nodiscard]] const Vector3& vertex(const Object& object, const Face& face, size_t corner) {
-  return object.vertices[face.corners[corner % face.corners.size()].vertex];
-}
-
 [[nodiscard]] std::string show(double length) {
   std::ostringstream text;
   text << std::setprecision(3) << length;
@@ -35,10 +31,10 @@ double corner_rounding(const Object& object) {
 double off_plane(const Object& object, const Face& face) {
   const auto count = static_cast<double>(face.corners.size());
   Vector3 mean = Vector3::Zero();
-  for (size_t i = 0; i < face.corners.size(); ++i) mean += vertex(object, face, i) / count;
+  for (size_t i = 0; i < face.corners.size(); ++i) mean += vertex_at(object, face, i) / count;
   Matrix3 squares = Matrix3::Zero();
   for (size_t i = 0; i < face.corners.size(); ++i) {
-    const Vector3 from_mean = vertex(object, face, i) - mean;
+    const Vector3 from_mean = vertex_at(object, face, i) - mean;
     squares += from_mean * from_mean.transpose() / count;
   }
   const Eigen::SelfAdjointEigenSolver<Matrix3> solver(squares, Eigen::EigenvaluesOnly);
@@ -50,8 +46,8 @@ bool is_convex(const Object& object, const Face& face, double rounding) {
   const bool flat = outside.isZero(0);  // all on a line, or as much turned left as right
   double turned = 0;
   for (size_t i = 0; i < face.corners.size(); ++i) {
-    const Vector3 before = vertex(object, face, i + 1) - vertex(object, face, i);
-    const Vector3 after = vertex(object, face, i + 2) - vertex(object, face, i + 1);
+    const Vector3 before = vertex_at(object, face, i + 1) - vertex_at(object, face, i);
+    const Vector3 after = vertex_at(object, face, i + 2) - vertex_at(object, face, i + 1);
     const double around = before.norm() + after.norm() + (before + after).norm();
     const double straight = rounding * (around + 3 * rounding);
     if (flat && before.cross(after).norm() > straight) return false;

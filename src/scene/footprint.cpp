@@ -4,6 +4,7 @@
 
 #include "scene/plan.h"
 #include "scene/ruled_footprint.h"
+#include "scene/screen_face.h"
 
 namespace selvage::scene {
 namespace {
@@ -13,19 +14,18 @@ struct Linear {
   double along_x = 0, along_y = 0;
 };
 
-using Triangle = std::span<const selvage_vertex, 3>;
+using ScreenTriangle = std::span<const selvage_vertex, 3>;
 
-[[nodiscard]] double px(int32_t fx8) { return fx8 / kSubpixels; }
-
-[[nodiscard]] double doubled_area_px(Triangle t) {
-  return px(t[1].x - t[0].x) * px(t[2].y - t[0].y) - px(t[2].x - t[0].x) * px(t[1].y - t[0].y);
+[[nodiscard]] double doubled_area_px(ScreenTriangle t) {
+  return to_px(t[1].x - t[0].x) * to_px(t[2].y - t[0].y) -
+         to_px(t[2].x - t[0].x) * to_px(t[1].y - t[0].y);
 }
 
 template <class Value>
-[[nodiscard]] Linear slopes(Triangle t, Value value) {
+[[nodiscard]] Linear slopes(ScreenTriangle t, Value value) {
   const double b = value(t[1]) - value(t[0]), c = value(t[2]) - value(t[0]);
-  const double bx = px(t[1].x - t[0].x), by = px(t[1].y - t[0].y);
-  const double cx = px(t[2].x - t[0].x), cy = px(t[2].y - t[0].y);
+  const double bx = to_px(t[1].x - t[0].x), by = to_px(t[1].y - t[0].y);
+  const double cx = to_px(t[2].x - t[0].x), cy = to_px(t[2].y - t[0].y);
   const double area_px = doubled_area_px(t);
   return {(b * cy - c * by) / area_px, (c * bx - b * cx) / area_px};
 }
@@ -42,7 +42,7 @@ template <class Value>
 // du/dx = (U_x q - U q_x) / q^2 with U = u q. The numerator is linear on the screen, so the sum of
 // the two magnitudes is at most the mean of its values at the corners, weighted as q is; and of all
 // such weights with one q those of two corners give the greatest.
-[[nodiscard]] double bound_of(Triangle triangle, int32_t selvage_vertex::*coordinate) {
+[[nodiscard]] double bound_of(ScreenTriangle triangle, int32_t selvage_vertex::*coordinate) {
   const auto q = [](const selvage_vertex& vertex) { return static_cast<double>(vertex.q); };
   const auto texel = [&](const selvage_vertex& vertex) { return vertex.*coordinate / kSubtexels; };
   const Linear q_slopes = slopes(triangle, q);
@@ -66,10 +66,10 @@ template <class Value>
 
 double texels_per_px_bound(std::span<const selvage_vertex> vertices) {
   if (vertices.size() != 3) return ruled_texels_per_px_bound(vertices);
-  const Triangle triangle = vertices.first<3>();
+  const ScreenTriangle triangle = vertices.first<3>();
   if (doubled_area_px(triangle) == 0) return std::numeric_limits<double>::infinity();
   return std::max(bound_of(triangle, &selvage_vertex::u), bound_of(triangle, &selvage_vertex::v)) *
-         (1 + 0x1p-20);  // holds the roundings, which cancellation may enlarge
+         kFootprintSlack;
 }
 
 }  // namespace selvage::scene

@@ -45,6 +45,10 @@ struct Object {
   Motion motion;
 };
 
+// Where the face's n-th corner stands; the corners are counted around, so that the first follows
+// the last.
+[[nodiscard]] const Vector3& vertex_at(const Object& object, const Face& face, size_t corner);
+
 // The unit normal on the outside; zero where the corners lie on a line. (Newell's method: the
 // components are the areas of the projections, so that no three corners are trusted alone.)
 [[nodiscard]] Vector3 normal(const Object& object, const Face& face);

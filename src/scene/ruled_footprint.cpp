@@ -12,7 +12,6 @@ namespace selvage::scene {
 namespace {
 
 inline constexpr double kLeastWidth_px = 0x1p-12;  // below it, rounding in double could count
-inline constexpr double kSlack = 1 + 0x1p-20;      // holds the roundings
 
 struct Side {  // from its upper end to its lower one
   const selvage_vertex *top = nullptr, *bottom = nullptr;
@@ -29,15 +28,13 @@ struct Slab {
   double height_px;
 };
 
-[[nodiscard]] double px(int32_t fx8) { return fx8 / kSubpixels; }
-
 [[nodiscard]] End end_of(const Side& side, int32_t y) {
   const selvage_vertex &a = *side.top, &b = *side.bottom;
-  if (y == a.y) return {px(a.x), double(a.q), a.u / kSubtexels, a.v / kSubtexels};
-  if (y == b.y) return {px(b.x), double(b.q), b.u / kSubtexels, b.v / kSubtexels};
+  if (y == a.y) return {to_px(a.x), double(a.q), a.u / kSubtexels, a.v / kSubtexels};
+  if (y == b.y) return {to_px(b.x), double(b.q), b.u / kSubtexels, b.v / kSubtexels};
   const double t = double(y - a.y) / double(b.y - a.y);
   const double of_a = (1 - t) * a.q, of_b = t * b.q, q = of_a + of_b;
-  return {px(a.x) + t * px(b.x - a.x), q, (of_a * a.u + of_b * b.u) / (q * kSubtexels),
+  return {to_px(a.x) + t * to_px(b.x - a.x), q, (of_a * a.u + of_b * b.u) / (q * kSubtexels),
           (of_a * a.v + of_b * b.v) / (q * kSubtexels)};
 }
 
@@ -137,12 +134,12 @@ double ruled_texels_per_px_bound(std::span<const selvage_vertex> vertices) {
       has_area = true;
       bound = std::max(bound, bound_of(Slab{{end_of(a, top), end_of(a, bottom)},
                                             {end_of(b, top), end_of(b, bottom)},
-                                            px(bottom - top)}));
+                                            to_px(bottom - top)}));
     }
     i += a.bottom->y == bottom;
     j += b.bottom->y == bottom;
   }
-  return has_area ? bound * kSlack : std::numeric_limits<double>::infinity();
+  return has_area ? bound * kFootprintSlack : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace selvage::scene

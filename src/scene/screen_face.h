@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,6 +18,7 @@ namespace selvage::scene {
 
 // The grid's units, for arithmetic in double.
 inline constexpr double kSubpixels = SELVAGE_SUBPIXELS, kSubtexels = SELVAGE_SUBTEXELS;
+[[nodiscard]] inline double to_px(int32_t fx8) { return fx8 / kSubpixels; }
 
 // What a face is painted with: a texture in a light, or one colour, lit already.
 struct Paint {

@@ -154,7 +154,8 @@ TEST(Judging, HoldsTheTolerantToTheExactColoursOfFilters) {
   for (const selvage_filter filter : {kBilinear, kArea}) {
     Workload load = small_workload({rectangle(2, 3, 10, 12, 0.3)});
     load.filter = filter;
-    for (const auto& cell : measured(plan_of(load, subjects_tolerant()))[0].cells) {
+    const auto results = measured(plan_of(load, subjects_tolerant()));
+    for (const auto& cell : results[0].cells) {
       EXPECT_EQ(cell.refusal, "");
       ASSERT_TRUE(cell.errors);
       EXPECT_GT(cell.errors->compared_px, 0u);

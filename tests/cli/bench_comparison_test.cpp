@@ -82,7 +82,7 @@ TEST_F(Bench, ReadsTheRatiosOfAKnownBaseline) {
   EXPECT_EQ(baseline.ns.at("W1").count("dkit"), 0u);
   EXPECT_EQ(baseline.ns.at("scale=2").at("fill"), 0.5);
   EXPECT_EQ(baseline.compiler, "unknown");
-  Comparison comparison{baseline, {"c", 0}, {{"W1", "exact", 5, 2.5}}, 0};
+  TimeComparison comparison{baseline, {"c", 0}, {{"W1", "exact", 5, 2.5}}, 0};
   const std::string table = comparison_table(comparison);
   expect_contains(table, "\nexact               2.00\n");
   expect_contains(table, "\n  exact 2.00\n");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "comparison_panels.h"
 #include "spec/filter_texture.h"
 #include "spec/generate.h"
 #include "spec/picture.h"
@@ -32,18 +33,9 @@ namespace {
   return violation;
 }
 
-constexpr int32_t kScale = 32;  // px of the picture for one of an 8 x 8 target
-constexpr int32_t kGap = 8;
 constexpr Colour kRed{255, 0, 0};
 constexpr Colour kWhite{255, 255, 255};
 constexpr Colour kMagenta{255, 0, 255};
-enum Panel { kDrawn, kExpected, kDifference };
-
-// The picture's colour `d` px right of and below the corner of the target's pixel (x, y); 16 is its
-// middle, 0 its frame.
-[[nodiscard]] Colour at(const Raster& picture, Panel panel, int32_t x, int32_t y, int32_t d = 16) {
-  return picture.at(kGap + panel * (8 * kScale + kGap) + x * kScale + d, kGap + y * kScale + d);
-}
 
 [[nodiscard]] bool covered(int32_t x, int32_t y) { return x >= 1 && x < 7 && y >= 2 && y < 6; }
 
@@ -53,8 +45,8 @@ enum Panel { kDrawn, kExpected, kDifference };
 
 TEST(CounterexamplePicture, HasThreePanels) {
   const Raster picture = counterexample_picture(spec::built_in(), violation_of(rectangle(), 3, 3));
-  EXPECT_EQ(picture.width_px, 3 * 8 * kScale + 4 * kGap);
-  EXPECT_EQ(picture.height_px, 8 * kScale + 2 * kGap);
+  EXPECT_EQ(picture.width_px, 3 * kSide_px * kScale_px + 4 * kGap_px);
+  EXPECT_EQ(picture.height_px, kSide_px * kScale_px + 2 * kGap_px);
 }
 
 TEST(CounterexamplePicture, OfAFilterShowsColours) {
@@ -65,21 +57,21 @@ TEST(CounterexamplePicture, OfAFilterShowsColours) {
   const auto channel = [&](int i) {
     return static_cast<uint8_t>(spec::channel(*colours.at(3, 3), i));
   };
-  EXPECT_EQ(at(picture, kExpected, 3, 3), (Colour{channel(0), channel(1), channel(2)}));
-  EXPECT_EQ(at(picture, kDrawn, 3, 3), at(picture, kExpected, 3, 3));
-  EXPECT_NE(at(picture, kDifference, 3, 3), kRed);
-  EXPECT_EQ(
-      at(counterexample_picture(shifted_texture(1), violation_of(c, 3, 3)), kDifference, 3, 3),
-      kRed);
+  EXPECT_EQ(colour_at(picture, kExpected, 3, 3), (Colour{channel(0), channel(1), channel(2)}));
+  EXPECT_EQ(colour_at(picture, kDrawn, 3, 3), colour_at(picture, kExpected, 3, 3));
+  EXPECT_NE(colour_at(picture, kDifference, 3, 3), kRed);
+  EXPECT_EQ(colour_at(counterexample_picture(shifted_texture(1), violation_of(c, 3, 3)),
+                      kDifference, 3, 3),
+            kRed);
 }
 
 TEST(CounterexamplePicture, OfARightDrawingShowsNoDifference) {
   const Raster picture = counterexample_picture(spec::built_in(), violation_of(rectangle(), 3, 3));
   for (int32_t y = 0; y < 8; ++y) {
     for (int32_t x = 0; x < 8; ++x) {
-      EXPECT_EQ(at(picture, kDrawn, x, y), at(picture, kExpected, x, y));
-      EXPECT_NE(at(picture, kDifference, x, y), kRed);
-      EXPECT_EQ(is_grey(at(picture, kDrawn, x, y)), !covered(x, y));
+      EXPECT_EQ(colour_at(picture, kDrawn, x, y), colour_at(picture, kExpected, x, y));
+      EXPECT_NE(colour_at(picture, kDifference, x, y), kRed);
+      EXPECT_EQ(is_grey(colour_at(picture, kDrawn, x, y)), !covered(x, y));
     }
   }
 }
@@ -88,11 +80,11 @@ TEST(CounterexamplePicture, OfARightDrawingShowsNoDifference) {
 TEST(CounterexamplePicture, ColoursATexelByItsPlace) {
   const Raster picture = counterexample_picture(spec::built_in(), violation_of(rectangle(), 3, 3));
   for (int32_t x = 2; x < 7; ++x) {
-    EXPECT_GT(at(picture, kDrawn, x, 3).red, at(picture, kDrawn, x - 1, 3).red);
-    EXPECT_EQ(at(picture, kDrawn, x, 3).green, at(picture, kDrawn, 1, 3).green);
+    EXPECT_GT(colour_at(picture, kDrawn, x, 3).red, colour_at(picture, kDrawn, x - 1, 3).red);
+    EXPECT_EQ(colour_at(picture, kDrawn, x, 3).green, colour_at(picture, kDrawn, 1, 3).green);
   }
   for (int32_t y = 3; y < 6; ++y) {
-    EXPECT_GT(at(picture, kDrawn, 4, y).green, at(picture, kDrawn, 4, y - 1).green);
+    EXPECT_GT(colour_at(picture, kDrawn, 4, y).green, colour_at(picture, kDrawn, 4, y - 1).green);
   }
 }
 
@@ -101,27 +93,27 @@ TEST(CounterexamplePicture, OfAWrongTexelIsRedThere) {
       counterexample_picture(shifted_texture(1), violation_of(rectangle(), 3, 3));
   for (int32_t y = 0; y < 8; ++y) {
     for (int32_t x = 0; x < 8; ++x) {
-      EXPECT_EQ(at(picture, kDifference, x, y) == kRed, covered(x, y)) << x << ", " << y;
+      EXPECT_EQ(colour_at(picture, kDifference, x, y) == kRed, covered(x, y)) << x << ", " << y;
     }
   }
-  EXPECT_GT(at(picture, kDrawn, 3, 3).red, at(picture, kExpected, 3, 3).red);
+  EXPECT_GT(colour_at(picture, kDrawn, 3, 3).red, colour_at(picture, kExpected, 3, 3).red);
 }
 
 TEST(CounterexamplePicture, OfAnEmptyDrawingIsGreyAndRed) {
   const Raster picture = counterexample_picture(blank(), violation_of(rectangle(), 1, 2));
-  EXPECT_TRUE(is_grey(at(picture, kDrawn, 3, 3)));
-  EXPECT_FALSE(is_grey(at(picture, kExpected, 3, 3)));
-  EXPECT_EQ(at(picture, kDifference, 3, 3), kRed);
-  EXPECT_NE(at(picture, kDifference, 0, 0), kRed);
+  EXPECT_TRUE(is_grey(colour_at(picture, kDrawn, 3, 3)));
+  EXPECT_FALSE(is_grey(colour_at(picture, kExpected, 3, 3)));
+  EXPECT_EQ(colour_at(picture, kDifference, 3, 3), kRed);
+  EXPECT_NE(colour_at(picture, kDifference, 0, 0), kRed);
 }
 
 TEST(CounterexamplePicture, FramesTheBlamedPixelInEveryPanel) {
   const Raster picture =
       counterexample_picture(shifted_texture(1), violation_of(rectangle(), 4, 5));
   for (const Panel panel : {kDrawn, kExpected, kDifference}) {
-    EXPECT_EQ(at(picture, panel, 4, 5, 0), kWhite);
-    EXPECT_EQ(at(picture, panel, 4, 5, kScale - 1), kWhite);
-    EXPECT_NE(at(picture, panel, 3, 5, 0), kWhite);
+    EXPECT_EQ(colour_at(picture, panel, 4, 5, 0), kWhite);
+    EXPECT_EQ(colour_at(picture, panel, 4, 5, kScale_px - 1), kWhite);
+    EXPECT_NE(colour_at(picture, panel, 3, 5, 0), kWhite);
   }
 }
 
@@ -135,7 +127,7 @@ TEST(CounterexamplePicture, ShowsAValueThatNoTexelHasInMagenta) {
         return SELVAGE_OK;
       }};
   const Raster picture = counterexample_picture(painter, violation_of(rectangle(), 0, 0));
-  EXPECT_EQ(at(picture, kDrawn, 0, 0), kMagenta);
+  EXPECT_EQ(colour_at(picture, kDrawn, 0, 0), kMagenta);
 }
 
 // Draws every pixel of the target, whatever the polygon.
@@ -162,13 +154,13 @@ TEST(CounterexamplePicture, OfAFanShowsHowManyTilesDrawAPixel) {
   ASSERT_TRUE(none && all);
   const int32_t x = none->x_px, y = none->y_px;
   const Raster without = counterexample_picture(blank(), *none);
-  EXPECT_TRUE(is_grey(at(without, kDrawn, x, y)));
-  EXPECT_EQ(at(without, kExpected, x, y), once);
-  EXPECT_EQ(at(without, kDifference, x, y), kRed);
+  EXPECT_TRUE(is_grey(colour_at(without, kDrawn, x, y)));
+  EXPECT_EQ(colour_at(without, kExpected, x, y), once);
+  EXPECT_EQ(colour_at(without, kDifference, x, y), kRed);
   const Raster with = counterexample_picture(everywhere(), *all);
-  EXPECT_EQ(at(with, kDrawn, x, y), many);
-  EXPECT_EQ(at(with, kExpected, x, y), once);
-  EXPECT_EQ(at(with, kDifference, x, y), kRed);
+  EXPECT_EQ(colour_at(with, kDrawn, x, y), many);
+  EXPECT_EQ(colour_at(with, kExpected, x, y), once);
+  EXPECT_EQ(colour_at(with, kDifference, x, y), kRed);
 }
 
 [[nodiscard]] bool has_red_in_a_frame(const Raster& picture) {

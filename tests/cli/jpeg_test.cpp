@@ -11,7 +11,7 @@ namespace {
 
 using Bytes = std::vector<uint8_t>;
 
-[[nodiscard]] std::string refusal(std::span<const uint8_t> bytes) {
+[[nodiscard]] std::string jpeg_refusal(std::span<const uint8_t> bytes) {
   return error_of([&] { static_cast<void>(decode_jpeg(bytes)); });
 }
 
@@ -44,7 +44,7 @@ TEST(Jpeg, InGreyIsReadAsGreyAndOpaque) {
 }
 
 TEST(Jpeg, InCmykIsRefused) {
-  EXPECT_EQ(refusal(encode_jpeg(smooth_raster(8, 8), JpegKind::kCmyk)),
+  EXPECT_EQ(jpeg_refusal(encode_jpeg(smooth_raster(8, 8), JpegKind::kCmyk)),
             "the JPEG is in CMYK; a grey or an RGB one is needed");
 }
 
@@ -53,7 +53,7 @@ TEST(Jpeg, CutShortIsRefusedAtEveryLength) {
     const Bytes whole = encode_jpeg(smooth_raster(20, 12), kind);
     ASSERT_NO_THROW(static_cast<void>(decode_jpeg(whole)));
     for (size_t length = 0; length < whole.size(); ++length) {
-      EXPECT_FALSE(refusal(std::span(whole).first(length)).empty()) << length;
+      EXPECT_FALSE(jpeg_refusal(std::span(whole).first(length)).empty()) << length;
     }
   }
 }
@@ -79,17 +79,18 @@ TEST(Jpeg, WithAChangedByteIsRefusedOrWhole) {
 
 TEST(Jpeg, ThatClaimsTooMuchIsRefusedByItsHeader) {
   const Bytes whole = encode_jpeg(smooth_raster(20, 12), JpegKind::kColour);
-  expect_contains(refusal(with_jpeg_size(whole, 65500, 65500)), "65500 x 65500 px is not accepted");
-  expect_contains(refusal(with_jpeg_size(whole, 32768, 32768)), "not accepted");
-  expect_contains(refusal(with_jpeg_size(whole, 32769, 1)), "not accepted");
-  EXPECT_FALSE(refusal(with_jpeg_size(whole, 0, 12)).empty());
-  EXPECT_FALSE(refusal(with_jpeg_size(whole, 20, 0)).empty());
+  expect_contains(jpeg_refusal(with_jpeg_size(whole, 65500, 65500)),
+                  "65500 x 65500 px is not accepted");
+  expect_contains(jpeg_refusal(with_jpeg_size(whole, 32768, 32768)), "not accepted");
+  expect_contains(jpeg_refusal(with_jpeg_size(whole, 32769, 1)), "not accepted");
+  EXPECT_FALSE(jpeg_refusal(with_jpeg_size(whole, 0, 12)).empty());
+  EXPECT_FALSE(jpeg_refusal(with_jpeg_size(whole, 20, 0)).empty());
 }
 
 TEST(Jpeg, ThatClaimsMoreThanItHoldsIsRefused) {
   for (const JpegKind kind : {JpegKind::kColour, JpegKind::kProgressive}) {
     const Bytes whole = encode_jpeg(smooth_raster(20, 12), kind);
-    expect_contains(refusal(with_jpeg_size(whole, 4000, 3000)), "cut short or damaged");
+    expect_contains(jpeg_refusal(with_jpeg_size(whole, 4000, 3000)), "cut short or damaged");
   }
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 using PictureFile = InDirectory;
 
-[[nodiscard]] std::string refusal(const std::string& name) {
+[[nodiscard]] std::string picture_refusal(const std::string& name) {
   return error_of([&] { static_cast<void>(read_picture(name)); });
 }
 
@@ -29,12 +29,12 @@ TEST_F(PictureFile, IsNamedInEveryError) {
   const std::vector<uint8_t> jpeg = encode_jpeg(smooth_raster(12, 9), JpegKind::kColour);
   put("cut.png", std::span(png).first(60));
   put("cut.jpg", std::span(jpeg).first(jpeg.size() - 20));
-  EXPECT_EQ(refusal("empty.png"),
+  EXPECT_EQ(picture_refusal("empty.png"),
             "'empty.png': the file is empty; a PNG or a JPEG picture is needed");
-  EXPECT_EQ(refusal("text.png"), "'text.png': neither a PNG nor a JPEG picture");
-  EXPECT_EQ(refusal("cut.png"), "'cut.png': the PNG is cut short: it has no end chunk");
-  expect_contains(refusal("cut.jpg"), "'cut.jpg': the JPEG is cut short or damaged: ");
-  EXPECT_EQ(refusal("none.png"), "cannot read 'none.png': No such file or directory");
+  EXPECT_EQ(picture_refusal("text.png"), "'text.png': neither a PNG nor a JPEG picture");
+  EXPECT_EQ(picture_refusal("cut.png"), "'cut.png': the PNG is cut short: it has no end chunk");
+  expect_contains(picture_refusal("cut.jpg"), "'cut.jpg': the JPEG is cut short or damaged: ");
+  EXPECT_EQ(picture_refusal("none.png"), "cannot read 'none.png': No such file or directory");
 }
 
 }  // namespace

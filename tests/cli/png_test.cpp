@@ -10,7 +10,7 @@ namespace {
 
 using Bytes = std::vector<uint8_t>;
 
-[[nodiscard]] std::string refusal(std::span<const uint8_t> bytes) {
+[[nodiscard]] std::string png_refusal(std::span<const uint8_t> bytes) {
   return error_of([&] { static_cast<void>(decode_png(bytes)); });
 }
 
@@ -61,7 +61,7 @@ TEST(Png, CutShortIsRefusedAtEveryLength) {
        {encode_png(sample_raster(7, 5)), sample_png({PNG_COLOR_TYPE_PALETTE, 4, true})}) {
     ASSERT_NO_THROW(static_cast<void>(decode_png(whole)));
     for (size_t length = 0; length < whole.size(); ++length) {
-      EXPECT_FALSE(refusal(std::span(whole).first(length)).empty()) << length;
+      EXPECT_FALSE(png_refusal(std::span(whole).first(length)).empty()) << length;
     }
   }
 }
@@ -86,19 +86,19 @@ TEST(Png, WithAFlippedBitIsRefusedOrOfItsSize) {
 
 TEST(Png, ThatClaimsTooMuchIsRefusedByItsHeader) {
   const Bytes whole = encode_png(sample_raster(7, 5));
-  expect_contains(refusal(with_png_size(whole, 32769, 1)), "32769 x 1 px is not accepted");
-  expect_contains(refusal(with_png_size(whole, 1, 32769)), "not accepted");
-  expect_contains(refusal(with_png_size(whole, 32768, 32768)), "not accepted");
-  expect_contains(refusal(with_png_size(whole, 32768, 2048)), "cannot hold 32768 x 2048 px");
-  EXPECT_FALSE(refusal(with_png_size(whole, 0, 5)).empty());
-  EXPECT_FALSE(refusal(with_png_size(whole, 0x7fffffff, 0x7fffffff)).empty());
-  EXPECT_FALSE(refusal(with_png_size(whole, 0xffffffff, 0xffffffff)).empty());
+  expect_contains(png_refusal(with_png_size(whole, 32769, 1)), "32769 x 1 px is not accepted");
+  expect_contains(png_refusal(with_png_size(whole, 1, 32769)), "not accepted");
+  expect_contains(png_refusal(with_png_size(whole, 32768, 32768)), "not accepted");
+  expect_contains(png_refusal(with_png_size(whole, 32768, 2048)), "cannot hold 32768 x 2048 px");
+  EXPECT_FALSE(png_refusal(with_png_size(whole, 0, 5)).empty());
+  EXPECT_FALSE(png_refusal(with_png_size(whole, 0x7fffffff, 0x7fffffff)).empty());
+  EXPECT_FALSE(png_refusal(with_png_size(whole, 0xffffffff, 0xffffffff)).empty());
 }
 
 TEST(Png, ThatClaimsMoreThanItHoldsIsRefused) {
   const Bytes whole = encode_png(sample_raster(7, 5));
-  EXPECT_FALSE(refusal(with_png_size(whole, 8, 5)).empty());
-  EXPECT_FALSE(refusal(with_png_size(whole, 7, 6)).empty());
+  EXPECT_FALSE(png_refusal(with_png_size(whole, 8, 5)).empty());
+  EXPECT_FALSE(png_refusal(with_png_size(whole, 7, 6)).empty());
 }
 
 TEST(Png, IsHeldAgainstTheGivenLimits) {

@@ -11,16 +11,16 @@ constexpr const char* kWhole = R"({
   "clip": [-1, 2, 300, 400], "address": "wrap", "filter": "nearest"
 })";
 
-[[nodiscard]] std::string refusal(std::string_view text) {
+[[nodiscard]] std::string polygon_json_refusal(std::string_view text) {
   return error_of([&] { static_cast<void>(parse_polygon_json("p.json", text)); });
 }
 
 // A polygon file that is right but for `vertices`, or but for what else it says.
 [[nodiscard]] std::string refused_vertices(const std::string& vertices) {
-  return refusal("{\"vertices\": " + vertices + "}");
+  return polygon_json_refusal("{\"vertices\": " + vertices + "}");
 }
 [[nodiscard]] std::string refused_beside(const std::string& members) {
-  return refusal(R"({"vertices": [[0,0,0,0],[1,0,0,0],[0,1,0,0]], )" + members + "}");
+  return polygon_json_refusal(R"({"vertices": [[0,0,0,0],[1,0,0,0],[0,1,0,0]], )" + members + "}");
 }
 
 TEST(PolygonJson, GivesOnePolygon) {
@@ -54,17 +54,18 @@ TEST(PolygonJson, GivesSeveralPolygonsWithCommonSettings) {
 TEST(PolygonJson, CutShortIsRefusedAtEveryLength) {
   const std::string_view whole = kWhole;
   for (size_t length = 0; length < whole.size(); ++length) {
-    expect_contains(refusal(whole.substr(0, length)), "not JSON: ");
+    expect_contains(polygon_json_refusal(whole.substr(0, length)), "not JSON: ");
   }
 }
 
 TEST(PolygonJson, SaysWhereItIsNotJson) {
-  expect_contains(refusal("{\n  \"vertices\": [,]}"),
+  expect_contains(polygon_json_refusal("{\n  \"vertices\": [,]}"),
                   "p.json:2: not JSON: column 16: syntax error");
-  expect_contains(refusal(R"({"vertices": []} x)"), "not JSON: ");
-  expect_contains(refusal(R"({"vertices": [[1e999, 0, 0, 0]]})"), "not JSON: number overflow");
-  expect_contains(refusal("\xff\xfe{}"), "not JSON: ");
-  expect_contains(refusal("{\"\xc3\x28\": 1}"), "not JSON: ");
+  expect_contains(polygon_json_refusal(R"({"vertices": []} x)"), "not JSON: ");
+  expect_contains(polygon_json_refusal(R"({"vertices": [[1e999, 0, 0, 0]]})"),
+                  "not JSON: number overflow");
+  expect_contains(polygon_json_refusal("\xff\xfe{}"), "not JSON: ");
+  expect_contains(polygon_json_refusal("{\"\xc3\x28\": 1}"), "not JSON: ");
 }
 
 TEST(PolygonJson, NamesAnUnknownKeyAndTheKnownOnes) {
@@ -72,7 +73,7 @@ TEST(PolygonJson, NamesAnUnknownKeyAndTheKnownOnes) {
       refused_beside(R"("colour": 3)"),
       "p.json:1: unknown key \"colour\"; known here: vertices, clip, address, filter, profile");
   EXPECT_EQ(
-      refusal(R"({"polygons": [], "vertices": []})"),
+      polygon_json_refusal(R"({"polygons": [], "vertices": []})"),
       "p.json:1: unknown key \"vertices\"; known here: polygons, clip, address, filter, profile");
   EXPECT_EQ(refused_vertices(R"([{"x": 1, "y": 2, "u": 3, "v": 4, "z": 5}])"),
             "p.json:1: vertices: vertex 1: unknown key \"z\"; known here: x, y, u, v, w");
@@ -86,19 +87,20 @@ TEST(PolygonJson, RefusesAKeyThatStandsTwice) {
 }
 
 TEST(PolygonJson, NamesWhatIsMissing) {
-  EXPECT_EQ(refusal("{}"), "p.json:1: 'vertices' is missing (or 'polygons', for several)");
-  EXPECT_EQ(refusal(R"({"polygons": [{}]})"),
+  EXPECT_EQ(polygon_json_refusal("{}"),
+            "p.json:1: 'vertices' is missing (or 'polygons', for several)");
+  EXPECT_EQ(polygon_json_refusal(R"({"polygons": [{}]})"),
             "p.json:1: polygons: polygon 1: 'vertices' is missing");
   EXPECT_EQ(refused_vertices(R"([[0,0,0,0], {"x": 1, "y": 2, "v": 4}])"),
             "p.json:1: vertices: vertex 2: 'u' is missing");
   EXPECT_EQ(refused_vertices("[[0,0,0,0], [1,0,0,0]]"),
             "p.json:1: vertices: a polygon needs at least 3 vertices; this one has 2");
-  EXPECT_EQ(refusal(R"({"polygons": []})"),
+  EXPECT_EQ(polygon_json_refusal(R"({"polygons": []})"),
             "p.json:1: polygons: an array of at least one polygon is needed, not []");
 }
 
 TEST(PolygonJson, NamesWhatIsOfTheWrongKind) {
-  EXPECT_EQ(refusal("[1, 2]"), "p.json:1: an object is needed, not [1,2]");
+  EXPECT_EQ(polygon_json_refusal("[1, 2]"), "p.json:1: an object is needed, not [1,2]");
   EXPECT_EQ(refused_vertices("7"), "p.json:1: vertices: an array is needed, not 7");
   EXPECT_EQ(refused_vertices(R"([[0,0,0,0], "no"])"),
             "p.json:1: vertices: vertex 2: [x, y, u, v] or an object is needed, not \"no\"");
@@ -119,7 +121,7 @@ TEST(PolygonJson, NamesWhatIsOfTheWrongKind) {
 TEST(PolygonJson, NamesTheLine) {
   const auto expect = [](const char* polygon, const char* error) {
     const std::string other = R"({"vertices": [[0,0,0,0],[1,0,0,0],[0,1,0,0]]})";
-    EXPECT_EQ(refusal("{\n\"polygons\":\n[" + other + ",\n" + polygon + "]}"), error);
+    EXPECT_EQ(polygon_json_refusal("{\n\"polygons\":\n[" + other + ",\n" + polygon + "]}"), error);
   };
   expect("7", "p.json:2: polygons: polygon 2: an object is needed, not 7");  // its array's line
   expect("{\"vertices\":\n[[0,0,0,0],\n[1,0]]}",
@@ -153,10 +155,11 @@ TEST(PolygonJson, QuotesOnlyTheBeginningOfWhatIsLong) {
 }
 
 TEST(PolygonJson, NestedDeeplyIsRefusedEarly) {
-  EXPECT_EQ(refusal(std::string(1000000, '[')), "p.json:1: nested deeper than any file here is");
+  EXPECT_EQ(polygon_json_refusal(std::string(1000000, '[')),
+            "p.json:1: nested deeper than any file here is");
   std::string objects;
   for (int i = 0; i < 100000; ++i) objects += "{\"a\":";
-  EXPECT_EQ(refusal(objects), "p.json:1: nested deeper than any file here is");
+  EXPECT_EQ(polygon_json_refusal(objects), "p.json:1: nested deeper than any file here is");
 }
 
 }  // namespace

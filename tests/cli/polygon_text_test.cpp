@@ -5,7 +5,7 @@
 namespace selvage::cli::test {
 namespace {
 
-[[nodiscard]] std::string refusal(const std::string& text) {
+[[nodiscard]] std::string polygon_text_refusal(const std::string& text) {
   return error_of([&] { static_cast<void>(parse_polygon_text(text)); });
 }
 
@@ -18,14 +18,14 @@ TEST(PolygonText, GivesEachVertexItsNumbers) {
 }
 
 TEST(PolygonText, SaysWhichVertexIsWrong) {
-  EXPECT_EQ(refusal("1,2,3,4 1,2,3 1,2,3,4"),
+  EXPECT_EQ(polygon_text_refusal("1,2,3,4 1,2,3 1,2,3,4"),
             "vertex 2: '1,2,3' has 3 numbers; a vertex is x,y,u,v or x,y,u,v,w without blanks");
-  EXPECT_EQ(refusal("1, 2,3,4 1,2,3,4 1,2,3,4"),
+  EXPECT_EQ(polygon_text_refusal("1, 2,3,4 1,2,3,4 1,2,3,4"),
             "vertex 1: '1,' has 2 numbers; a vertex is x,y,u,v or x,y,u,v,w without blanks");
-  EXPECT_EQ(refusal("1,2,3,4 1,2,3,4 1,2,3,4,5,6"),
+  EXPECT_EQ(polygon_text_refusal("1,2,3,4 1,2,3,4 1,2,3,4,5,6"),
             "vertex 3: '1,2,3,4,5,6' has 6 numbers; a vertex is x,y,u,v or x,y,u,v,w without "
             "blanks");
-  EXPECT_EQ(refusal("12 1,2,3,4 1,2,3,4"),
+  EXPECT_EQ(polygon_text_refusal("12 1,2,3,4 1,2,3,4"),
             "vertex 1: '12' has 1 number; a vertex is x,y,u,v or x,y,u,v,w without blanks");
 }
 
@@ -33,15 +33,16 @@ TEST(PolygonText, RefusesWhatIsNoNumber) {
   for (const char* field :
        {"", "a", "1a", "0x10", "nan", "inf", "-inf", "1e999", "+1", "--1", "1.2.3", "1;2"}) {
     const std::string vertex = "1,2," + std::string(field) + ",4";
-    EXPECT_EQ(refusal("1,2,3,4 " + vertex + " 1,2,3,4"),
+    EXPECT_EQ(polygon_text_refusal("1,2,3,4 " + vertex + " 1,2,3,4"),
               "vertex 2: '" + std::string(field) + "' in '" + vertex +
                   "' is no number; 12, -0.5 and 1e3 are");
   }
 }
 
 TEST(PolygonText, NeedsThreeVertices) {
-  EXPECT_EQ(refusal(""), "a polygon needs at least 3 vertices; this one has 0");
-  EXPECT_EQ(refusal("1,2,3,4 1,2,3,4"), "a polygon needs at least 3 vertices; this one has 2");
+  EXPECT_EQ(polygon_text_refusal(""), "a polygon needs at least 3 vertices; this one has 0");
+  EXPECT_EQ(polygon_text_refusal("1,2,3,4 1,2,3,4"),
+            "a polygon needs at least 3 vertices; this one has 2");
 }
 
 TEST(ClipText, IsFourWholeNumbers) {

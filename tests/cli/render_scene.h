@@ -14,7 +14,7 @@ namespace selvage::cli::test {
 // A square of 2 by 2 in front of the camera, of one colour as it is.
 inline constexpr const char* kSquare =
     "mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nusemtl red\nf 1 2 3 4\n";
-inline constexpr const char* kScene =
+inline constexpr const char* kSquareScene =
     R"({"camera": {"position": [0, 0, 4], "view_deg": 53.13010235415598},
         "background": "#000040", "objects": [{"file": "square.obj", "velocity": [1, 0, 0]}]})";
 
@@ -23,7 +23,7 @@ class Render : public InDirectory {
   Render() {
     put("square.obj", std::string(kSquare));
     put("square.mtl", std::string("newmtl red\nKd 1 0 0\nillum 0\n"));
-    put("scene.json", std::string(kScene));
+    put("scene.json", std::string(kSquareScene));
     options_.scene = "scene.json";
     options_.output = "out.png";
     options_.size = "80x60";

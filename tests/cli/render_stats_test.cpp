@@ -201,8 +201,8 @@ TEST_F(Render, TellsWhatLightingCosts) {
   options_.stats = options_.json = true;
   const auto stats_with = [&](const std::string& illum) {
     put("square.mtl", "newmtl red\nmap_Kd own.png\nillum " + illum + "\n");
-    put("scene.json",
-        replaced_once(kScene, "\"background\"", "\"ambient\": [0.5, 0.5, 0.5], \"background\""));
+    put("scene.json", replaced_once(kSquareScene, "\"background\"",
+                                    "\"ambient\": [0.5, 0.5, 0.5], \"background\""));
     EXPECT_EQ(run(), kExitFine);
     const auto stats = nlohmann::json::parse(out_.str())["stats"];
     out_.str("");

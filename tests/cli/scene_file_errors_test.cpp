@@ -142,7 +142,7 @@ TEST_F(SceneFile, NamesAFileThatIsNotThere) {
     expect_contains(error_with("pyramid.obj", name),
                     "scene.json:8: objects: object 1: file: cannot read '" + name + "': ");
   }
-  put("scene.json", std::string(kScene));
+  put("scene.json", std::string(kPyramidScene));
   expect_contains(obj_error_with("pyramid.mtl", "none.mtl"),
                   "pyramid.obj:2: mtllib: cannot read 'none.mtl': ");
   put("pyramid.obj", std::string(kObj));
@@ -164,7 +164,7 @@ TEST_F(SceneFile, NamesTheLineOfThePlacement) {
   expect("scale", "1e9", "puts a vertex farther than 1000000000 from the object's origin");
   EXPECT_EQ(error_with("\"axis\": [0, 1, 0],", "\"position\": [1, 1, 1],\n\"axis\": [0, 0, 0],"),
             "scene.json:9: objects: object 1: axis: needs a direction");
-  put("scene.json", replaced(kScene, "\"spin_deg\": 9", "\"scale\": 1e-3"));
+  put("scene.json", replaced(kPyramidScene, "\"spin_deg\": 9", "\"scale\": 1e-3"));
   EXPECT_EQ(obj_error_with("v 0 1 0\nv -1 0 1", "v 0 1 0\nv -1 1e300 1"),
             "pyramid.obj:4: v: farther than 1000000000 from the origin");
 }
@@ -190,7 +190,8 @@ TEST_F(SceneFile, NamesWhatIsWrongWithTheCamera) {
 // The squares of these are beyond a double.
 TEST_F(SceneFile, TakesAnUpOfAnyLength) {
   for (const char* up : {"[0, 1e-200, 0]", "[0, 1e300, 0]"}) {
-    put("scene.json", replaced(kScene, "[0, 1, 5]", "[0, 1, 5], \"up\": " + std::string(up)));
+    put("scene.json",
+        replaced(kPyramidScene, "[0, 1, 5]", "[0, 1, 5], \"up\": " + std::string(up)));
     const scene::Placement to_eye = world_to_eye(read_scene("scene.json").camera);
     EXPECT_NEAR(to_eye.linear().determinant(), 1, 1e-12) << up;
     EXPECT_LT((to_eye.linear() * scene::Vector3::UnitY()).y(), -0.9) << up;

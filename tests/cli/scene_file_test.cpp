@@ -64,7 +64,8 @@ TEST_F(SceneFile, TakesWholePeriodsOff) {
 // Another picture is taken where it is there, and one that the caller names before it.
 TEST_F(SceneFile, TakesOtherPicturesThatAreThere) {
   const auto with = [](const std::string& textures) {
-    put("scene.json", replaced(kScene, "\"spin_deg\": 9,", "\"textures\":\n" + textures + ","));
+    put("scene.json",
+        replaced(kPyramidScene, "\"spin_deg\": 9,", "\"textures\":\n" + textures + ","));
   };
   const auto width = [](const SceneFiles& files) {
     return read_scene("scene.json", files).textures.at(0).width_texel;
@@ -90,7 +91,7 @@ TEST_F(SceneFile, TakesByteOrderMarks) {
   const std::string mark = "\xef\xbb\xbf";
   put("pyramid.mtl", mark + kMtl);
   put("pyramid.obj", mark + kObj);
-  put("scene.json", mark + kScene);
+  put("scene.json", mark + kPyramidScene);
   EXPECT_EQ(read_scene("scene.json").objects.at(0).faces.size(), 5U);
 }
 
@@ -99,7 +100,7 @@ TEST_F(SceneFile, TakesNamesWithBlanks) {
   put("pyramid.mtl", replaced(kMtl, "newmtl front", "newmtl  the\tfront 100% "));
   const std::string obj = replaced(kObj, "usemtl front", "usemtl the front   100% # it");
   put("pyramid.obj", obj);
-  put("scene.json", replaced(kScene, "\"stone\"", "\"the front 100%\""));
+  put("scene.json", replaced(kPyramidScene, "\"stone\"", "\"the front 100%\""));
   const scene::Object plain = read_scene("scene.json").objects.at(0);
   EXPECT_EQ(plain.materials.at(1).name, "the front 100%");
   EXPECT_EQ(plain.faces.at(2).material, 1U);
@@ -115,7 +116,7 @@ TEST_F(SceneFile, KeepsNamesApart) {
   std::string obj = replaced(kObj, "usemtl front", "usemtl a b");
   for (int i = 0; i < 2; ++i) obj = replaced(obj, "usemtl stone", "usemtl a%20b");
   put("pyramid.obj", obj);
-  put("scene.json", replaced(kScene, "\"stone\"", "\"a%20b\""));
+  put("scene.json", replaced(kPyramidScene, "\"stone\"", "\"a%20b\""));
   const scene::Object object = read_scene("scene.json").objects.at(0);
   EXPECT_EQ(object.faces.at(0).material, 0U);
   EXPECT_EQ(object.faces.at(2).material, 1U);

@@ -26,7 +26,7 @@ inline constexpr const char* kObj =
     "f 2 5 4 3\n";                                       // 18
 inline constexpr const char* kMtl =
     "newmtl stone\nKd 0.5 0.25 1\nillum 1\nnewmtl front\nKd 1 1 1\nmap_Kd -clamp on paint.png\n";
-inline constexpr const char* kScene =
+inline constexpr const char* kPyramidScene =
     "{\n"                                                                    // 1
     " \"camera\": {\"position\": [0, 1, 5], \"view_deg\": 40},\n"            // 2
     " \"ambient\": [0.5, 0.5, 0.5],\n"                                       // 3
@@ -51,12 +51,12 @@ class SceneFile : public InDirectory {
     put("paint.png", encode_png(sample_raster(24, 18)));
     put("pyramid.mtl", std::string(kMtl));
     put("pyramid.obj", std::string(kObj));
-    put("scene.json", std::string(kScene));
+    put("scene.json", std::string(kPyramidScene));
   }
 
   // The message for a scene, or an OBJ file, in which a text is replaced.
   std::string error_with(const std::string& from, const std::string& to) {
-    put("scene.json", replaced(kScene, from, to));
+    put("scene.json", replaced(kPyramidScene, from, to));
     return error_of([] { (void)read_scene("scene.json"); });
   }
   std::string mtl_error_with(const std::string& from, const std::string& to) {

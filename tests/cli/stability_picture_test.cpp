@@ -2,15 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "comparison_panels.h"
+
 namespace selvage::cli::test {
 namespace {
-
-constexpr int32_t kScale = 32, kGap = 8, kSide = 8;  // as of any target of 8 x 8
 
 // Covers columns [1, 8) of rows [0, 8); texel (0, 0) everywhere.
 [[nodiscard]] spec::Case scene() {
   spec::Case c;
-  c.target_width_px = c.target_height_px = kSide;
+  c.target_width_px = c.target_height_px = kSide_px;
   c.vertices = {{256, 0, 0, 0, 1}, {2048, 0, 0, 0, 1}, {2048, 2048, 0, 0, 1}, {256, 2048, 0, 0, 1}};
   return c;
 }
@@ -29,8 +29,7 @@ constexpr int32_t kScale = 32, kGap = 8, kSide = 8;  // as of any target of 8 x 
 
 [[nodiscard]] Colour difference_at(const Raster& picture, int32_t x, int32_t y,
                                    int32_t inset = 16) {
-  const int32_t left = kGap + 2 * (kSide * kScale + kGap);
-  return picture.at(left + x * kScale + inset, kGap + y * kScale + inset);
+  return colour_at(picture, kDifference, x, y, inset);
 }
 
 TEST(StabilityPicture, TellsMissingExtraAndWrongApart) {
@@ -65,8 +64,8 @@ TEST(StabilityPicture, StacksWhatIsWideAndEnlargesWhatIsTall) {
   c.target_width_px = 4096;
   c.target_height_px = 2;
   const Raster wide = stability_picture(painter(), stability::reference(c));
-  EXPECT_EQ(wide.width_px, 96 * 12 + 2 * kGap);
-  EXPECT_EQ(wide.height_px, 3 * (2 * 12 + kGap) + kGap);
+  EXPECT_EQ(wide.width_px, 96 * 12 + 2 * kGap_px);
+  EXPECT_EQ(wide.height_px, 3 * (2 * 12 + kGap_px) + kGap_px);
   c.target_width_px = 2;
   c.target_height_px = 4096;
   const stability::Contender blank{"blank",
@@ -76,8 +75,8 @@ TEST(StabilityPicture, StacksWhatIsWideAndEnlargesWhatIsTall) {
                                    false,
                                    {"blank", [](auto...) -> selvage_status { return SELVAGE_OK; }}};
   const Raster tall = stability_picture(blank, stability::reference(c));
-  EXPECT_EQ(tall.width_px, 3 * (2 * 12 + kGap) + kGap);
-  EXPECT_EQ(tall.height_px, 32 * 12 + 2 * kGap);
+  EXPECT_EQ(tall.width_px, 3 * (2 * 12 + kGap_px) + kGap_px);
+  EXPECT_EQ(tall.height_px, 32 * 12 + 2 * kGap_px);
 }
 
 }  // namespace

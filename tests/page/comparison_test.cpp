@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "contains.h"
 #include "reports/page/measurements.h"
 
 namespace selvage::reports {
@@ -24,20 +25,16 @@ using json = nlohmann::ordered_json;
             {"times", {{{"item", "W1"}, {"subject", "exact"}, {"ratio", 0.5}}}}}}};
 }
 
-[[nodiscard]] bool has(const std::string& html, const std::string& part) {
-  return html.find(part) != std::string::npos;
-}
-
 TEST(Comparison, IsOfTheTimesThenAndNow) {
   const std::string html = comparison_part(bench_against(16, 16));
-  EXPECT_TRUE(has(html, "those of then.json (a day, an abacus, a clerk)")) << html;
-  EXPECT_TRUE(has(html, ">0.500<")) << html;
+  EXPECT_TRUE(contains(html, "those of then.json (a day, an abacus, a clerk)")) << html;
+  EXPECT_TRUE(contains(html, ">0.500<")) << html;
 }
 
 TEST(Comparison, SaysWhereTheTargetsWerePaddedOtherwise) {
-  EXPECT_TRUE(has(comparison_part(bench_against(0, 16)),
-                  "The rows of its targets were padded by 0 px, now by 16 px"));
-  EXPECT_FALSE(has(comparison_part(bench_against(16, 16)), "padded"));
+  EXPECT_TRUE(contains(comparison_part(bench_against(0, 16)),
+                       "The rows of its targets were padded by 0 px, now by 16 px"));
+  EXPECT_FALSE(contains(comparison_part(bench_against(16, 16)), "padded"));
 }
 
 }  // namespace

@@ -5,8 +5,11 @@
 #include <numbers>
 
 #include "scene/object.h"
+#include "scene/vectors.h"
 
 namespace selvage::scene {
+
+inline constexpr Size kBodiesTarget{96, 72};  // of small pictures of them
 
 // A ball of plane faces: triangles around the poles, trapezoids between.
 [[nodiscard]] inline Object ball(int meridians, int parallels) {

@@ -15,9 +15,8 @@
 namespace selvage::scene {
 namespace {
 
-inline constexpr Size kSize{64, 48};
+inline constexpr Size kClipTarget{64, 48};
 inline constexpr double kTexelRounding = 1.0 / 131072 + 1e-9;  // of rounding u and v
-inline constexpr int kTexture = 512;
 
 // Where u (or v) may be at a pixel's centre: where the true map has it within the reach of rounding
 // x and y, widened by what rounding u and q add.
@@ -39,21 +38,26 @@ struct Tally {
 
 class Pictures {
  public:
-  Pictures() : texels_(kTexture * kTexture) {
-    for (int t = 0; t < kTexture; ++t) {
-      for (int s = 0; s < kTexture; ++s)
-        texels_[static_cast<size_t>(t * kTexture + s)] = static_cast<uint32_t>(s | t << 16);
+  Pictures() : texels_(kTextureSide_texel * kTextureSide_texel) {
+    for (int t = 0; t < kTextureSide_texel; ++t) {
+      for (int s = 0; s < kTextureSide_texel; ++s)
+        texels_[static_cast<size_t>(t * kTextureSide_texel + s)] =
+            static_cast<uint32_t>(s | t << 16);
     }
   }
 
   // The texels of the coordinate texture, or -1 where nothing is drawn.
   [[nodiscard]] std::vector<uint32_t> draw(std::span<const selvage_vertex> vertices) const {
-    std::vector<uint32_t> pixels(kSize.width_px * kSize.height_px, UINT32_MAX);
+    std::vector<uint32_t> pixels(kClipTarget.width_px * kClipTarget.height_px, UINT32_MAX);
     if (vertices.size() < 3) return pixels;
-    const selvage_image image{pixels.data(), kSize.width_px, kSize.height_px, kSize.width_px * 4,
-                              SELVAGE_RGBA8888};
-    const selvage_texture texture{texels_.data(), kTexture,         kTexture,
-                                  kTexture * 4,   SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS,
+    const selvage_image image{pixels.data(), kClipTarget.width_px, kClipTarget.height_px,
+                              kClipTarget.width_px * 4, SELVAGE_RGBA8888};
+    const selvage_texture texture{texels_.data(),
+                                  kTextureSide_texel,
+                                  kTextureSide_texel,
+                                  kTextureSide_texel * 4,
+                                  SELVAGE_RGBA8888,
+                                  SELVAGE_LAYOUT_ROWS,
                                   nullptr};
     EXPECT_EQ(selvage_draw(&image, nullptr, vertices.data(), vertices.size(), &texture, nullptr),
               SELVAGE_OK);
@@ -97,12 +101,12 @@ void compare(const PlaneFace& face, std::span<const ClipPlane> planes, const Pic
   ASSERT_EQ(snap(cut, w_near, cut_snapped), SELVAGE_OK);
   const std::vector<uint32_t> drawn_whole = pictures.draw(whole_snapped);
   const std::vector<uint32_t> drawn_cut = pictures.draw(cut_snapped);
-  for (int y = 0; y < kSize.height_px; ++y) {
-    for (int x = 0; x < kSize.width_px; ++x) {
+  for (int y = 0; y < kClipTarget.height_px; ++y) {
+    for (int x = 0; x < kClipTarget.width_px; ++x) {
       const Vector3 place = face.at(x + 0.5, y + 0.5).place;
       bool kept = place.z() > 0;
       for (const ClipPlane& plane : planes) kept = kept && plane.height(place) >= 0;
-      const size_t i = static_cast<size_t>(y * kSize.width_px + x);
+      const size_t i = static_cast<size_t>(y * kClipTarget.width_px + x);
       const bool due = kept && drawn_whole[i] != UINT32_MAX;
       const bool drawn = drawn_cut[i] != UINT32_MAX;
       if (due != drawn) {
@@ -125,7 +129,7 @@ TEST(ClipLaw, ClippingInSpaceIsClippingThePicture) {
   for (uint64_t seed = 1; faces < 500; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     spec::Random random(seed);
-    const PlaneFace face(random, kSize, random.in(3, 9));
+    const PlaneFace face(random, kClipTarget, random.in(3, 9));
     const double near = real(random, 0.2, 5);
     if (!face.is_beyond(0.1)) continue;  // only what can be drawn whole can be compared
     ++faces;

@@ -6,33 +6,22 @@
 #include <vector>
 
 #include "bodies.h"
+#include "chequered_texture.h"
 #include "plane_face.h"
 #include "scene/draw.h"
 
 namespace selvage::scene {
 namespace {
 
-inline constexpr Size kSize{96, 72};
 using Pixel = std::array<uint8_t, 4>;
 
 [[nodiscard]] std::vector<Pixel> picture(const Scene& scene, const Wish& wish, Hidden way) {
-  std::vector<Pixel> pixels(static_cast<size_t>(kSize.width_px) *
-                            static_cast<size_t>(kSize.height_px));
-  const selvage_image image{pixels.data(), kSize.width_px, kSize.height_px, kSize.width_px * 4,
-                            SELVAGE_RGBA8888};
-  EXPECT_EQ(draw(scene, compose(scene, 0, kSize, wish, way), image), SELVAGE_OK);
+  std::vector<Pixel> pixels(static_cast<size_t>(kBodiesTarget.width_px) *
+                            static_cast<size_t>(kBodiesTarget.height_px));
+  const selvage_image image{pixels.data(), kBodiesTarget.width_px, kBodiesTarget.height_px,
+                            kBodiesTarget.width_px * 4, SELVAGE_RGBA8888};
+  EXPECT_EQ(draw(scene, compose(scene, 0, kBodiesTarget, wish, way), image), SELVAGE_OK);
   return pixels;
-}
-
-[[nodiscard]] TextureImage checks(int32_t side_texel) {
-  TextureImage image{side_texel, side_texel, {}, SELVAGE_ADDRESS_CLAMP};
-  for (int32_t t = 0; t < side_texel; ++t) {
-    for (int32_t s = 0; s < side_texel; ++s) {
-      const uint8_t level = (s + t) % 2 ? 200 : 100;
-      image.rgba.insert(image.rgba.end(), {level, static_cast<uint8_t>(s), 7, 255});
-    }
-  }
-  return image;
 }
 
 // A ball of textured faces and a cube that cuts through it.
@@ -40,7 +29,7 @@ using Pixel = std::array<uint8_t, 4>;
   Scene scene;
   scene.background = {1, 2, 3};
   scene.lighting = {Vector3(0.25, 0.25, 0.25), {{Vector3(1, 1, 1), Vector3(0.5, 0.5, 0.5)}}};
-  scene.textures.push_back(checks(64));
+  scene.textures.push_back(chequered(64));
   scene.objects = {ball(9, 6), cube()};
   scene.objects[0].materials[0].texture = 0;
   scene.objects[0].motion.angle_deg = 20;
@@ -65,22 +54,22 @@ TEST(Draw, ShowsAFaceTowardsTheLampInItsColour) {
 // What scan lines show is drawn by the same plans: each pixel is that of some face drawn whole.
 TEST(Draw, ScanLinesChangeNoPixelOfWhatTheyShow) {
   const Scene scene = crossing_bodies();
-  const Drawing scanned = compose(scene, 0, kSize, {}, Hidden::kScanLine);
+  const Drawing scanned = compose(scene, 0, kBodiesTarget, {}, Hidden::kScanLine);
   const std::vector<Pixel> pixels = picture(scene, {}, Hidden::kScanLine);
   std::vector<std::vector<Pixel>> alone;
   for (size_t face = 0; face < scanned.view.faces.size(); ++face) {
     Drawing one = scanned;
-    one.pieces = {{face, {0, 0, kSize.width_px, kSize.height_px}}};
+    one.pieces = {{face, {0, 0, kBodiesTarget.width_px, kBodiesTarget.height_px}}};
     alone.emplace_back(pixels.size());
-    const selvage_image image{alone.back().data(), kSize.width_px, kSize.height_px,
-                              kSize.width_px * 4, SELVAGE_RGBA8888};
+    const selvage_image image{alone.back().data(), kBodiesTarget.width_px, kBodiesTarget.height_px,
+                              kBodiesTarget.width_px * 4, SELVAGE_RGBA8888};
     ASSERT_EQ(draw(scene, one, image), SELVAGE_OK);
   }
   std::vector<bool> is_shown(pixels.size());
   for (const Piece& piece : scanned.pieces) {
     for (int32_t y = piece.clip.top; y < piece.clip.bottom; ++y) {
       for (int32_t x = piece.clip.left; x < piece.clip.right; ++x) {
-        const size_t i = static_cast<size_t>(y * kSize.width_px + x);
+        const size_t i = static_cast<size_t>(y * kBodiesTarget.width_px + x);
         if (alone[piece.face][i] == Pixel{1, 2, 3, 255}) continue;
         EXPECT_EQ(pixels[i], alone[piece.face][i]) << x << ", " << y;
         is_shown[i] = true;
@@ -94,10 +83,10 @@ TEST(Draw, ScanLinesChangeNoPixelOfWhatTheyShow) {
 TEST(Draw, FewCopiesOfLitTexturesDrawTheSame) {
   const Scene scene = crossing_bodies();
   for (const Hidden way : {Hidden::kPainter, Hidden::kScanLine}) {
-    const Drawing drawing = compose(scene, 0, kSize, {}, way);
-    std::vector<Pixel> few(static_cast<size_t>(kSize.width_px * kSize.height_px));
-    const selvage_image image{few.data(), kSize.width_px, kSize.height_px, kSize.width_px * 4,
-                              SELVAGE_RGBA8888};
+    const Drawing drawing = compose(scene, 0, kBodiesTarget, {}, way);
+    std::vector<Pixel> few(static_cast<size_t>(kBodiesTarget.width_px * kBodiesTarget.height_px));
+    const selvage_image image{few.data(), kBodiesTarget.width_px, kBodiesTarget.height_px,
+                              kBodiesTarget.width_px * 4, SELVAGE_RGBA8888};
     clear(scene, image);
     Paints one_copy(scene, 0);
     ASSERT_EQ(draw_pieces(scene, drawing, image, one_copy), SELVAGE_OK);

@@ -16,7 +16,7 @@
 namespace selvage::scene {
 namespace {
 
-inline constexpr Size kSize{40, 28};
+inline constexpr Size kDepthTestTarget{40, 28};
 
 // Coordinates that meet centres, vertices and each other often, or hardly ever.
 // Now and then as far away as the guard band lets them be.
@@ -30,7 +30,7 @@ inline constexpr Size kSize{40, 28};
     const int32_t steps = (size_px + 16) * SELVAGE_SUBPIXELS / grid_fx8;
     return random.in(0, steps) * grid_fx8 - 8 * SELVAGE_SUBPIXELS;
   };
-  const int32_t x = place(kSize.width_px), y = place(kSize.height_px);
+  const int32_t x = place(kDepthTestTarget.width_px), y = place(kDepthTestTarget.height_px);
   return {x, y, 0, 0, random.in(least_q, int64_t{most_q} + 1)};
 }
 
@@ -79,14 +79,15 @@ TEST(ScanLine, ShowsWhatAnExactDepthTestShowsAndWritesItOnce) {
   for (uint64_t seed = 1; seed <= 600; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::vector<ScreenFace> faces = random_faces(seed);
-    const std::vector<Piece> pieces = visible_pieces(Hidden::kScanLine, faces, kSize);
-    const IndexPicture drawn = draw_indices(pieces, faces, kSize);
-    const std::vector<int> expected = by_depth_test(faces, kSize);
+    const std::vector<Piece> pieces = visible_pieces(Hidden::kScanLine, faces, kDepthTestTarget);
+    const IndexPicture drawn = draw_indices(pieces, faces, kDepthTestTarget);
+    const std::vector<int> expected = by_depth_test(faces, kDepthTestTarget);
     ASSERT_EQ(drawn.face, expected);
     for (size_t i = 0; i < expected.size(); ++i) {
       ASSERT_EQ(drawn.writes[i], expected[i] < 0 ? 0 : 1) << "pixel " << i;
     }
-    const auto painted = draw_indices(visible_pieces(Hidden::kPainter, faces, kSize), faces, kSize);
+    const auto painted = draw_indices(visible_pieces(Hidden::kPainter, faces, kDepthTestTarget),
+                                      faces, kDepthTestTarget);
     overlapped += std::count_if(painted.writes.begin(), painted.writes.end(),
                                 [](int writes) { return writes > 1; });
     pieces_drawn += static_cast<int64_t>(pieces.size());
@@ -97,18 +98,18 @@ TEST(ScanLine, ShowsWhatAnExactDepthTestShowsAndWritesItOnce) {
 
 // Two faces that cut through each other: each shows on one side of the cut.
 TEST(ScanLine, SplitsWhereFacesInterpenetrate) {
-  const int32_t w = kSize.width_px * 256, h = kSize.height_px * 256;
+  const int32_t w = kDepthTestTarget.width_px * 256, h = kDepthTestTarget.height_px * 256;
   std::vector<ScreenFace> faces(2);
   faces[0].vertices = {
       {0, 0, 0, 0, 1000}, {w, 0, 0, 0, 3000}, {w, h, 0, 0, 3000}, {0, h, 0, 0, 1000}};
   faces[1].vertices = {
       {0, 0, 0, 0, 2500}, {w, 0, 0, 0, 1500}, {w, h, 0, 0, 1500}, {0, h, 0, 0, 2500}};
-  const auto pieces = visible_pieces(Hidden::kScanLine, faces, kSize);
+  const auto pieces = visible_pieces(Hidden::kScanLine, faces, kDepthTestTarget);
   EXPECT_EQ(pieces.size(), 2U);  // one rectangle each, whatever the rows
-  const IndexPicture drawn = draw_indices(pieces, faces, kSize);
+  const IndexPicture drawn = draw_indices(pieces, faces, kDepthTestTarget);
   EXPECT_EQ(drawn.face[0], 1);
-  EXPECT_EQ(drawn.face[static_cast<size_t>(kSize.width_px) - 1], 0);
-  EXPECT_EQ(drawn.face, by_depth_test(faces, kSize));
+  EXPECT_EQ(drawn.face[static_cast<size_t>(kDepthTestTarget.width_px) - 1], 0);
+  EXPECT_EQ(drawn.face, by_depth_test(faces, kDepthTestTarget));
 }
 
 TEST(ScanLine, ShowsTheFirstOfEquals) {
@@ -117,7 +118,8 @@ TEST(ScanLine, ShowsTheFirstOfEquals) {
     face.vertices = {{0, 0, 0, 0, 7}, {5000, 300, 0, 0, 9}, {700, 5000, 0, 0, 8}};
   }
   for (const Hidden way : {Hidden::kScanLine, Hidden::kPainter}) {
-    const IndexPicture drawn = draw_indices(visible_pieces(way, faces, kSize), faces, kSize);
+    const IndexPicture drawn =
+        draw_indices(visible_pieces(way, faces, kDepthTestTarget), faces, kDepthTestTarget);
     EXPECT_EQ(std::count(drawn.face.begin(), drawn.face.end(), 1), 0);
     EXPECT_GT(std::count(drawn.face.begin(), drawn.face.end(), 0), 100);
   }
@@ -126,7 +128,7 @@ TEST(ScanLine, ShowsTheFirstOfEquals) {
 TEST(ScanLine, DrawsAFaceThatNothingHidesInOnePiece) {
   std::vector<ScreenFace> faces(1);
   faces[0].vertices = {{-500, 300, 0, 0, 7}, {5000, -300, 0, 0, 9}, {700, 9000, 0, 0, 8}};
-  EXPECT_EQ(visible_pieces(Hidden::kScanLine, faces, kSize).size(), 1U);
+  EXPECT_EQ(visible_pieces(Hidden::kScanLine, faces, kDepthTestTarget).size(), 1U);
 }
 
 // Of a convex body both ways show the same: the faces that are towards the eye do not overlap.
@@ -167,8 +169,9 @@ TEST(Hidden, PainterShowsTheNearestOfParallelFaces) {
       for (selvage_vertex& vertex : face.vertices) vertex.q = q;
       face.mean_w = 1.0 / q;
     }
-    const auto painted = draw_indices(visible_pieces(Hidden::kPainter, faces, kSize), faces, kSize);
-    ASSERT_EQ(painted.face, by_depth_test(faces, kSize));
+    const auto painted = draw_indices(visible_pieces(Hidden::kPainter, faces, kDepthTestTarget),
+                                      faces, kDepthTestTarget);
+    ASSERT_EQ(painted.face, by_depth_test(faces, kDepthTestTarget));
     overlapped += std::count_if(painted.writes.begin(), painted.writes.end(),
                                 [](int writes) { return writes > 1; });
   }
@@ -180,8 +183,8 @@ TEST(ScanLine, DrawsNothingOfWhatIsBehind) {
   Scene scene;
   scene.objects = {ball(12, 8), ball(9, 6)};
   scene.objects[0].motion.scale = 0.5;  // inside of the other
-  const View view = look(scene, 0, kSize);
-  const std::vector<Piece> pieces = visible_pieces(Hidden::kScanLine, view.faces, kSize);
+  const View view = look(scene, 0, kDepthTestTarget);
+  const std::vector<Piece> pieces = visible_pieces(Hidden::kScanLine, view.faces, kDepthTestTarget);
   EXPECT_GT(pieces.size(), 10U);
   for (const Piece& piece : pieces) EXPECT_EQ(view.faces[piece.face].object, 1U);
   EXPECT_TRUE(std::any_of(view.faces.begin(), view.faces.end(),

@@ -6,26 +6,16 @@
 #include <iostream>
 #include <vector>
 
+#include "chequered_texture.h"
 #include "plane_face.h"
 #include "scene/reach.h"
 
 namespace selvage::scene {
 namespace {
 
-[[nodiscard]] TextureImage checks(int32_t side_texel) {
-  TextureImage image{side_texel, side_texel, {}, SELVAGE_ADDRESS_CLAMP};
-  for (int32_t t = 0; t < side_texel; ++t) {
-    for (int32_t s = 0; s < side_texel; ++s) {
-      const uint8_t level = (s + t) % 2 ? 200 : 100;
-      image.rgba.insert(image.rgba.end(), {level, static_cast<uint8_t>(s), 7, 255});
-    }
-  }
-  return image;
-}
-
 TEST(Paints, PutsTheLightIntoTheTexels) {
   Scene scene;
-  scene.textures.push_back(checks(4));
+  scene.textures.push_back(chequered(4));
   Paints paints(scene);
   const selvage_texture unlit = paints.texture({0, {}, {}});
   EXPECT_EQ(unlit.texels, scene.textures[0].rgba.data());
@@ -43,7 +33,7 @@ TEST(Paints, PutsTheLightIntoTheTexels) {
 
 TEST(Paints, LightsNoTexelTwiceAndNoneThatIsNotAskedFor) {
   Scene scene;
-  scene.textures.push_back(checks(64));
+  scene.textures.push_back(chequered(64));
   Paints paints(scene);
   const Paint half{0, {128, 128, 128}, {}};
   static_cast<void>(paints.texture(half, {10, 10, 20, 20}));
@@ -68,7 +58,7 @@ TEST(Paints, LightsNoTexelTwiceAndNoneThatIsNotAskedFor) {
 
 TEST(Paints, KeepsAsManyCopiesAsFit) {
   Scene scene;
-  scene.textures.push_back(checks(64));
+  scene.textures.push_back(chequered(64));
   const selvage_rect texel{0, 0, 1, 1};
   const auto lit_in_rounds = [&](size_t most_bytes) {
     Paints paints(scene, most_bytes);
@@ -84,7 +74,7 @@ TEST(Paints, KeepsAsManyCopiesAsFit) {
   EXPECT_EQ(lit_in_rounds(0), 9);
 }
 
-inline constexpr Size kSize{64, 48};
+inline constexpr Size kReachTarget{64, 48};
 
 // Its sides on pixel centres, the texture along them: pixels show the greatest u or v itself.
 [[nodiscard]] ScreenFace upright_face(spec::Random& random, int32_t side_texel) {
@@ -136,9 +126,10 @@ inline constexpr Size kSize{64, 48};
 [[nodiscard]] std::vector<uint8_t> drawn(const ScreenFace& face, const Plan& plan,
                                          const TextureImage& image,
                                          const std::vector<uint8_t>& texels) {
-  std::vector<uint8_t> pixels(static_cast<size_t>(kSize.width_px * kSize.height_px * 4));
-  const selvage_image target{pixels.data(), kSize.width_px, kSize.height_px, kSize.width_px * 4,
-                             SELVAGE_RGBA8888};
+  std::vector<uint8_t> pixels(
+      static_cast<size_t>(kReachTarget.width_px * kReachTarget.height_px * 4));
+  const selvage_image target{pixels.data(), kReachTarget.width_px, kReachTarget.height_px,
+                             kReachTarget.width_px * 4, SELVAGE_RGBA8888};
   const selvage_texture texture{texels.data(),
                                 image.width_texel,
                                 image.height_texel,
@@ -160,7 +151,7 @@ TEST(Reach, HoldsEveryTexelThatIsShown) {
     spec::Random random(seed);
     const int32_t side_texel = random.in(8, 64);
     Scene scene;
-    scene.textures.push_back(checks(side_texel));
+    scene.textures.push_back(chequered(side_texel));
     scene.textures[0].address = random.percent(50) ? SELVAGE_ADDRESS_WRAP : SELVAGE_ADDRESS_CLAMP;
     const TextureImage& image = scene.textures[0];
     const int32_t near_texel = random.percent(70) ? side_texel / 4 : side_texel;

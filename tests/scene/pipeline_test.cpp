@@ -12,7 +12,7 @@
 namespace selvage::scene {
 namespace {
 
-inline constexpr Size kSize{320, 200};
+inline constexpr Size kViewSize{320, 200};
 
 [[nodiscard]] Scene scene_with(Object object) {
   Scene scene;
@@ -63,13 +63,13 @@ TEST(Camera, LooksAtItsTargetWithUpUp) {
 TEST(Camera, ShowsTheViewAngleFromTopToBottom) {
   Camera camera;
   camera.view_deg = 90;
-  const Vector3 top = eye_to_place(camera, kSize) * Vector3(0, -2, 2);
+  const Vector3 top = eye_to_place(camera, kViewSize) * Vector3(0, -2, 2);
   EXPECT_NEAR(top.y() / top.z(), 0, 1e-12);
-  EXPECT_NEAR(top.x() / top.z(), kSize.width_px / 2, 1e-12);
+  EXPECT_NEAR(top.x() / top.z(), kViewSize.width_px / 2, 1e-12);
 }
 
 TEST(Look, ShowsTheFaceOfACubeThatIsTowardsTheEye) {
-  const View view = look(scene_with(cube()), 0, kSize);
+  const View view = look(scene_with(cube()), 0, kViewSize);
   EXPECT_EQ(view.counts.faces, 6U);
   EXPECT_EQ(view.counts.backs, 5U);
   ASSERT_EQ(view.faces.size(), 1U);
@@ -85,7 +85,7 @@ TEST(Look, CountsWhatIsSeenEdgeOn) {
   scene.objects[0].motion.position = {0, -1, 0};
   for (const bool two_sided : {false, true}) {
     scene.objects[0].two_sided = two_sided;
-    const View view = look(scene, 0, kSize);
+    const View view = look(scene, 0, kViewSize);
     EXPECT_EQ(view.counts.edge_on, 1U);
     EXPECT_EQ(view.counts.backs, 0U);
   }
@@ -94,12 +94,12 @@ TEST(Look, CountsWhatIsSeenEdgeOn) {
 // Painter's order goes by it: the mean of what is left of a face, along the view.
 TEST(Look, TellsHowFarAFaceIs) {
   Scene scene = scene_with(cube());
-  EXPECT_NEAR(look(scene, 0, kSize).faces.at(0).mean_w, 4, 1e-12);
+  EXPECT_NEAR(look(scene, 0, kViewSize).faces.at(0).mean_w, 4, 1e-12);
   scene.objects[0].motion.position = {0, 0, -3};
-  EXPECT_NEAR(look(scene, 0, kSize).faces.at(0).mean_w, 7, 1e-12);
+  EXPECT_NEAR(look(scene, 0, kViewSize).faces.at(0).mean_w, 7, 1e-12);
   scene.objects[0].faces = {scene.objects[0].faces[1]};
   scene.objects[0].motion.angle_deg = 60;  // the middle of its face is cos 60 in front of its own
-  EXPECT_NEAR(look(scene, 0, kSize).faces.at(0).mean_w, 7.5, 1e-12);
+  EXPECT_NEAR(look(scene, 0, kViewSize).faces.at(0).mean_w, 7.5, 1e-12);
 }
 
 TEST(Look, ShowsBothSidesWhereAsked) {
@@ -107,16 +107,16 @@ TEST(Look, ShowsBothSidesWhereAsked) {
   scene.objects[0].two_sided = true;
   scene.objects[0].motion.angle_deg = 30;
   scene.objects[0].motion.axis = {1, 1, 0};
-  EXPECT_EQ(look(scene, 0, kSize).counts.seen, 6U);
+  EXPECT_EQ(look(scene, 0, kViewSize).counts.seen, 6U);
   scene.objects[0].two_sided = false;
-  EXPECT_EQ(look(scene, 0, kSize).counts.seen, 3U);
+  EXPECT_EQ(look(scene, 0, kViewSize).counts.seen, 3U);
 }
 
 TEST(Look, SharesVerticesAcrossFacesAndObjectsDepths) {
   Scene scene = scene_with(cube());
   scene.objects[0].motion.angle_deg = 35;
   scene.objects[0].motion.axis = {1, 2, 3};
-  const View view = look(scene, 0, kSize);
+  const View view = look(scene, 0, kViewSize);
   ASSERT_EQ(view.faces.size(), 3U);
   int shared = 0;
   for (const selvage_vertex& a : view.faces[0].vertices) {
@@ -131,7 +131,7 @@ TEST(Look, CutsAtTheNearPlaneWhatReachesBehindTheEye) {
   Scene scene = scene_with(cube());
   scene.objects[0].motion.scale = 10;  // the camera is inside
   scene.objects[0].two_sided = true;
-  const View view = look(scene, 0, kSize);
+  const View view = look(scene, 0, kViewSize);
   EXPECT_EQ(view.counts.clipped_away, 1U);  // the one behind
   EXPECT_EQ(view.counts.seen + view.counts.off_screen, 5U);
   EXPECT_GE(view.counts.seen, 1U);
@@ -142,7 +142,7 @@ TEST(Look, RejectsObjectsOutsideOfThePicture) {
   for (const Vector3& away : {Vector3(50, 0, 0), Vector3(-50, 0, 0), Vector3(0, 40, 0),
                               Vector3(0, -40, 0), Vector3(0, 0, 20)}) {
     scene.objects[0].motion.position = away;
-    const View view = look(scene, 0, kSize);
+    const View view = look(scene, 0, kViewSize);
     EXPECT_EQ(view.counts.objects_rejected, 1U) << away.transpose();
     EXPECT_TRUE(view.faces.empty());
   }
@@ -154,31 +154,31 @@ TEST(Look, RejectsByTheSizeInTheWorld) {
   Scene scene = scene_with(cube());
   scene.objects[0].motion.position = {12, 0, 0};
   scene.objects[0].motion.scale = 10;
-  EXPECT_EQ(look(scene, 0, kSize).counts.objects_rejected, 0U);
-  EXPECT_GT(look(scene, 0, kSize).counts.seen, 0U);
+  EXPECT_EQ(look(scene, 0, kViewSize).counts.objects_rejected, 0U);
+  EXPECT_GT(look(scene, 0, kViewSize).counts.seen, 0U);
   scene.objects[0].motion.position = {4, 0, 0};
   scene.objects[0].motion.scale = 0.01;
-  EXPECT_EQ(look(scene, 0, kSize).counts.objects_rejected, 1U);
-  EXPECT_EQ(look(scene, 0, kSize).counts.faces_rejected, 6U);
+  EXPECT_EQ(look(scene, 0, kViewSize).counts.objects_rejected, 1U);
+  EXPECT_EQ(look(scene, 0, kViewSize).counts.faces_rejected, 6U);
 }
 
 // A rejected sphere has no point in the picture.
 TEST(Frustum, RejectsNothingThatIsSeen) {
   const Camera camera;
-  const Matrix3 to_place = eye_to_place(camera, kSize);
+  const Matrix3 to_place = eye_to_place(camera, kViewSize);
   int rejected = 0;
   for (uint64_t seed = 1; seed <= 2000; ++seed) {
     spec::Random random(seed);
     const Sphere sphere{{real(random, -8, 8), real(random, -8, 8), real(random, -3, 10)},
                         real(random, 0, 3)};
-    if (may_be_seen(sphere, camera, kSize)) continue;
+    if (may_be_seen(sphere, camera, kViewSize)) continue;
     ++rejected;
     for (int i = 0; i < 50; ++i) {
       const Vector3 place =
           to_place * (sphere.centre + sphere.radius * real(random, 0, 1) * direction(random));
       const bool inside = place.z() >= camera.nearest_w && place.x() >= 0 && place.y() >= 0 &&
-                          place.x() <= kSize.width_px * place.z() &&
-                          place.y() <= kSize.height_px * place.z();
+                          place.x() <= kViewSize.width_px * place.z() &&
+                          place.y() <= kViewSize.height_px * place.z();
       EXPECT_FALSE(inside) << "seed " << seed;
     }
   }
@@ -239,7 +239,7 @@ TEST(Look, CutsAFaceThatRoundingBends) {
   scene.camera.position = {0, 0, 1};
   scene.camera.view_deg = 90;
   ASSERT_EQ(problem(scene), "");
-  const View view = look(scene, 0, kSize);
+  const View view = look(scene, 0, kViewSize);
   EXPECT_EQ(view.counts.seen, 1U);
   EXPECT_EQ(view.faces.size(), 5U);
   int64_t area = 0;
@@ -264,7 +264,7 @@ TEST(Look, RefusesNoFaceOfASoundScene) {
     object.two_sided = random.percent(50);
     scene.camera.view_deg = real(random, 1, 179);
     ASSERT_EQ(problem(scene), "");
-    const View view = look(scene, 0, kSize);
+    const View view = look(scene, 0, kViewSize);
     EXPECT_EQ(view.counts.refused, 0U);
     seen += view.counts.seen;
     clipped_away += view.counts.clipped_away;

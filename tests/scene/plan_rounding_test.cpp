@@ -12,7 +12,7 @@
 namespace selvage::scene {
 namespace {
 
-inline constexpr double kTolerances[] = {0, 1.0 / 16, 0.25, 1, 4};
+inline constexpr double kRoundingTolerances_texel[] = {0, 1.0 / 16, 0.25, 1, 4};
 
 // How far a texel is from all that u (or v) may be, before mapping and rounding depths.
 [[nodiscard]] double distance(const Interval& interval, int texel) {
@@ -21,9 +21,9 @@ inline constexpr double kTolerances[] = {0, 1.0 / 16, 0.25, 1, 4};
 
 [[nodiscard]] double measured(const PlaneFace& face, const Drawn& drawn, int64_t& pixels) {
   double greatest = 0;
-  for (int y = 0; y < kSize.height_px; y += 5) {
-    for (int x = 0; x < kSize.width_px; ++x) {
-      const auto& pixel = drawn.pixels[static_cast<size_t>(y * kSize.width_px + x)];
+  for (int y = 0; y < kWideTarget.height_px; y += 5) {
+    for (int x = 0; x < kWideTarget.width_px; ++x) {
+      const auto& pixel = drawn.pixels[static_cast<size_t>(y * kWideTarget.width_px + x)];
       if (pixel == kNothing || !is_before_horizon(face, x, y)) continue;
       greatest =
           std::max({greatest, distance(within_reach(face, x, y, 0), pixel[0] | pixel[1] << 8),
@@ -67,9 +67,9 @@ TEST(PlanRounding, MeasuredFromTheMapBeforeRoundingIsWithinTheWholeBound) {
   Found found;
   for (uint64_t seed = 1; seed <= 240; ++seed) {
     spec::Random random(seed);
-    const PlaneFace face(random, kSize, random.in(3, 7));
+    const PlaneFace face(random, kWideTarget, random.in(3, 7));
     if (!face.is_beyond(0.3)) continue;
-    const double tolerance = random.pick(kTolerances);
+    const double tolerance = random.pick(kRoundingTolerances_texel);
     const double w_near = std::ldexp(least_w(face.outline()), -random.in(0, 22));
     SCOPED_TRACE("seed " + std::to_string(seed) + ", tolerance " + std::to_string(tolerance));
     hold(scene, face, w_near, tolerance, found);

@@ -15,7 +15,7 @@
 namespace selvage::scene {
 namespace {
 
-inline constexpr double kTolerances[] = {0, 1.0 / 16, 0.25, 1, 4, 64};
+inline constexpr double kPlanTolerances_texel[] = {0, 1.0 / 16, 0.25, 1, 4, 64};
 
 // How far an exact coordinate is from [texel, texel + 1).
 [[nodiscard]] double distance(const spec::Rational& exact, int texel) {
@@ -27,13 +27,13 @@ inline constexpr double kTolerances[] = {0, 1.0 / 16, 0.25, 1, 4, 64};
 // The greatest distance of a drawn texel from the exact u and v.
 [[nodiscard]] double measured(const ScreenFace& face, const Drawn& drawn, int64_t& pixels) {
   double greatest = 0;
-  for (int y = 0; y < kSize.height_px; y += 9) {
+  for (int y = 0; y < kWideTarget.height_px; y += 9) {
     const auto line = spec::scan_line(face.vertices, y);
     if (!line) continue;
-    for (int x = 0; x < kSize.width_px; ++x) {
+    for (int x = 0; x < kWideTarget.width_px; ++x) {
       const auto sample = spec::sample(*line, x);
       if (!sample) continue;
-      const auto& pixel = drawn.pixels[static_cast<size_t>(y * kSize.width_px + x)];
+      const auto& pixel = drawn.pixels[static_cast<size_t>(y * kWideTarget.width_px + x)];
       greatest = std::max({greatest, distance(sample->u, pixel[0] | pixel[1] << 8),
                            distance(sample->v, pixel[2] | pixel[3] << 8)});
       ++pixels;
@@ -44,7 +44,7 @@ inline constexpr double kTolerances[] = {0, 1.0 / 16, 0.25, 1, 4, 64};
 
 [[nodiscard]] ScreenFace random_face(spec::Random& random) {
   for (;;) {
-    const PlaneFace face(random, kSize, random.in(3, 7));
+    const PlaneFace face(random, kWideTarget, random.in(3, 7));
     if (!face.is_beyond(0.3)) continue;
     ScreenFace screen{0, 0, {}, 0, {0, {}, {}}};
     EXPECT_EQ(snap(face.outline(), least_w(face.outline()), screen.vertices), SELVAGE_OK);
@@ -60,7 +60,7 @@ TEST(Plan, MeasuredIsWithinItsBoundAndThatWithinTheTolerance) {
   for (uint64_t seed = 1; seed <= 320; ++seed) {
     spec::Random random(seed);
     const ScreenFace face = random_face(random);
-    const double tolerance = random.pick(kTolerances);
+    const double tolerance = random.pick(kPlanTolerances_texel);
     SCOPED_TRACE("seed " + std::to_string(seed) + ", tolerance " + std::to_string(tolerance));
     Plan chosen = plan(scene, face, {tolerance, SELVAGE_FILTER_NEAREST});
     chosen.options.kernel = SELVAGE_KERNEL_SCALAR;  // has a choice; not every kernel has
@@ -126,9 +126,9 @@ TEST(Plan, FootprintsAreWithinTheirBound) {
     face.vertices.resize(3);
     if (doubled_area_seen(face.vertices) == 0) continue;
     const double bound = texels_per_px_bound(face.vertices);
-    for (int y = 0; y < kSize.height_px; y += 11) {
+    for (int y = 0; y < kWideTarget.height_px; y += 11) {
       const auto line = spec::scan_line(face.vertices, y);
-      for (int x = 0; x < kSize.width_px; x += 5) {
+      for (int x = 0; x < kWideTarget.width_px; x += 5) {
         if (!line || !spec::sample(*line, x)) continue;
         const auto gradient = spec::gradient(face.vertices, x, y);
         ASSERT_TRUE(gradient);
@@ -160,8 +160,8 @@ TEST(Plan, FootprintsOfRuledMapsAreWithinTheirBound) {
       if (seed % 3 == 1) vertex.q = random.in(400, 1000);
     }
     const double bound = texels_per_px_bound(face.vertices);
-    for (int y = 0; y < kSize.height_px; y += 7) {
-      for (int x = 0; x < kSize.width_px; x += 5) {
+    for (int y = 0; y < kWideTarget.height_px; y += 7) {
+      for (int x = 0; x < kWideTarget.width_px; x += 5) {
         if (!spec::sample(face.vertices, x, y)) continue;
         const auto gradient = spec::gradient(face.vertices, x, y);
         ASSERT_TRUE(gradient);

@@ -12,6 +12,8 @@
 
 namespace selvage::scene {
 
+inline constexpr int kTextureSide_texel = 512;  // the faces' maps lie about its middle
+
 // In [least, end).
 [[nodiscard]] inline double real(spec::Random& random, double least, double end) {
   return least + (end - least) * static_cast<double>(random.bits() >> 11) * 0x1p-53;
@@ -68,7 +70,8 @@ class PlaneFace {
     return centre_ + on_plane.x() * along_ + on_plane.y() * aside_;
   }
   [[nodiscard]] Vector2 texture(const Vector2& on_plane) const {
-    return {256 + u_.dot(on_plane), 256 + v_.dot(on_plane)};
+    constexpr double middle_texel = kTextureSide_texel / 2;
+    return {middle_texel + u_.dot(on_plane), middle_texel + v_.dot(on_plane)};
   }
 
   Matrix3 to_place_;

@@ -72,12 +72,13 @@ TEST_F(TextureSumsTest, AreMadeAsLongAsTheyFit) {
 // ---- In a scene
 // -----------------------------------------------------------------------------------
 
-inline constexpr Size kSize{96, 72};
 using Pixels = std::vector<std::array<uint8_t, 4>>;
 
 [[nodiscard]] selvage_image image_of(Pixels& pixels) {
-  pixels.resize(static_cast<size_t>(kSize.width_px) * static_cast<size_t>(kSize.height_px));
-  return {pixels.data(), kSize.width_px, kSize.height_px, kSize.width_px * 4, SELVAGE_RGBA8888};
+  pixels.resize(static_cast<size_t>(kBodiesTarget.width_px) *
+                static_cast<size_t>(kBodiesTarget.height_px));
+  return {pixels.data(), kBodiesTarget.width_px, kBodiesTarget.height_px,
+          kBodiesTarget.width_px * 4, SELVAGE_RGBA8888};
 }
 
 // Small faces, each with all of the texture.
@@ -121,7 +122,7 @@ using Pixels = std::vector<std::array<uint8_t, 4>>;
 
 TEST(SceneWithSums, ShowsTheSamePixels) {
   const Scene scene = far_ball(Shading::kFlat);
-  const Drawing drawing = compose(scene, 0, kSize, {}, Hidden::kScanLine);
+  const Drawing drawing = compose(scene, 0, kBodiesTarget, {}, Hidden::kScanLine);
   const Pixels plain = plain_picture(scene, drawing);
   Paints paints(scene, kLitBytes, ticks);
   int without = 0, with = 0;
@@ -141,7 +142,7 @@ TEST(SceneWithSums, ShowsTheSamePixels) {
 TEST(SceneWithSums, MakesNoneForALitTextureOrAnotherFilter) {
   const auto bytes_after = [](Shading shading, const Wish& wish) {
     const Scene scene = far_ball(shading);
-    const Drawing drawing = compose(scene, 0, kSize, wish, Hidden::kScanLine);
+    const Drawing drawing = compose(scene, 0, kBodiesTarget, wish, Hidden::kScanLine);
     Paints paints(scene);
     Pixels pixels;
     const selvage_image target = image_of(pixels);
