@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::string_view kLaw = "TOLERANCE";
 
-// Any tolerance may be asked for; beyond a few to_texels nothing new is drawn by it.
+// Any tolerance may be asked for; beyond a few texels nothing new is drawn by it.
 inline constexpr int32_t kMostToleranceBits = 22;
 
 // Kernels need not draw the same within a tolerance: a case is drawn by one of them, or by the

@@ -70,7 +70,7 @@ void expect_shares(std::span<const Share> shares) {
 }
 
 // Every turn is to one side and the outline goes round once.
-[[nodiscard]] bool is_convex(const Case& c) {
+[[nodiscard]] bool turns_one_way(const Case& c) {
   int64_t least = 0, greatest = 0;
   (void)any_corner(c, [&](Point p, Point q, Point r) {
     least = std::min(least, doubled_area(p, q, r));
@@ -139,9 +139,9 @@ const Share kOutlines[] = {
      [](const Case& c) { return c.vertices.size() >= 13 && c.vertices.size() <= 64; }},
     {"more than 64 vertices", 0.1, 2, [](const Case& c) { return c.vertices.size() > 64; }},
     {"convex with more than 4", 5, 40,
-     [](const Case& c) { return c.vertices.size() > 4 && is_convex(c); }},
+     [](const Case& c) { return c.vertices.size() > 4 && turns_one_way(c); }},
     {"drawable, not convex", 10, 60,
-     [](const Case& c) { return is_drawable(c) && !is_convex(c) && doubled_area_of(c) != 0; }},
+     [](const Case& c) { return is_drawable(c) && !turns_one_way(c) && doubled_area_of(c) != 0; }},
     {"no area", 2, 20,
      [](const Case& c) { return c.vertices.size() >= 3 && doubled_area_of(c) == 0; }},
     {"the least area", 0.3, 5, [](const Case& c) { return std::abs(doubled_area_of(c)) == 1; }},

@@ -145,3 +145,10 @@ selvage_logged() {
   fi
   printf '%s: done in %d s (log: %s)\n' "$step" $((SECONDS - start)) "${log#"$PWD"/}"
 }
+
+# selvage_say_skipped BUILD: the tests that the last run of ctest in that build skipped, by name. For
+# ctest a suite passes although some of it was skipped.
+selvage_say_skipped() {
+  grep -ahE '^\[  SKIPPED \] [^ ]+[.][^ ]+(, where .*)?$' "$1/Testing/Temporary/LastTest.log" |
+    sed 's/^\[  SKIPPED \]/skipped:/' | sort -u || true
+}

@@ -23,6 +23,7 @@ struct Span {
 
 // The first row whose centre is at or below y, which is in its range.
 [[nodiscard]] constexpr int32_t row_at_or_below(int32_t y_fx8) {
+  static_assert(spec::kPixel_fx8 == 1 << 8);
   return (y_fx8 + spec::kHalfPixel_fx8 - 1) >> 8;
 }
 
