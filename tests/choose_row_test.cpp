@@ -9,7 +9,7 @@
 #include "mapper/bend.h"
 #include "mapper/tolerance.h"
 #include "spec/random.h"
-#include "tests/choice_support.h"
+#include "tests/any_tolerance.h"
 #include "tests/lane_units.h"
 
 namespace selvage::mapper {

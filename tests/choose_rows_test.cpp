@@ -15,7 +15,7 @@
 #include "spec/exact.h"
 #include "spec/random.h"
 #include "spec/tolerance.h"
-#include "tests/choice_support.h"
+#include "tests/any_tolerance.h"
 #include "tests/lane_units.h"
 
 namespace selvage::mapper {

@@ -3,6 +3,7 @@
 
 // Its checks, which debug and sanitizer builds switch on, would call into its library.
 #define HWY_IS_DEBUG_BUILD 0
+// CMake's option SELVAGE_SSE4.
 #ifdef SELVAGE_WITHOUT_SSE4
 #define SELVAGE_LEFT_OUT HWY_SSE4
 #else
