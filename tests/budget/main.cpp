@@ -1,10 +1,16 @@
-// Draws a stated workload a stated number of times: what tests/budget/run counts instructions of.
-#include <charconv>
+// Draws stated workloads, each once unseen and once for valgrind's callgrind to count: what
+// tests/budget/run runs.
+#include <valgrind/callgrind.h>
+
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "work.h"
 
@@ -14,16 +20,18 @@ namespace {
 enum Exit { kFine = 0, kFailed = 1, kWrongUse = 2, kNotHere = 3 };
 
 constexpr const char* kUsage =
-    "Usage: selvage_work KIND PASSES KERNEL\n"
+    "Usage: selvage_work KERNEL KIND...\n"
     "       selvage_work --build\n\n"
-    "Draws KIND (mesh-52, mesh-484, tilted-52, tilted-484, affine, perspective, bilinear,\n"
+    "Draws each KIND (mesh-52, mesh-484, tilted-52, tilted-484, affine, perspective, bilinear,\n"
     "bilinear-any, area, area-tilted, area-ruled, area-sums, quads, quad-tilted; an adversarial "
     "item\n"
-    "of the report, A1 to A14, or its twin, A1-ordinary to A14-ordinary) PASSES times with KERNEL\n"
-    "(scalar, sse4, avx2) and prints what a pass draws: UNITS UNIT PIXELS. With --build, prints "
-    "the compiler and\n"
-    "the kind of build.\n\n"
-    "Example: selvage_work mesh-52 2 scalar\n\n"
+    "of the report, A1 to A14, or its twin, A1-ordinary to A14-ordinary) twice with KERNEL "
+    "(scalar,\n"
+    "sse4, avx2). Under valgrind's callgrind with --instr-atstart=no the second drawing alone is\n"
+    "counted, and dumped under the KIND's name. After each, prints what was drawn: KIND UNITS "
+    "UNIT.\n"
+    "With --build, prints the compiler and the kind of build.\n\n"
+    "Example: selvage_work scalar mesh-52 A1\n\n"
     "Exit status: 0 drawn, 1 refused by the mapper, 2 wrong use, 3 no such kernel here.\n";
 
 constexpr uint32_t kUntouched = 0xFFFFFFFF;
@@ -33,13 +41,6 @@ std::optional<selvage_kernel> kernel_of(std::string_view name) {
   if (name == "sse4") return SELVAGE_KERNEL_SSE4;
   if (name == "avx2") return SELVAGE_KERNEL_AVX2;
   return std::nullopt;
-}
-
-std::optional<int> number_of(std::string_view text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size() || number < 1) return std::nullopt;
-  return number;
 }
 
 constexpr int32_t kPixelBytes = 4;
@@ -85,7 +86,18 @@ int failed(selvage_status status) {
   return kFailed;
 }
 
-int draw(const Work& work, int passes, selvage_kernel kernel) {
+[[nodiscard]] selvage_status draw(const Work& work, const selvage_image& target,
+                                  const selvage_texture& texture, const selvage_options& options) {
+  for (const Polygon& polygon : work.polygons) {
+    const selvage_status status =
+        selvage_draw(&target, nullptr, polygon.data(), polygon.size(), &texture, &options);
+    if (status != SELVAGE_OK) return status;
+  }
+  return SELVAGE_OK;
+}
+
+// What a first drawing alone does, such as finding out what the machine has, is not counted.
+int draw_and_count(const char* kind, const Work& work, selvage_kernel kernel) {
   const Texture texture(work);
   if (texture.status() != SELVAGE_OK) return failed(texture.status());
   std::vector<uint32_t> pixels(static_cast<size_t>(work.target_width_px * work.target_height_px),
@@ -95,38 +107,42 @@ int draw(const Work& work, int passes, selvage_kernel kernel) {
   selvage_options options{};
   options.filter = work.filter;
   options.kernel = kernel;
-  for (int pass = 0; pass < passes; ++pass) {
-    for (const Polygon& polygon : work.polygons) {
-      const selvage_status status =
-          selvage_draw(&target, nullptr, polygon.data(), polygon.size(), &texture.get(), &options);
-      if (status != SELVAGE_OK) return failed(status);
-    }
+  selvage_status status = draw(work, target, texture.get(), options);
+  if (status != SELVAGE_OK) return failed(status);
+  CALLGRIND_START_INSTRUMENTATION;
+  CALLGRIND_ZERO_STATS;
+  status = draw(work, target, texture.get(), options);
+  CALLGRIND_DUMP_STATS_AT(kind);
+  CALLGRIND_STOP_INSTRUMENTATION;
+  if (status != SELVAGE_OK) return failed(status);
+
+  size_t units = work.polygons.size();
+  if (work.unit == "px") {
+    units = pixels.size() - static_cast<size_t>(std::ranges::count(pixels, kUntouched));
   }
-  size_t drawn_px = 0;
-  for (const uint32_t pixel : pixels) drawn_px += pixel != kUntouched;
-  const size_t units = work.unit == "px" ? drawn_px : work.polygons.size();
-  std::printf("%zu %.*s %zu\n", units, static_cast<int>(work.unit.size()), work.unit.data(),
-              drawn_px);
+  std::printf("%s %zu %.*s\n", kind, units, static_cast<int>(work.unit.size()), work.unit.data());
+  std::fflush(stdout);  // who counts shows each as it comes
   return kFine;
 }
 
-int run(int count, char** arguments) {
-  if (count == 2 && std::strcmp(arguments[1], "--build") == 0) {
-    std::puts(SELVAGE_BUDGET_BUILD);
-    return kFine;
-  }
-  const auto work = count == 4 ? work_of(arguments[1]) : std::nullopt;
-  const auto passes = count == 4 ? number_of(arguments[2]) : std::nullopt;
-  const auto kernel = count == 4 ? kernel_of(arguments[3]) : std::nullopt;
-  if (!work || !passes || !kernel) {
-    std::fputs(kUsage, count == 2 && std::strcmp(arguments[1], "--help") == 0 ? stdout : stderr);
-    return count == 2 && std::strcmp(arguments[1], "--help") == 0 ? kFine : kWrongUse;
-  }
+int run(std::span<char*> arguments) {
+  const std::string_view first = arguments.size() > 1 ? arguments[1] : "";
+  if (first == "--help") return std::fputs(kUsage, stdout), kFine;
+  if (first == "--build") return std::puts(SELVAGE_BUDGET_BUILD), kFine;
+  const auto kernel = kernel_of(first);
+  if (!kernel || arguments.size() < 3) return std::fputs(kUsage, stderr), kWrongUse;
   if (selvage_has_kernel(*kernel) == 0) return kNotHere;
-  return draw(*work, *passes, *kernel);
+  for (const char* kind : arguments.subspan(2)) {
+    const auto work = work_of(kind);
+    if (!work) return std::fputs(kUsage, stderr), kWrongUse;
+    if (const int result = draw_and_count(kind, *work, *kernel); result != kFine) return result;
+  }
+  return kFine;
 }
 
 }  // namespace
 }  // namespace selvage::budget
 
-int main(int count, char** arguments) { return selvage::budget::run(count, arguments); }
+int main(int count, char** arguments) {
+  return selvage::budget::run({arguments, static_cast<size_t>(count)});
+}
