@@ -3,10 +3,8 @@
 
 // Its checks, which debug and sanitizer builds switch on, would call into its library.
 #define HWY_IS_DEBUG_BUILD 0
-// CMake's option SELVAGE_SSE4.
-#ifdef SELVAGE_WITHOUT_SSE4
-#define SELVAGE_LEFT_OUT HWY_SSE4
-#else
+// CMake's option SELVAGE_KERNELS.
+#ifndef SELVAGE_LEFT_OUT
 #define SELVAGE_LEFT_OUT 0
 #endif
 // What lies between SSE4, AVX2 and AVX-512 has nothing that these kernels use.
