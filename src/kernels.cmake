@@ -1,7 +1,17 @@
 # Which SIMD targets the vector kernels are built for.
 set(SELVAGE_KERNELS all CACHE STRING
-  "Vector kernels: all; or native: what this machine has of AVX2 and AVX-512, or SSE4 if it has neither")
+  "Vector kernels: all; or native, on x86-64: what this machine has of AVX2 and AVX-512, or SSE4 if it has neither")
 set_property(CACHE SELVAGE_KERNELS PROPERTY STRINGS all native)
+
+# selvage_has_all(MACROS VARIABLE FEATURE...): whether the compiler defines a macro for each.
+function(selvage_has_all macros variable)
+  set(${variable} ON PARENT_SCOPE)
+  foreach(feature IN LISTS ARGN)
+    if(NOT macros MATCHES "__${feature}__ ")
+      set(${variable} OFF PARENT_SCOPE)
+    endif()
+  endforeach()
+endfunction()
 
 # selvage_kernels_left_out(VARIABLE): Highway's names of those left out, as C++ has them; empty if
 # none is.
@@ -14,15 +24,24 @@ function(selvage_kernels_left_out variable)
   elseif(CMAKE_CROSSCOMPILING OR NOT CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     return()
   endif()
-  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -march=native -dM -E -x c++ /dev/null
+  separate_arguments(launched UNIX_COMMAND "${CMAKE_CXX_COMPILER_ARG1}")
+  execute_process(
+    COMMAND ${CMAKE_CXX_COMPILER} ${launched} -march=native -dM -E -x c++ /dev/null
     OUTPUT_VARIABLE macros COMMAND_ERROR_IS_FATAL ANY)
-  if(NOT macros MATCHES "__AVX2__ ")
-    set(left_out "HWY_AVX2|HWY_AVX3")
-  elseif(NOT macros MATCHES "__AVX512BW__ ")
-    set(left_out "HWY_SSE4|HWY_AVX3")
-  else()
-    set(left_out "HWY_SSE4")
+  # What mapper/vector_kernel.cpp asks of the machine.
+  selvage_has_all("${macros}" has_avx2 AVX2 FMA BMI2 F16C)
+  selvage_has_all("${macros}" has_avx512 AVX512F AVX512VL AVX512DQ AVX512BW BMI2)
+  set(left_out)
+  if(has_avx2 OR has_avx512)
+    list(APPEND left_out HWY_SSE4)
   endif()
+  if(NOT has_avx2)
+    list(APPEND left_out HWY_AVX2)
+  endif()
+  if(NOT has_avx512)
+    list(APPEND left_out HWY_AVX3)
+  endif()
+  list(JOIN left_out "|" left_out)
   message(STATUS "Vector kernels: native ones, which leaves out ${left_out}")
   set(${variable} "${left_out}" PARENT_SCOPE)
 endfunction()

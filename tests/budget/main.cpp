@@ -125,17 +125,28 @@ int draw_and_count(const char* kind, const Work& work, selvage_kernel kernel) {
   return kFine;
 }
 
+int wrong_use(const char* what, std::string_view word) {
+  std::fprintf(stderr, "selvage_work: %s%.*s; see --help\n", what, static_cast<int>(word.size()),
+               word.data());
+  return kWrongUse;
+}
+
 int run(std::span<char*> arguments) {
   const std::string_view first = arguments.size() > 1 ? arguments[1] : "";
-  if (first == "--help") return std::fputs(kUsage, stdout), kFine;
-  if (first == "--build") return std::puts(SELVAGE_BUDGET_BUILD), kFine;
+  if (arguments.size() == 2 && first == "--help") return std::fputs(kUsage, stdout), kFine;
+  if (arguments.size() == 2 && first == "--build") return std::puts(SELVAGE_BUDGET_BUILD), kFine;
+  if (arguments.size() < 3) return wrong_use("wanted are a kernel and a kind or some", "");
   const auto kernel = kernel_of(first);
-  if (!kernel || arguments.size() < 3) return std::fputs(kUsage, stderr), kWrongUse;
+  if (!kernel) return wrong_use("no such kernel: ", first);
+  const std::span<char*> kinds = arguments.subspan(2);
+  for (const char* kind : kinds) {
+    if (!work_of(kind)) return wrong_use("no such kind: ", kind);
+  }
   if (selvage_has_kernel(*kernel) == 0) return kNotHere;
-  for (const char* kind : arguments.subspan(2)) {
-    const auto work = work_of(kind);
-    if (!work) return std::fputs(kUsage, stderr), kWrongUse;
-    if (const int result = draw_and_count(kind, *work, *kernel); result != kFine) return result;
+  for (const char* kind : kinds) {
+    if (const int result = draw_and_count(kind, *work_of(kind), *kernel); result != kFine) {
+      return result;
+    }
   }
   return kFine;
 }
