@@ -8,11 +8,10 @@
 #endif
 
 #include "mapper/interior.h"
-#include "mapper/vector_blend_affine_windows-inl.h"
+#include "mapper/vector_blend_left-inl.h"
 #include "mapper/vector_blend_mix-inl.h"
 #include "mapper/vector_blend_pairs-inl.h"
 #include "mapper/vector_blend_points-inl.h"
-#include "mapper/vector_blend_projective_windows-inl.h"
 #include "mapper/vector_entries-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -158,49 +157,6 @@ HWY_INLINE void draw_span(const AffineSteps& steps, const Span& span, const Span
   draw_columns(steps, span, span.left_px, inner.left_px, surface, ties, anywhere);
   draw_columns(steps, inner, inner.left_px, inner.right_px, surface, ties, inside);
   draw_columns(steps, span, inner.right_px, span.right_px, surface, ties, anywhere);
-}
-
-// What windows leave of a batch, a vector at a time.
-template <class BlendAnywhere>
-HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Surface& surface,
-                            const BlendAnywhere& anywhere) {
-  const AffineSteps steps(spans);
-  RowOfTies ties(spans.exact, left.rest[0], kGridBits, 0);
-  for (int32_t i = 0; i < left.count; ++i) {
-    const Span& rest = left.rest[static_cast<size_t>(i)];
-    if (rest.row != ties.span().row) ties.go_to(rest);
-    const AffinePoints points(steps, rest.left_px, rest.row, &ties);
-    store_pixels(anywhere(points.points()), rest.width_px(),
-                 reinterpret_cast<uint32_t*>(first_pixel(surface, rest)));
-  }
-}
-
-template <class BlendAnywhere>
-HWY_NOINLINE void draw_left(const Left& left, const ProjectiveSpans& spans, const Surface& surface,
-                            const BlendAnywhere& anywhere) {
-  for (int32_t i = 0; i < left.count;) {
-    const int32_t row = left.rest[static_cast<size_t>(i)].row;
-    const Span span = spans.batch.span(row - spans.batch.first_row);
-    RowOfTies ties(spans.exact, span, kGridBits, 0);
-    const ProjectiveSteps steps(spans, span);
-    for (; i < left.count && left.rest[static_cast<size_t>(i)].row == row; ++i) {
-      const Span& rest = left.rest[static_cast<size_t>(i)];
-      const ProjectivePoints points(steps, rest.left_px, row, &ties);
-      store_pixels(anywhere(points.points()), rest.width_px(),
-                   reinterpret_cast<uint32_t*>(first_pixel(surface, rest)));
-    }
-  }
-}
-
-template <class Spans, class BlendAnywhere>
-void draw_by_windows(const Spans& spans, const Surface& surface, bool four,
-                     BlendWindows<Spans> windows, const BlendAnywhere& anywhere) {
-  Resume at;
-  Left left;
-  do {
-    windows(spans, surface, four, &at, &left);
-    if (left.count != 0) draw_left(left, spans, surface, anywhere);
-  } while (at.row < spans.batch.rows);
 }
 
 template <bool kFour, class Address>
