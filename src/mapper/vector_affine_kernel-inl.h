@@ -28,6 +28,9 @@ HWY_NOINLINE void draw_affine_as(const AffineSpans& spans, const Surface& surfac
   if (shape.rows == 0 && spans.batch.widest_px <= kNarrow_px) {
     return draw_narrow<Address>(spans, surface);
   }
+  if (kHasWindows && shape.rows != 0 && !pays_to_find_runs(spans.batch)) {
+    return draw_by_strips<Pixel, Address>(spans, surface, shape);
+  }
   draw_wide<Pixel, Address>(spans, surface, shape);
 }
 

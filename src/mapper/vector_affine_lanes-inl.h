@@ -34,6 +34,30 @@ namespace {
   return hn::Add(whole, hn::ShiftRight<kAnchorShift>(fraction));
 }
 
+// kLanes lanes of 32.32, in two vectors.
+struct WideLanes {
+  V32 low, high;
+
+  [[nodiscard]] HWY_INLINE V32 texels() const { return hn::ConcatOdd(D32(), high, low); }
+  [[nodiscard]] HWY_INLINE V32 fractions_fx16() const {
+    return unsigned_shift(hn::ConcatEven(D32(), high, low));
+  }
+  // Modulo 2^32.
+  [[nodiscard]] HWY_INLINE V32 floors_fx16() const {
+    const auto shifted = [](V32 half) HWY_ATTR {
+      const hn::Repartition<uint64_t, D32> wide;
+      return hn::BitCast(D32(), hn::ShiftRight<kAnchorShift>(hn::BitCast(wide, half)));
+    };
+    return hn::ConcatEven(D32(), shifted(high), shifted(low));
+  }
+
+ private:
+  static HWY_INLINE V32 unsigned_shift(V32 lanes) {
+    const hn::RebindToUnsigned<D32> d;
+    return hn::BitCast(D32(), hn::ShiftRight<kAnchorShift>(hn::BitCast(d, lanes)));
+  }
+};
+
 template <class Address>
 class AffineBatch : public FixedLanes<Address> {
  public:

@@ -1,5 +1,5 @@
-// The vectors of narrow affine spans, what they need found some rows at once. Included once for
-// each SIMD target.
+// Strips of narrow affine spans, a vector of each row, what they need found some rows at once.
+// Included once for each SIMD target.
 #if defined(SELVAGE_VECTOR_AFFINE_STRIP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_AFFINE_STRIP_INL_H
 #undef SELVAGE_VECTOR_AFFINE_STRIP_INL_H
@@ -25,75 +25,104 @@ namespace {
   return {sum(lane.u_fx32, step.u_fx32), sum(lane.v_fx32, step.v_fx32)};
 }
 
-// Rows that are asked for at once, as many as there are 64-bit lanes.
-using RowTag32 = hn::Half<D32>;
-using RowTag64 = hn::Repartition<int64_t, D32>;
-inline constexpr int32_t kStripRows = kLanes / 2;
-
-// One coordinate of the anchors, modulo 2^64, of kStripRows rows: of the vectors that begin at
-// these pixels of them.
+// One coordinate of the anchors, modulo 2^64, of kLanes rows at a time, of vectors that begin at
+// some pixels of them.
 class RowAnchors {
  public:
-  using Lanes = hn::Vec<RowTag64>;
-
   // `first_fx32`: that of the first row's vector that begins at pixel 0.
   HWY_INLINE RowAnchors(int64_t first_fx32, int64_t step_x_fx32, int64_t step_y_fx32)
-      : step_x_(hn::Set(RowTag64(), step_x_fx32)),
-        down_(hn::ShiftLeft<kStripRowBits>(hn::Set(RowTag64(), step_y_fx32))),
-        rows_(hn::Add(hn::Set(RowTag64(), first_fx32),
-                      hn::Mul(hn::Iota(RowTag64(), 0), hn::Set(RowTag64(), step_y_fx32)))) {}
+      : step_(hn::Set(Unsigned(), static_cast<uint64_t>(step_x_fx32))),
+        step_high_(hn::ShiftRight<32>(step_)),
+        down_(hn::ShiftLeft<kRowBits>(hn::Set(Wide(), step_y_fx32))),
+        rows_(hn::Add(hn::Set(Wide(), first_fx32),
+                      hn::Mul(hn::Iota(Wide(), 0), hn::Set(Wide(), step_y_fx32)))) {}
 
-  HWY_INLINE Lanes at(hn::Vec<RowTag64> px) const { return hn::Add(rows_, hn::Mul(px, step_x_)); }
-  HWY_INLINE void go_down() { rows_ = hn::Add(rows_, down_); }
+  // Pixels are not negative. Goes down to the rows below.
+  HWY_INLINE WideLanes next(V32 px) {
+    const hn::Half<D32> half;
+    const auto low = hn::Add(rows_, walk(hn::PromoteTo(Wide(), hn::LowerHalf(half, px))));
+    rows_ = hn::Add(rows_, down_);
+    const auto high = hn::Add(rows_, walk(hn::PromoteTo(Wide(), hn::UpperHalf(half, px))));
+    rows_ = hn::Add(rows_, down_);
+    return {hn::BitCast(D32(), low), hn::BitCast(D32(), high)};
+  }
 
  private:
-  static constexpr int kStripRowBits = kLanes == 16 ? 3 : kLanes == 8 ? 2 : 1;
-  static_assert(1 << kStripRowBits == kStripRows);
+  using Wide = hn::Repartition<int64_t, D32>;
+  using Unsigned = hn::RebindToUnsigned<Wide>;
+  static constexpr int kRowBits = kLanes == 16 ? 3 : kLanes == 8 ? 2 : 1;
+  static_assert(1 << kRowBits == kLanes / 2);
 
-  Lanes step_x_, down_, rows_;
+  // px step, by 32 bits of the step at a time.
+  HWY_INLINE hn::Vec<Wide> walk(hn::Vec<Wide> px) const {
+    const hn::Repartition<uint32_t, D32> words;
+    const auto by = [&](hn::Vec<Unsigned> digit) HWY_ATTR {
+      return hn::MulEven(hn::BitCast(words, px), hn::BitCast(words, digit));
+    };
+    return hn::BitCast(Wide(), hn::Add(by(step_), hn::ShiftLeft<32>(by(step_high_))));
+  }
+
+  hn::Vec<Unsigned> step_, step_high_;
+  hn::Vec<Wide> down_, rows_;
 };
 
-[[nodiscard]] HWY_INLINE hn::Vec<RowTag32> floors_fx16(RowAnchors::Lanes anchors_fx32) {
-  const hn::RebindToUnsigned<RowTag64> from;
-  const hn::RebindToUnsigned<RowTag32> to;
-  const auto shifted = hn::ShiftRight<kAnchorShift>(hn::BitCast(from, anchors_fx32));
-  return hn::BitCast(RowTag32(), hn::TruncateTo(to, shifted));
+// Of some rows, which of a strip's vectors they have: the pixel where it begins, and how many there
+// are from there to the span's end. It begins where the strip does, so many pixels right of the
+// span's left end, or, in a row as wide as a vector, further left, so that it is whole.
+struct StripEnds {
+  V32 from_px, count_px;
+
+  HWY_INLINE StripEnds(const SpanBatch& batch, int32_t row, int32_t right_by_px) {
+    const D32 d;
+    const V32 left = hn::LoadU(d, batch.left_px.data() + row);
+    const V32 right = hn::LoadU(d, batch.right_px.data() + row);
+    const V32 last = hn::Max(left, hn::Sub(right, hn::Set(d, kLanes)));
+    from_px = hn::Min(hn::Add(left, hn::Set(d, right_by_px)), last);
+    count_px = hn::Sub(right, from_px);
+  }
+};
+
+// Those of the rows of a block that have pixels so far right of their left ends, and maybe some
+// between that have none.
+[[nodiscard]] HWY_INLINE RowBlock rows_with(const SpanBatch& batch, const RowBlock& block,
+                                            int32_t right_by_px) {
+  const D32 d;
+  static_assert(kLeastBlockRows % kLanes == 0 && kRowsPerBatch % kLanes == 0);
+  uint64_t rows = 0;
+  for (int32_t row = block.first; row < block.end; row += kLanes) {
+    const V32 begin = hn::Add(hn::LoadU(d, batch.left_px.data() + row), hn::Set(d, right_by_px));
+    rows |= bits_of(hn::Lt(begin, hn::LoadU(d, batch.right_px.data() + row))) << row;
+  }
+  rows &= ~uint64_t{0} >> (kRowsPerBatch - block.end);
+  return {std::countr_zero(rows), kRowsPerBatch - std::countl_zero(rows), block.widest_px};
 }
 
-// A strip of a block: of each of its rows, the vector that begins so many pixels right of the
-// span's left end; its anchor, and how many pixels the row has from there on, maybe less than none.
-struct StripVectors {
-  HWY_ALIGN int32_t u_fx16[kRowsPerBatch], v_fx16[kRowsPerBatch], count_px[kRowsPerBatch];
-
-  // The anchors are those of the block's first row.
-  HWY_INLINE StripVectors(const SpanBatch& batch, const RowBlock& block, int32_t right_by_px,
-                          RowAnchors u, RowAnchors v) {
-    const RowTag32 d;
-    const auto right_by = hn::Set(d, right_by_px);
-    for (int32_t row = block.first; row < block.end; row += kStripRows) {
-      const auto from_px = hn::Add(hn::LoadU(d, batch.left_px.data() + row), right_by);
-      const auto end_px = hn::LoadU(d, batch.right_px.data() + row);
-      const auto wide_px = hn::PromoteTo(RowTag64(), from_px);
-      hn::Store(floors_fx16(u.at(wide_px)), d, u_fx16 + row);
-      hn::Store(floors_fx16(v.at(wide_px)), d, v_fx16 + row);
-      hn::Store(hn::Sub(end_px, from_px), d, count_px + row);
-      u.go_down();
-      v.go_down();
-    }
+// Calls put(row, ends, u, v) for kLanes rows at a time, maybe with some beyond the last one; u and
+// v are anchors. `anchor`: of the vector that begins in column 0 of the batch's first row.
+template <class Put>
+HWY_INLINE void for_strip(const SpanBatch& batch, const RowBlock& rows, int32_t right_by_px,
+                          Lane anchor, const AffineField& field, const Put& put) {
+  const Lane first = plus(anchor, rows.first, field.step_y);
+  RowAnchors u(first.u_fx32, field.step_x.u_fx32, field.step_y.u_fx32);
+  RowAnchors v(first.v_fx32, field.step_x.v_fx32, field.step_y.v_fx32);
+  for (int32_t row = rows.first; row < rows.end; row += kLanes) {
+    const StripEnds ends(batch, row, right_by_px);
+    put(row, ends, u.next(ends.from_px), v.next(ends.from_px));
   }
+}
 
-  // Those of the rows of a block that have pixels, and maybe some between that have none.
-  [[nodiscard]] HWY_INLINE RowBlock with_pixels(const RowBlock& block) const {
-    static_assert(kLeastBlockRows % kLanes == 0 && kRowsPerBatch % kLanes == 0);
-    uint64_t rows = 0;
-    for (int32_t row = block.first; row < block.end; row += kLanes) {
-      const V32 count = hn::LoadU(D32(), count_px + row);
-      rows |= bits_of(hn::Gt(count, hn::Zero(D32()))) << row;
+// Calls draw(block, rows, right_by_px) for each strip of each block, with the strip's rows. Ends
+// where that returns false.
+template <class Draw>
+HWY_INLINE void for_each_strip(const SpanBatch& batch, int32_t most_rows, const Draw& draw) {
+  const auto draw_block = [&](const RowBlock& block) HWY_ATTR __attribute__((always_inline)) {
+    for (int32_t px = 0; px < block.widest_px; px += kLanes) {
+      if (!draw(block, px == 0 ? block : rows_with(batch, block, px), px)) return false;
     }
-    rows &= ~uint64_t{0} >> (kRowsPerBatch - block.end);
-    return {std::countr_zero(rows), kRowsPerBatch - std::countl_zero(rows), block.widest_px};
-  }
-};
+    return true;
+  };
+  for_each_block(batch, kLanes, most_rows, draw_block);
+}
 
 }  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE

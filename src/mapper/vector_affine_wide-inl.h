@@ -8,7 +8,8 @@
 
 #include "mapper/interior.h"
 #include "mapper/vector_affine_exact-inl.h"
-#include "mapper/vector_affine_windows-inl.h"
+#include "mapper/vector_affine_window_runs-inl.h"
+#include "mapper/vector_affine_window_strips-inl.h"
 #include "mapper/vector_batch_ties-inl.h"
 #include "mapper/vector_fetch-inl.h"
 
@@ -71,36 +72,6 @@ HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Su
   return batch.widest_px >= kLeast_px;
 }
 
-// Texels from windows of narrow spans, of each vector by itself, but for what does not lie in one.
-template <class Pixel, class Address>
-HWY_NOINLINE void draw_narrow_windows(const AffineSpans& spans, const Surface& surface,
-                                      int32_t rows, Resume* at, Left* left) {
-  const AffineBatch<Address> batch(spans, surface);
-  const Extent extent = extent_of(surface.texture);
-  const auto* const texels = static_cast<const Pixel*>(surface.texture.texels);
-  const int32_t last_column = extent.width_texel - kLanes, last_row = extent.height_texel - rows;
-  char* const pixels = static_cast<char*>(surface.target.pixels);
-  const ptrdiff_t pitch = surface.target.pitch;
-  for_each_vector(
-      spans, batch, at, left,
-      [&](int32_t row, int32_t px, int32_t count_px, Lane anchor) HWY_ATTR
-      __attribute__((always_inline)) {
-        const Origin s =
-            Address::origin(floor_texel(anchor.u_fx32), last_column, extent.width_texel);
-        const Origin t = Address::origin(floor_texel(anchor.v_fx32), last_row, extent.height_texel);
-        const LaneVectors lanes =
-            batch.lanes_from({anchor.u_fx32 - (int64_t{s.texel} << kLaneFraction),
-                              anchor.v_fx32 - (int64_t{t.texel} << kLaneFraction)});
-        const bool is_outside = s.index > last_column || t.index > last_row;
-        if (batch.any_near(lanes) || is_outside) return false;
-        const V32 index = batch.template window_index<kWindowColumnBits>(lanes, rows);
-        const Pixel* const window = texels + t.index * ptrdiff_t{extent.pitch_texel} + s.index;
-        store_pixels(pick<kWindowColumnBits>(window, extent.pitch_texel, rows, index), count_px,
-                     reinterpret_cast<Pixel*>(pixels + row * pitch) + px);
-        return true;
-      });
-}
-
 // A load for each pixel of a vector of them.
 template <class Pixel, class Address, class Fetch>
 HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, Resume* at,
@@ -135,11 +106,37 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
   return field.margin_fx32 <= kSmall_fx32;
 }
 
+// Narrow spans by windows.
+template <class Pixel, class Address>
+void draw_by_strips(const AffineSpans& spans, const Surface& surface, const WindowShape& shape) {
+  const AffineBatch<Address> lanes(spans, surface);
+  BatchTies batch_ties(spans.exact, spans.batch, lanes.spare_bits());
+  Left left;
+  const auto draw_rest = [&](int32_t first_row, int32_t of_vectors) {
+    if (are_many(left.count, of_vectors)) {
+      if (has_quotients(spans)) {
+        draw_exactly<Pixel, Address>(spans, surface, first_row, shape.rows);
+        return false;
+      }
+      if (is_small(spans.field)) {
+        scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(spans, surface);
+        return false;
+      }
+    }
+    batch_ties.with_ties(
+        [&](auto* ties) { draw_left<Pixel, Address>(left, spans, surface, shape.rows, ties); });
+    return true;
+  };
+  const bool inside = TexelRanges(spans.texels).within(surface.texture);
+  with_window_shape<Pixel>(
+      surface, shape, inside,
+      WindowStrips<decltype(draw_rest)>{spans, surface, inside, &left, draw_rest});
+}
+
 template <class Pixel, class Address>
 void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowShape& shape) {
   const bool inside =
       pays_to_ask_inside(spans.batch) && is_inside(spans.batch, spans.field, surface.texture);
-  const bool by_runs = pays_to_find_runs(spans.batch);
   const bool ahead = shape.rows == 0 && !is_cached(surface.texture);
   const AffineBatch<Address> lanes(spans, surface);
   BatchTies batch_ties(spans.exact, spans.batch, lanes.spare_bits());
@@ -147,10 +144,9 @@ void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowSha
   Left left;
   do {
     const int32_t first = at.row;
-    if (kHasWindows && shape.rows != 0 && !by_runs) {
-      draw_narrow_windows<Pixel, Address>(spans, surface, shape.rows, &at, &left);
-    } else if (kHasWindows && shape.rows != 0) {
-      draw_windows<Pixel>(spans, surface, shape, inside, &at, &left);
+    if (kHasWindows && shape.rows != 0) {
+      with_window_shape<Pixel>(surface, shape, inside,
+                               WindowRuns{spans, surface, inside, &at, &left});
     } else if (ahead) {
       draw_loads<Pixel, Address, FetchAhead<Pixel>>(spans, surface, &at, &left);
     } else if (inside) {

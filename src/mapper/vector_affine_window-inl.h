@@ -18,49 +18,57 @@ namespace {
 // change them.
 template <class Pixel, class Batch, class OneWindow>
 struct WindowPainter {
-  static constexpr ptrdiff_t kPixel_bytes = sizeof(Pixel);
-
   OneWindow window;
   Batch batch;
   V32 changed = hn::Zero(D32());
 
-  HWY_INLINE void draw(int32_t u_fx16, int32_t v_fx16, int32_t count_px, char* row, int32_t px) {
-    const D32 d;
-    const LaneVectors lanes = batch.lanes_from(u_fx16, v_fx16);
-    const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
-    changed = hn::IfThenElse(is_pixel, hn::Or(changed, batch.changes(lanes)), changed);
-    store_first(is_pixel, window.texels(lanes), count_px, reinterpret_cast<Pixel*>(row) + px);
+  HWY_INLINE void draw(int32_t u_fx16, int32_t v_fx16, int32_t count_px, Pixel* to) {
+    changed = draw_first(window, batch, batch.lanes_from(u_fx16, v_fx16), count_px, changed, to);
   }
 };
 
-template <class Painter>
-HWY_INLINE void draw_strip(const StripVectors& vectors, const RowBlock& rows,
-                           const int32_t* from_px, char* row, ptrdiff_t pitch, Painter* painter) {
+// A vector of each row of a batch.
+struct StripVectors {
+  HWY_ALIGN int32_t u_fx16[kRowsPerBatch + kLanes], v_fx16[kRowsPerBatch + kLanes];
+  HWY_ALIGN int32_t from_px[kRowsPerBatch + kLanes], count_px[kRowsPerBatch + kLanes];
+
+  HWY_INLINE void put(int32_t row, const StripEnds& ends, const WideLanes& u, const WideLanes& v) {
+    const D32 d;
+    hn::StoreU(u.floors_fx16(), d, u_fx16 + row);
+    hn::StoreU(v.floors_fx16(), d, v_fx16 + row);
+    hn::StoreU(ends.from_px, d, from_px + row);
+    hn::StoreU(ends.count_px, d, count_px + row);
+  }
+};
+
+template <class Pixel, class Painter>
+HWY_INLINE void draw_strip(const StripVectors& vectors, const RowBlock& rows, char* row,
+                           ptrdiff_t pitch, Painter* painter) {
   for (ptrdiff_t i = rows.first; i < rows.end; ++i) {
-    painter->draw(vectors.u_fx16[i], vectors.v_fx16[i], vectors.count_px[i], row, from_px[i]);
+    painter->draw(vectors.u_fx16[i], vectors.v_fx16[i], vectors.count_px[i],
+                  reinterpret_cast<Pixel*>(row) + vectors.from_px[i]);
     row += pitch;
   }
 }
 
 // `first`: the lane of the vector that begins in column 0 of the batch's first row.
-template <class Painter>
+template <class Pixel, class Painter>
 [[nodiscard]] HWY_INLINE V32 draw_strips(Painter painter, const SpanBatch& batch, Lane first,
                                          const AffineField& field, const selvage_image& target) {
   const ptrdiff_t pitch = target.pitch;
   char* const first_row = static_cast<char*>(target.pixels) + batch.first_row * pitch;
-  const auto draw_block = [&](const RowBlock& block) HWY_ATTR __attribute__((always_inline)) {
-    const Lane anchor = plus(first, block.first, field.step_y);
-    const RowAnchors u(anchor.u_fx32, field.step_x.u_fx32, field.step_y.u_fx32);
-    const RowAnchors v(anchor.v_fx32, field.step_x.v_fx32, field.step_y.v_fx32);
-    for (int32_t px = 0; px < block.widest_px; px += kLanes) {
-      const StripVectors vectors(batch, block, px, u, v);
-      const RowBlock rows = px == 0 ? block : vectors.with_pixels(block);
-      char* const row = first_row + rows.first * pitch + px * Painter::kPixel_bytes;
-      draw_strip(vectors, rows, batch.left_px.data(), row, pitch, &painter);
-    }
-    return true;
-  };
-  for_each_block(batch, kLanes, rows_per_block(pitch), draw_block);
+  StripVectors vectors;
+  for_each_strip(
+      batch, rows_per_block(pitch),
+      [&](const RowBlock& /*block*/, const RowBlock& rows, int32_t right_by_px) HWY_ATTR
+      __attribute__((always_inline)) {
+        for_strip(
+            batch, rows, right_by_px, first, field,
+            [&](int32_t row, const StripEnds& ends, const WideLanes& u, const WideLanes& v) HWY_ATTR
+            __attribute__((always_inline)) { vectors.put(row, ends, u, v); });
+        draw_strip<Pixel>(vectors, rows, first_row + rows.first * pitch, pitch, &painter);
+        return true;
+      });
   return painter.changed;
 }
 
@@ -73,7 +81,7 @@ template <class Pixel, class Address, class OneWindow>
   const AffineField& field = spans.field;
   const WindowPainter<Pixel, Batch, OneWindow> painter{window, Batch(spans, surface)};
   const Lane first = painter.batch.anchor(field.at(0, rows.first_row));
-  return draw_strips(painter, rows, plus(first, -1, window.origin()), field, surface.target);
+  return draw_strips<Pixel>(painter, rows, plus(first, -1, window.origin()), field, surface.target);
 }
 
 // Draws a batch from one window; of an address mode it takes lanes alone, for which any will do.

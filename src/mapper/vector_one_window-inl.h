@@ -206,6 +206,30 @@ class Window {
   Lane origin_;
 };
 
+// Draws the first pixels of a vector from a window, maybe none, and returns what the lanes of
+// pixels lack changes in them, beside what that changed before. With a mask no branch is taken,
+// which would seldom be foreseen where vectors are seldom whole.
+template <class Pixel, class OneWindow, class Fixed>
+[[nodiscard]] HWY_INLINE V32 draw_first(const OneWindow& window, const Fixed& fixed,
+                                        const LaneVectors& lanes, int32_t count_px, V32 changed,
+                                        Pixel* to) {
+  const D32 d;
+  constexpr bool kByMask = kHasMask && sizeof(Pixel) == sizeof(int32_t);
+  const V32 texels = window.texels(lanes);
+  const V32 changed_by_all = hn::Or(changed, fixed.changes(lanes));
+  if (!kByMask && HWY_LIKELY(count_px >= kLanes)) {
+    store_pixels(texels, kLanes, to);
+    return changed_by_all;
+  }
+  const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
+  if constexpr (kByMask) {
+    hn::BlendedStore(texels, is_pixel, d, reinterpret_cast<int32_t*>(to));
+  } else {
+    store_pixels(texels, count_px, to);
+  }
+  return hn::IfThenElse(is_pixel, changed_by_all, changed);
+}
+
 // Calls draw(window) with a window of so many vectors, or of fewer.
 template <class Pixel, class Address, int kColumnBits, int32_t kVectors = kMostWindowVectors,
           class Draw>

@@ -20,10 +20,9 @@ template <class Pixel, class Fixed, class OneWindow>
                                         const AnchoredVectors& vectors, const SpanBatch& batch,
                                         const selvage_image& target, const RowBlock& block,
                                         int32_t right_by_px) {
-  const D32 d;
   const ptrdiff_t pitch = target.pitch;
   char* row = static_cast<char*>(target.pixels) + (batch.first_row + block.first) * pitch;
-  V32 changed = hn::Zero(d);
+  V32 changed = hn::Zero(D32());
   const PieceLanes lanes_of;
   Pieces pieces;
   Anchors anchors;
@@ -37,9 +36,7 @@ template <class Pixel, class Fixed, class OneWindow>
       Pixel* to = reinterpret_cast<Pixel*>(row) + pieces.left_px[k];
       for (int32_t at = 0; at < kVectorsPerPiece && (at == 0 || count_px > 0); ++at) {
         const LaneVectors lanes = lanes_of.lanes(anchors, k, at);
-        const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
-        changed = hn::IfThenElse(is_pixel, hn::Or(changed, fixed.changes(lanes)), changed);
-        store_first(is_pixel, window.texels(lanes), count_px, to);
+        changed = draw_first(window, fixed, lanes, count_px, changed, to);
         count_px -= kLanes;
         to += kLanes;
       }

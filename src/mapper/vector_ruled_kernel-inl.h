@@ -62,9 +62,7 @@ struct RuledFromWindow {
     for (int32_t px = 0; px < width_px; px += kLanes) {
       const LaneVectors lanes{hn::Add(hn::Set(d, floor_fx16(lane.u_fx32)), steps.u),
                               hn::Add(hn::Set(d, floor_fx16(lane.v_fx32)), steps.v)};
-      const auto is_pixel = hn::Gt(hn::Set(d, width_px - px), hn::Iota(d, 0));
-      changed = hn::IfThenElse(is_pixel, hn::Or(changed, fixed.changes(lanes)), changed);
-      store_first(is_pixel, window.texels(lanes), width_px - px, to + px);
+      changed = draw_first(window, fixed, lanes, width_px - px, changed, to + px);
       lane.u_fx32 += kLanes * step.u_fx32;
       lane.v_fx32 += kLanes * step.v_fx32;
     }

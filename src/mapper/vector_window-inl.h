@@ -170,13 +170,42 @@ HWY_INLINE V32 pick_few(const Pixel* HWY_RESTRICT window, ptrdiff_t pitch_texel,
   return pick<kBits>(window, pitch_texel, rows, index);
 }
 
-// Stores a vector of pixels, or the first ones.
+// Of four pixels the first ones, fewer, maybe none.
+HWY_INLINE void store_some_of_4(hn::Vec<hn::CappedTag<int32_t, 4>> texels, int32_t count,
+                                int32_t* HWY_RESTRICT to) {
+  const hn::CappedTag<int32_t, 2> two;
+  if (count >= 2) {
+    hn::StoreU(hn::LowerHalf(two, texels), two, to);
+    if (count > 2) to[2] = hn::ExtractLane(texels, 2);
+  } else if (count > 0) {
+    *to = hn::GetLane(texels);
+  }
+}
+
+// The first pixels of a vector, fewer than it has, maybe none.
+HWY_INLINE void store_some(V32 texels, int32_t count, int32_t* HWY_RESTRICT to) {
+#if HWY_TARGET == HWY_AVX3
+  hn::BlendedStore(texels, hn::FirstN(D32(), static_cast<size_t>(count)), D32(), to);
+#elif HWY_TARGET == HWY_AVX2
+  const hn::Half<D32> four;
+  const auto low = hn::LowerHalf(four, texels);
+  if (count < 4) return store_some_of_4(low, count, to);
+  const V32 last = hn::Add(hn::Iota(D32(), 0), hn::Set(D32(), count - 4));
+  const V32 high{_mm256_permutevar8x32_epi32(texels.raw, last.raw)};
+  hn::StoreU(low, four, to);
+  hn::StoreU(hn::LowerHalf(four, high), four, to + count - 4);
+#else
+  store_some_of_4(texels, count, to);
+#endif
+}
+
+// Stores a vector of pixels, or the first ones, maybe none.
 template <class Pixel>
 HWY_INLINE void store_pixels(V32 texels, int32_t count, Pixel* HWY_RESTRICT pixels) {
   if constexpr (sizeof(Pixel) == sizeof(int32_t)) {
     int32_t* const to = reinterpret_cast<int32_t*>(pixels);
     if (HWY_LIKELY(count >= kLanes)) return hn::StoreU(texels, D32(), to);
-    hn::BlendedStore(texels, hn::FirstN(D32(), static_cast<size_t>(count)), D32(), to);
+    store_some(texels, count, to);
   } else {
     const hn::Rebind<Pixel, D32> d;
     const auto narrow = hn::TruncateTo(d, hn::BitCast(hn::RebindToUnsigned<D32>(), texels));
@@ -184,18 +213,6 @@ HWY_INLINE void store_pixels(V32 texels, int32_t count, Pixel* HWY_RESTRICT pixe
     HWY_ALIGN Pixel row[kNarrow_px] = {};  // store_row loads as many
     hn::Store(narrow, d, row);
     store_row<Pixel>(row, count, reinterpret_cast<char*>(pixels));
-  }
-}
-
-// Stores the first pixels of a vector, which are given as a mask too, maybe none: where it is
-// seldom whole, that a branch would seldom be foreseen.
-template <class Pixel>
-HWY_INLINE void store_first(hn::Mask<D32> is_pixel, V32 texels, int32_t count,
-                            Pixel* HWY_RESTRICT pixels) {
-  if constexpr (sizeof(Pixel) == sizeof(int32_t)) {
-    hn::BlendedStore(texels, is_pixel, D32(), reinterpret_cast<int32_t*>(pixels));
-  } else {
-    if (count > 0) store_pixels(texels, count, pixels);
   }
 }
 
