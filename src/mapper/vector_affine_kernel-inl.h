@@ -25,10 +25,7 @@ HWY_NOINLINE void draw_affine_as(const AffineSpans& spans, const Surface& surfac
     if (spans.batch.widest_px <= kLanes && draw_near_ties<Pixel>(spans, surface)) return;
     if (has_quotients(spans)) return draw_exactly<Pixel, Address>(spans, surface, 0, shape.rows);
   }
-  if (shape.rows == 0 && spans.batch.widest_px <= kNarrow_px) {
-    return draw_narrow<Address>(spans, surface);
-  }
-  if (kHasWindows && shape.rows != 0 && !pays_to_find_runs(spans.batch)) {
+  if (!pays_to_find_runs(spans.batch)) {
     return draw_by_strips<Pixel, Address>(spans, surface, shape);
   }
   draw_wide<Pixel, Address>(spans, surface, shape);

@@ -97,31 +97,83 @@ struct StripEnds {
   return {std::countr_zero(rows), kRowsPerBatch - std::countl_zero(rows), block.widest_px};
 }
 
-// Calls put(row, ends, u, v) for kLanes rows at a time, maybe with some beyond the last one; u and
-// v are anchors. `anchor`: of the vector that begins in column 0 of the batch's first row.
-template <class Put>
-HWY_INLINE void for_strip(const SpanBatch& batch, const RowBlock& rows, int32_t right_by_px,
-                          Lane anchor, const AffineField& field, const Put& put) {
+// A vector of each row of a batch: where it begins, and how many pixels there are from there on.
+struct Strip {
+  HWY_ALIGN int32_t from_px[kRowsPerBatch + kLanes], count_px[kRowsPerBatch + kLanes];
+
+  HWY_INLINE void put(int32_t row, const StripEnds& ends) {
+    hn::StoreU(ends.from_px, D32(), from_px + row);
+    hn::StoreU(ends.count_px, D32(), count_px + row);
+  }
+};
+
+// The same, with the anchors of the vectors.
+struct AnchoredStrip : Strip {
+  HWY_ALIGN int32_t u_fx16[kRowsPerBatch + kLanes], v_fx16[kRowsPerBatch + kLanes];
+
+  HWY_INLINE void put(int32_t row, const StripEnds& ends, const WideLanes& u, const WideLanes& v) {
+    Strip::put(row, ends);
+    hn::StoreU(u.floors_fx16(), D32(), u_fx16 + row);
+    hn::StoreU(v.floors_fx16(), D32(), v_fx16 + row);
+  }
+};
+
+// Calls strip->put(row, ends, u, v) for kLanes rows at a time, maybe with some beyond the last one;
+// u and v are anchors. `anchor`: of the vector that begins in column 0 of the batch's first row.
+template <class AnyStrip>
+HWY_INLINE void find_strip(const SpanBatch& batch, const RowBlock& rows, int32_t right_by_px,
+                           Lane anchor, const AffineField& field, AnyStrip* strip) {
   const Lane first = plus(anchor, rows.first, field.step_y);
   RowAnchors u(first.u_fx32, field.step_x.u_fx32, field.step_y.u_fx32);
   RowAnchors v(first.v_fx32, field.step_x.v_fx32, field.step_y.v_fx32);
   for (int32_t row = rows.first; row < rows.end; row += kLanes) {
     const StripEnds ends(batch, row, right_by_px);
-    put(row, ends, u.next(ends.from_px), v.next(ends.from_px));
+    strip->put(row, ends, u.next(ends.from_px), v.next(ends.from_px));
   }
 }
 
-// Calls draw(block, rows, right_by_px) for each strip of each block, with the strip's rows. Ends
-// where that returns false.
-template <class Draw>
-HWY_INLINE void for_each_strip(const SpanBatch& batch, int32_t most_rows, const Draw& draw) {
+// Calls by->draw(strip, row, count_px, to) for the vectors of a strip, and puts those down for
+// which it returns false.
+template <class Pixel, class AnyStrip, class By>
+HWY_INLINE void draw_strip(const AnyStrip& strip, const RowBlock& rows, const SpanBatch& batch,
+                           const selvage_image& target, By* by, Left* left) {
+  char* row = static_cast<char*>(target.pixels) + (batch.first_row + rows.first) * target.pitch;
+  int32_t left_count = 0;
+  for (int32_t i = rows.first; i < rows.end; ++i) {
+    const int32_t from_px = strip.from_px[i], count_px = strip.count_px[i];
+    Pixel* const to = reinterpret_cast<Pixel*>(row) + from_px;
+    if (HWY_UNLIKELY(!by->draw(strip, i, count_px, to)) && count_px > 0) {
+      left->rest[static_cast<size_t>(left_count++)] = {batch.first_row + i, from_px,
+                                                       from_px + count_px};
+    }
+    row += target.pitch;
+  }
+  left->count = left_count;
+}
+
+// Draws a batch by strips. Where some vectors of one are left, calls draw_left(first_row,
+// of_vectors) with the row of the batch above which all is drawn, and how many vectors the strip
+// has; ends where that returns false. `anchor` as above. Returns what it was drawn by, a copy,
+// which stays in registers, for no store can change it.
+template <class Pixel, class AnyStrip, class By, class DrawLeft>
+HWY_INLINE By draw_strips(By by, AnyStrip* strip, Lane anchor, const AffineSpans& spans,
+                          const Surface& surface, Left* left, const DrawLeft& draw_left) {
+  static_assert(Left::kMost >= kRowsPerBatch);
+  const AffineField field = spans.field;
+  const SpanBatch& batch = spans.batch;
   const auto draw_block = [&](const RowBlock& block) HWY_ATTR __attribute__((always_inline)) {
     for (int32_t px = 0; px < block.widest_px; px += kLanes) {
-      if (!draw(block, px == 0 ? block : rows_with(batch, block, px), px)) return false;
+      const RowBlock rows = px == 0 ? block : rows_with(batch, block, px);
+      find_strip(batch, rows, px, anchor, field, strip);
+      draw_strip<Pixel>(*strip, rows, batch, surface.target, &by, left);
+      if (HWY_UNLIKELY(left->count != 0) && !draw_left(block.first, rows.end - rows.first)) {
+        return false;
+      }
     }
     return true;
   };
-  for_each_block(batch, kLanes, most_rows, draw_block);
+  for_each_block(batch, kLanes, rows_per_block(surface.target.pitch), draw_block);
+  return by;
 }
 
 }  // namespace

@@ -106,7 +106,32 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
   return field.margin_fx32 <= kSmall_fx32;
 }
 
-// Narrow spans by windows.
+// Narrow spans without windows.
+template <class Pixel, class Address, class Fetch>
+struct LoadStripDraw {
+  AffineBatch<Address> batch;
+  Fetch* fetch;
+
+  HWY_INLINE bool draw(const AnchoredStrip& strip, int32_t row, int32_t count_px, Pixel* to) {
+    const LaneVectors lanes = batch.lanes_from(strip.u_fx16[row], strip.v_fx16[row]);
+    if (batch.any_near(lanes)) return false;
+    fetch->add(batch.places(lanes), count_px, reinterpret_cast<char*>(to));
+    return true;
+  }
+};
+
+template <class Pixel, class Address, class Fetch, class DrawLeft>
+HWY_NOINLINE void draw_load_strips(const AffineSpans& spans, const Surface& surface, Left* left,
+                                   const DrawLeft& draw_left) {
+  Fetch fetch(surface.texture.texels);
+  const LoadStripDraw<Pixel, Address, Fetch> by{AffineBatch<Address>(spans, surface), &fetch};
+  const Lane first = spans.field.at(0, spans.batch.first_row);
+  AnchoredStrip strip;
+  draw_strips<Pixel>(by, &strip, by.batch.anchor(first), spans, surface, left, draw_left);
+  fetch.finish();
+}
+
+// Narrow spans.
 template <class Pixel, class Address>
 void draw_by_strips(const AffineSpans& spans, const Surface& surface, const WindowShape& shape) {
   const AffineBatch<Address> lanes(spans, surface);
@@ -127,6 +152,14 @@ void draw_by_strips(const AffineSpans& spans, const Surface& surface, const Wind
         [&](auto* ties) { draw_left<Pixel, Address>(left, spans, surface, shape.rows, ties); });
     return true;
   };
+  if (!kHasWindows || shape.rows == 0) {
+    if (is_cached(surface.texture)) {
+      draw_load_strips<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, &left, draw_rest);
+    } else {
+      draw_load_strips<Pixel, Address, FetchAhead<Pixel>>(spans, surface, &left, draw_rest);
+    }
+    return;
+  }
   const bool inside = TexelRanges(spans.texels).within(surface.texture);
   with_window_shape<Pixel>(
       surface, shape, inside,
