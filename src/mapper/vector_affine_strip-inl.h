@@ -7,8 +7,6 @@
 #define SELVAGE_VECTOR_AFFINE_STRIP_INL_H
 #endif
 
-#include <bit>
-
 #include "mapper/vector_affine_lanes-inl.h"
 #include "mapper/vector_one_window-inl.h"
 
@@ -66,37 +64,6 @@ class RowAnchors {
   hn::Vec<Wide> down_, rows_;
 };
 
-// Of some rows, which of a strip's vectors they have: the pixel where it begins, and how many there
-// are from there to the span's end. It begins where the strip does, so many pixels right of the
-// span's left end, or, in a row as wide as a vector, further left, so that it is whole.
-struct StripEnds {
-  V32 from_px, count_px;
-
-  HWY_INLINE StripEnds(const SpanBatch& batch, int32_t row, int32_t right_by_px) {
-    const D32 d;
-    const V32 left = hn::LoadU(d, batch.left_px.data() + row);
-    const V32 right = hn::LoadU(d, batch.right_px.data() + row);
-    const V32 last = hn::Max(left, hn::Sub(right, hn::Set(d, kLanes)));
-    from_px = hn::Min(hn::Add(left, hn::Set(d, right_by_px)), last);
-    count_px = hn::Sub(right, from_px);
-  }
-};
-
-// Those of the rows of a block that have pixels so far right of their left ends, and maybe some
-// between that have none.
-[[nodiscard]] HWY_INLINE RowBlock rows_with(const SpanBatch& batch, const RowBlock& block,
-                                            int32_t right_by_px) {
-  const D32 d;
-  static_assert(kLeastBlockRows % kLanes == 0 && kRowsPerBatch % kLanes == 0);
-  uint64_t rows = 0;
-  for (int32_t row = block.first; row < block.end; row += kLanes) {
-    const V32 begin = hn::Add(hn::LoadU(d, batch.left_px.data() + row), hn::Set(d, right_by_px));
-    rows |= bits_of(hn::Lt(begin, hn::LoadU(d, batch.right_px.data() + row))) << row;
-  }
-  rows &= ~uint64_t{0} >> (kRowsPerBatch - block.end);
-  return {std::countr_zero(rows), kRowsPerBatch - std::countl_zero(rows), block.widest_px};
-}
-
 // A vector of each row of a batch: where it begins, and how many pixels there are from there on.
 struct Strip {
   HWY_ALIGN int32_t from_px[kRowsPerBatch + kLanes], count_px[kRowsPerBatch + kLanes];
@@ -127,7 +94,7 @@ HWY_INLINE void find_strip(const SpanBatch& batch, const RowBlock& rows, int32_t
   RowAnchors u(first.u_fx32, field.step_x.u_fx32, field.step_y.u_fx32);
   RowAnchors v(first.v_fx32, field.step_x.v_fx32, field.step_y.v_fx32);
   for (int32_t row = rows.first; row < rows.end; row += kLanes) {
-    const StripEnds ends(batch, row, right_by_px);
+    const StripEnds ends = strip_ends<kLanes>(batch, row, right_by_px);
     strip->put(row, ends, u.next(ends.from_px), v.next(ends.from_px));
   }
 }

@@ -9,9 +9,8 @@
 #define SELVAGE_VECTOR_ONE_WINDOW_INL_H
 #endif
 
-#include <bit>
-
 #include "mapper/vector_lanes-inl.h"
+#include "mapper/vector_row_blocks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -34,55 +33,6 @@ enum class InOneWindow { kDrawn, kNotDrawn, kManyNearTies };
   if (!any_bits(changed, ~0xFFFF)) return InOneWindow::kDrawn;
   const auto near = hn::Ne(hn::ShiftRight<kTexelFraction>(changed), hn::Zero(D32()));
   return hn::CountTrue(D32(), near) < many ? InOneWindow::kNotDrawn : InOneWindow::kManyNearTies;
-}
-
-// Some rows of a batch. They have few vectors, and where they end is seldom foreseen: they are
-// drawn a strip at a time, a vector or two of every row, and no more rows at once than the cache
-// has room for: lines of one set of it, a pitch apart, would throw each other out before the next
-// strip.
-struct RowBlock {
-  int32_t first, end;
-  int32_t widest_px;
-};
-
-// The widest of some rows of a batch.
-[[nodiscard]] HWY_INLINE RowBlock block_of(const SpanBatch& batch, int32_t first, int32_t end) {
-  const hn::CappedTag<int32_t, 8> d;
-  constexpr int32_t kPart = static_cast<int32_t>(hn::MaxLanes(hn::CappedTag<int32_t, 8>()));
-  auto widest = hn::Zero(d);
-  for (int32_t i = first; i < end; i += kPart) {
-    const auto width =
-        hn::Sub(hn::LoadU(d, batch.right_px.data() + i), hn::LoadU(d, batch.left_px.data() + i));
-    const auto is_row = hn::Lt(hn::Iota(d, i), hn::Set(d, end));
-    widest = hn::Max(widest, hn::IfThenElseZero(is_row, width));
-  }
-  return {first, end, hn::GetLane(hn::MaxOfLanes(d, widest))};
-}
-
-// A block costs something by itself.
-inline constexpr int32_t kLeastBlockRows = 16;
-
-// As many rows as the cache has room for, a multiple of the least. Its sets are told by addresses
-// modulo 4096 bytes or more, and hold 8 lines or more: 32 KB are the least of today.
-[[nodiscard]] HWY_INLINE int32_t rows_per_block(ptrdiff_t pitch_bytes) {
-  constexpr uint64_t kSets_bytes = 4096;
-  constexpr int32_t kWays = 8;
-  const int apart_bits = std::countr_zero(static_cast<uint64_t>(pitch_bytes) | kSets_bytes);
-  const auto rows_apart = static_cast<int32_t>(kSets_bytes >> apart_bits);
-  return HWY_MIN(HWY_MAX(kWays * rows_apart, kLeastBlockRows), kRowsPerBatch);
-}
-
-// All rows are one block where they are one strip. Ends where draw(block) returns false.
-template <class Draw>
-HWY_INLINE void for_each_block(const SpanBatch& batch, int32_t strip_px, int32_t most_rows,
-                               const Draw& draw) {
-  const bool is_one = batch.widest_px <= strip_px || batch.rows <= most_rows;
-  const int32_t rows = is_one ? batch.rows : most_rows;
-  for (int32_t first = 0; first < batch.rows; first += rows) {
-    const RowBlock block = is_one ? RowBlock{0, batch.rows, batch.widest_px}
-                                  : block_of(batch, first, HWY_MIN(first + rows, batch.rows));
-    if (!draw(block)) return;
-  }
 }
 
 // The texels of one coordinate, both of them included.

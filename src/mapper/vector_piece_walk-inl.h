@@ -8,7 +8,7 @@
 #endif
 
 #include "mapper/span_batch.h"
-#include "mapper/vector_kernel-inl.h"
+#include "mapper/vector_row_blocks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -25,19 +25,17 @@ struct Pieces {
   int32_t count;  // beyond it, values mean nothing
   int32_t row[2 * kMostPieces], left_px[2 * kMostPieces];
   int32_t right_px[2 * kMostPieces];  // the end of the span
-  int64_t to_byte[2 * kMostPieces];   // of the target: set by PieceWalk alone
 
-  // Rows of a batch are pieces, from so many pixels right of their first ones on. Some may be
-  // empty.
-  HWY_INLINE void put_rows(const SpanBatch& batch, int32_t first, int32_t rows,
-                           int32_t right_by_px) {
-    count = rows;
+  // Rows of a batch are pieces, of the strip that is so many pixels right of their left ends. Some
+  // may be empty.
+  HWY_INLINE void put_rows(const SpanBatch& batch, const RowBlock& rows, int32_t right_by_px) {
+    count = rows.end - rows.first;
     const D32 d;
-    for (int32_t k = 0; k < rows; k += kLanes) {
-      const V32 left = hn::LoadU(d, batch.left_px.data() + first + k);
-      hn::StoreU(hn::Iota(d, batch.first_row + first + k), d, row + k);
-      hn::StoreU(hn::Add(left, hn::Set(d, right_by_px)), d, left_px + k);
-      hn::StoreU(hn::LoadU(d, batch.right_px.data() + first + k), d, right_px + k);
+    for (int32_t k = 0; k < count; k += kLanes) {
+      const StripEnds ends = strip_ends<kPiece_px>(batch, rows.first + k, right_by_px);
+      hn::StoreU(hn::Iota(d, batch.first_row + rows.first + k), d, row + k);
+      hn::StoreU(ends.from_px, d, left_px + k);
+      hn::StoreU(hn::Add(ends.from_px, ends.count_px), d, right_px + k);
     }
   }
 
@@ -62,32 +60,33 @@ struct Pieces {
   }
 };
 
-// The pieces of a batch's spans, some at a time.
+// The pieces of a batch's spans, some at a time: where those are wide, span by span, and strip by
+// strip of some rows where many spans are a piece or few.
 class PieceWalk {
  public:
-  HWY_INLINE PieceWalk(const SpanBatch& batch, const selvage_image& target)
-      : batch_(&batch), pitch_(target.pitch), pixel_bytes_(bytes_per_pixel(target.format)) {
-    for (int32_t k = 0; k < kMostPieces; ++k) bytes_[k] = k * kPiece_px * pixel_bytes_;
-  }
+  HWY_INLINE explicit PieceWalk(const SpanBatch& batch) : batch_(&batch) {}
 
   // None where none is left. Some may be empty.
   HWY_INLINE void next(Pieces* pieces) {
-    if (batch_->widest_px <= kPiece_px) {
-      next_rows(pieces);
+    constexpr int32_t kMostStrips = 4;
+    if (batch_->widest_px <= kMostStrips * kPiece_px) {
+      next_strip(pieces);
     } else {
       next_parts(pieces);
     }
   }
 
  private:
-  // Each row is a piece.
-  HWY_INLINE void next_rows(Pieces* pieces) {
-    const int32_t rows = HWY_MIN(batch_->rows - next_, kMostPieces);
-    pieces->put_rows(*batch_, next_, rows, 0);
-    for (int32_t k = 0; k < rows; ++k) {
-      pieces->to_byte[k] = first_byte({pieces->row[k], pieces->left_px[k], 0});
+  HWY_INLINE void next_strip(Pieces* pieces) {
+    right_by_px_ += kPiece_px;
+    if (right_by_px_ >= block_.widest_px) {
+      right_by_px_ = 0;
+      block_ = block_of(*batch_, next_, HWY_MIN(next_ + kMostPieces, batch_->rows));
+      next_ = block_.end;
     }
-    next_ += rows;
+    const bool is_first = right_by_px_ == 0;
+    pieces->put_rows(*batch_, is_first ? block_ : rows_with(*batch_, block_, right_by_px_),
+                     right_by_px_);
   }
 
   HWY_INLINE void next_parts(Pieces* pieces) {
@@ -97,26 +96,15 @@ class PieceWalk {
         if (next_ == batch_->rows) break;
         span_ = batch_->span(next_++);
       }
-      const hn::Repartition<int64_t, D32> d;
-      const auto first = hn::Set(d, first_byte(span_));
-      int64_t* const to_byte = pieces->to_byte + pieces->count;
       span_ = pieces->add(span_);
-      const int64_t* const end = pieces->to_byte + pieces->count;
-      for (int32_t k = 0; to_byte + k < end; k += kLanes / 2) {
-        hn::StoreU(hn::Add(first, hn::LoadU(d, bytes_ + k)), d, to_byte + k);
-      }
     }
   }
 
-  [[nodiscard]] HWY_INLINE int64_t first_byte(const Span& span) const {
-    return span.row * pitch_ + span.left_px * pixel_bytes_;
-  }
-
   const SpanBatch* batch_;
-  int64_t pitch_, pixel_bytes_;
-  int64_t bytes_[kMostPieces];  // from a span's first piece on
   int32_t next_ = 0;
   Span span_{0, 0, 0};
+  RowBlock block_{0, 0, 0};
+  int32_t right_by_px_ = 0;
 };
 
 }  // namespace

@@ -120,6 +120,7 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
   const Extent extent = extent_of(surface.texture);
   Fetch fetch(surface.texture.texels);
   char* const pixels = static_cast<char*>(surface.target.pixels);
+  const ptrdiff_t pitch = surface.target.pitch;
   int32_t left_count = 0;
   bool more = true;
   static_assert(Left::kMost >= kMostPieces * kVectorsPerPiece);
@@ -130,7 +131,7 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
     if (!more) break;
     for (int32_t k = 0, count = pieces.count; k < count; ++k) {
       int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
-      Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.to_byte[k]);
+      Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.row[k] * pitch) + pieces.left_px[k];
       for (int32_t at = 0; at < kVectorsPerPiece && count_px > 0; ++at) {
         if (HWY_UNLIKELY(!by.draw(block, k, at, count_px, &fetch, to))) {
           left->put(left_count++, pieces.rest(k, at), by.lanes(block, k, at),
@@ -154,7 +155,7 @@ HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& su
   if (in_one == InOneWindow::kManyNearTies && draw_near_ties<Pixel>(spans, surface, vectors)) {
     return;
   }
-  PieceQueue queue(spans.batch, surface.target, vectors);
+  PieceQueue queue(spans.batch, vectors);
   LeftOfPieces left;
   BatchTies batch_ties(spans.exact, spans.batch, spare_bits_fx16(vectors.lack_fx16()));
   const bool cached = is_cached(surface.texture);

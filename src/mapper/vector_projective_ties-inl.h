@@ -19,7 +19,7 @@ HWY_NOINLINE void draw_decided(const Window& window, const SpanBatch& batch,
                                const selvage_image& target, const AnchoredVectors& vectors) {
   const PieceLanes lanes = vectors.lanes();
   char* const pixels = static_cast<char*>(target.pixels);
-  PieceWalk walk(batch, target);
+  PieceWalk walk(batch);
   Pieces pieces;
   Anchors anchors;
   for (walk.next(&pieces); pieces.count != 0; walk.next(&pieces)) {
@@ -27,7 +27,7 @@ HWY_NOINLINE void draw_decided(const Window& window, const SpanBatch& batch,
     for (int32_t k = 0; k < pieces.count; ++k) {
       const Span piece = pieces.rest(k, 0);
       int32_t count_px = piece.width_px();
-      Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.to_byte[k]);
+      Pixel* to = reinterpret_cast<Pixel*>(pixels + piece.row * target.pitch) + piece.left_px;
       for (int32_t at = 0; at < kVectorsPerPiece && count_px > 0; ++at) {
         window.draw(window.offset_px(piece) + at * kLanes, lanes.lanes(anchors, k, at), count_px,
                     to);

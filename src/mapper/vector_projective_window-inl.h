@@ -27,7 +27,8 @@ template <class Pixel, class Fixed, class OneWindow>
   Pieces pieces;
   Anchors anchors;
   for (int32_t first = block.first; first < block.end; first += kMostPieces) {
-    pieces.put_rows(batch, first, HWY_MIN(block.end - first, kMostPieces), right_by_px);
+    pieces.put_rows(batch, {first, HWY_MIN(block.end, first + kMostPieces), block.widest_px},
+                    right_by_px);
     for (int32_t k = 0; k < pieces.count; k += kDoubles) {
       vectors.find(pieces, k, window.origin(), &anchors);
     }
@@ -62,8 +63,9 @@ struct ProjectiveFromWindow {
     V32 changed = hn::Zero(D32());
     const auto draw_block = [&](const RowBlock& block) HWY_ATTR {
       for (int32_t px = 0; px < block.widest_px; px += kPiece_px) {
+        const RowBlock rows = px == 0 ? block : rows_with(spans.batch, block, px);
         changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
-                                                    surface.target, block, px));
+                                                    surface.target, rows, px));
       }
       return !any_bits(changed, ~0xFFFF);
     };
