@@ -25,9 +25,7 @@ HWY_NOINLINE void draw_affine_as(const AffineSpans& spans, const Surface& surfac
     if (spans.batch.widest_px <= kLanes && draw_near_ties<Pixel>(spans, surface)) return;
     if (has_quotients(spans)) return draw_exactly<Pixel, Address>(spans, surface, 0, shape.rows);
   }
-  if (!pays_to_find_runs(spans.batch)) {
-    return draw_by_strips<Pixel, Address>(spans, surface, shape);
-  }
+  if (is_narrow(spans.batch)) return draw_narrow<Pixel, Address>(spans, surface, shape);
   draw_wide<Pixel, Address>(spans, surface, shape);
 }
 

@@ -1,4 +1,4 @@
-// Affine spans that are shorter than some vectors, packed. Included once for each SIMD target.
+// Narrow affine spans, by strips. Included once for each SIMD target.
 #if defined(SELVAGE_VECTOR_AFFINE_NARROW_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_AFFINE_NARROW_INL_H
 #undef SELVAGE_VECTOR_AFFINE_NARROW_INL_H
@@ -6,100 +6,50 @@
 #define SELVAGE_VECTOR_AFFINE_NARROW_INL_H
 #endif
 
-#include "mapper/vector_affine_lanes-inl.h"
-#include "mapper/vector_batch_ties-inl.h"
+#include "mapper/vector_affine_rest-inl.h"
+#include "mapper/vector_affine_window_strips-inl.h"
+#include "mapper/vector_fetch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-template <class Pixel>
-HWY_INLINE void store_rows(const Pixel* texels, const SpanBatch& batch, const Surface& surface) {
-  for (int32_t i = 0; i < batch.rows; ++i) {
-    const Span span = batch.span(i);
-    store_row<Pixel>(texels, span.width_px(), first_pixel(surface, span));
-    texels += span.width_px();
-  }
-}
+// A load for each pixel.
+template <class Pixel, class Address, class Fetch>
+struct LoadStripDraw {
+  AffineBatch<Address> batch;
+  Fetch* fetch;
 
-// The lanes of a batch's pixels, packed one row after another.
-struct PackedLanes {
-  static constexpr int32_t kMost = kRowsPerBatch * kNarrow_px;
-  int32_t count;
-  HWY_ALIGN int32_t u_fx16[kMost + kMostLanes], v_fx16[kMost + kMostLanes];
-
-  // Of lanes_of(px, row), a vector of pixels of a row.
-  template <class LanesOf>
-  HWY_INLINE void pack(const SpanBatch& batch, const LanesOf& lanes_of) {
-    const D32 d;
-    count = 0;
-    for (int32_t i = 0; i < batch.rows; ++i) {
-      const Span span = batch.span(i);
-      int32_t done = 0;
-      do {
-        const LaneVectors lanes = lanes_of(span.left_px + done, span.row);
-        hn::StoreU(lanes.u, d, u_fx16 + count + done);
-        hn::StoreU(lanes.v, d, v_fx16 + count + done);
-        done += kLanes;
-      } while (done < span.width_px());
-      count += span.width_px();
-    }
-    hn::StoreU(hn::Zero(d), d, u_fx16 + count);
-    hn::StoreU(hn::Zero(d), d, v_fx16 + count);
-  }
-  [[nodiscard]] HWY_INLINE LaneVectors from(int32_t first) const {
-    return {hn::Load(D32(), u_fx16 + first), hn::Load(D32(), v_fx16 + first)};
+  HWY_INLINE bool draw(const AnchoredStrip& strip, int32_t row, int32_t count_px, Pixel* to) {
+    const LaneVectors lanes = batch.lanes_from(strip.u_fx16[row], strip.v_fx16[row]);
+    if (batch.any_near(lanes)) return false;
+    fetch->add(batch.places(lanes), count_px, reinterpret_cast<char*>(to));
+    return true;
   }
 };
 
-// Packs lanes of which no fraction is left, so that none is a near-tie.
-template <class Address, class LanesOf>
-HWY_NOINLINE void pack_decided(const SpanBatch& batch, const ExactMap& exact,
-                               const FixedLanes<Address>& fixed, const LanesOf& lanes_of,
-                               PackedLanes* packed) {
-  BatchTies batch_ties(exact, batch, fixed.spare_bits());
-  batch_ties.with_ties([&](auto* ties) HWY_ATTR {
-    packed->pack(batch, [&](int32_t px, int32_t row) HWY_ATTR {
-      const Span span = batch.span(row - batch.first_row);
-      if (span.empty()) return lanes_of(px, row);  // exact maps are of pixels
-      if (row != ties->span().row) ties->go_to(span);
-      const TexelVectors texels = fixed.decided(*ties, px - span.left_px, lanes_of(px, row));
-      return LaneVectors{hn::ShiftLeft<kTexelFraction>(texels.s),
-                         hn::ShiftLeft<kTexelFraction>(texels.t)};
-    });
-  });
+template <class Pixel, class Address, class Fetch>
+HWY_NOINLINE void draw_load_strips(const AffineSpans& spans, const Surface& surface,
+                                   RestDraw<Pixel, Address>* rest) {
+  Fetch fetch(surface.texture.texels);
+  const LoadStripDraw<Pixel, Address, Fetch> by{AffineBatch<Address>(spans, surface), &fetch};
+  const Lane first = spans.field.at(0, spans.batch.first_row);
+  AnchoredStrip strip;
+  draw_strips<Pixel>(by, &strip, by.batch.anchor(first), spans, surface, rest);
+  fetch.finish();
 }
 
-// Spans up to kNarrow_px wide: the lanes of all are packed, so that vectors are full although rows
-// are short; each row is stored under a mask. lanes_of(px, row) are those of a vector of pixels.
-template <class Address, class LanesOf>
-HWY_INLINE void draw_packed(const SpanBatch& batch, const ExactMap& exact,
-                            const FixedLanes<Address>& fixed, const Surface& surface,
-                            const LanesOf& lanes_of) {
-  PackedLanes packed;
-  packed.pack(batch, lanes_of);
-  HWY_ALIGN int32_t place[kLanes];
-  HWY_ALIGN char texels[(PackedLanes::kMost + kMostLanes) * sizeof(uint32_t)];
-  const ptrdiff_t bytes = bytes_per_pixel(surface.target.format);
-  for (int32_t first = 0; first < packed.count; first += kLanes) {
-    if (HWY_UNLIKELY(fixed.any_near(packed.from(first)))) {
-      pack_decided(batch, exact, fixed, lanes_of, &packed);
-    }
-    hn::Store(fixed.places(packed.from(first)), D32(), place);
-    fetch(surface.texture, place, kLanes, texels + first * bytes);
+template <class Pixel, class Address>
+void draw_narrow(const AffineSpans& spans, const Surface& surface, const WindowShape& shape) {
+  RestDraw<Pixel, Address> rest(spans, surface, shape.rows);
+  if (kHasWindows && shape.rows != 0) {
+    const bool inside = TexelRanges(spans.texels).within(surface.texture);
+    with_window_shape<Pixel>(surface, shape, inside, WindowStrips{spans, surface, inside, &rest});
+  } else if (is_cached(surface.texture)) {
+    draw_load_strips<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, &rest);
+  } else {
+    draw_load_strips<Pixel, Address, FetchAhead<Pixel>>(spans, surface, &rest);
   }
-  with_pixel(surface.target.format, [&](auto pixel) {
-    store_rows(reinterpret_cast<const decltype(pixel)*>(texels), batch, surface);
-  });
-}
-
-template <class Address>
-void draw_narrow(const AffineSpans& spans, const Surface& surface) {
-  const AffineBatch<Address> batch(spans, surface);
-  draw_packed<Address>(spans.batch, spans.exact, batch, surface,
-                       [&](int32_t px, int32_t row) HWY_ATTR {
-                         return batch.lanes_from(batch.anchor(spans.field.at(px, row)));
-                       });
 }
 
 }  // namespace

@@ -118,22 +118,23 @@ HWY_INLINE void draw_strip(const AnyStrip& strip, const RowBlock& rows, const Sp
   left->count = left_count;
 }
 
-// Draws a batch by strips. Where some vectors of one are left, calls draw_left(first_row,
+// Draws a batch by strips. Where some vectors of one are left, calls rest->draw(left, first_index,
 // of_vectors) with the row of the batch above which all is drawn, and how many vectors the strip
 // has; ends where that returns false. `anchor` as above. Returns what it was drawn by, a copy,
 // which stays in registers, for no store can change it.
-template <class Pixel, class AnyStrip, class By, class DrawLeft>
+template <class Pixel, class AnyStrip, class By, class Rest>
 HWY_INLINE By draw_strips(By by, AnyStrip* strip, Lane anchor, const AffineSpans& spans,
-                          const Surface& surface, Left* left, const DrawLeft& draw_left) {
+                          const Surface& surface, Rest* rest) {
   static_assert(Left::kMost >= kRowsPerBatch);
   const AffineField field = spans.field;
   const SpanBatch& batch = spans.batch;
+  Left left;
   const auto draw_block = [&](const RowBlock& block) HWY_ATTR __attribute__((always_inline)) {
     for (int32_t px = 0; px < block.widest_px; px += kLanes) {
       const RowBlock rows = px == 0 ? block : rows_with(batch, block, px);
       find_strip(batch, rows, px, anchor, field, strip);
-      draw_strip<Pixel>(*strip, rows, batch, surface.target, &by, left);
-      if (HWY_UNLIKELY(left->count != 0) && !draw_left(block.first, rows.end - rows.first)) {
+      draw_strip<Pixel>(*strip, rows, batch, surface.target, &by, &left);
+      if (HWY_UNLIKELY(left.count != 0) && !rest->draw(left, block.first, rows.end - rows.first)) {
         return false;
       }
     }

@@ -27,6 +27,14 @@ struct WindowPainter {
   }
 };
 
+// For who leaves nothing.
+struct NoRest {
+  static HWY_INLINE bool draw(const Left& /*left*/, int32_t /*first_index*/,
+                              int32_t /*of_vectors*/) {
+    return true;
+  }
+};
+
 // Returns, in the high bits of each lane, whether one of its pixels is a near-tie.
 template <class Pixel, class Address, class OneWindow>
 [[nodiscard]] HWY_INLINE V32 draw_from(const OneWindow& window, const AffineSpans& spans,
@@ -35,9 +43,9 @@ template <class Pixel, class Address, class OneWindow>
   const WindowPainter<Pixel, Batch, OneWindow> painter{window, Batch(spans, surface)};
   const Lane first = painter.batch.anchor(spans.field.at(0, spans.batch.first_row));
   AnchoredStrip strip;
-  Left none;
+  NoRest none;
   return draw_strips<Pixel>(painter, &strip, plus(first, -1, window.origin()), spans, surface,
-                            &none, [](int32_t, int32_t) { return true; })
+                            &none)
       .changed;
 }
 

@@ -37,14 +37,12 @@ struct WindowStripDraw {
   }
 };
 
-// All but for vectors that do not lie in a window.
-template <class DrawLeft>
+template <class Rest>
 struct WindowStrips {
   const AffineSpans& spans;
   const Surface& surface;
   bool inside;
-  Left* left;
-  const DrawLeft& draw_left;
+  Rest* rest;
 
   template <class Pixel, class InWindow, int kColumnBits, int32_t kRows>
   HWY_NOINLINE void draw(const WindowShape& shape) const {
@@ -53,8 +51,7 @@ struct WindowStrips {
     const WindowStripDraw<Pixel, Window> by{Window(spans, surface, shape.rows)};
     const Lane first = spans.field.at(0, spans.batch.first_row);
     WindowStrip<Finder> strip(Finder(surface, shape, inside));
-    draw_strips<Pixel>(by, &strip, plus(first, 1, by.window.to_anchor()), spans, surface, left,
-                       draw_left);
+    draw_strips<Pixel>(by, &strip, plus(first, 1, by.window.to_anchor()), spans, surface, rest);
   }
 };
 

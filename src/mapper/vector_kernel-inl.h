@@ -265,12 +265,6 @@ HWY_INLINE void fetch_vector(const void* texels, const int32_t* HWY_RESTRICT pla
   fetch_as<Pixel>(texels, place, count, pixel);
 }
 
-HWY_INLINE void fetch(const selvage_texture& texture, const int32_t* HWY_RESTRICT place,
-                      int32_t count, char* HWY_RESTRICT pixel) {
-  with_pixel(texture.format,
-             [&](auto value) { fetch_as<decltype(value)>(texture.texels, place, count, pixel); });
-}
-
 // Whether vectors are stored in part by a mask. AVX2 has masks for 32-bit pixels, too, but with
 // them a store takes as long as a dozen others on AMD Zen 3 (14 cycles).
 inline constexpr bool kHasMask = HWY_TARGET <= HWY_AVX3;

@@ -16,10 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// Whether spans are narrow enough, and rows share the window.
-inline constexpr int32_t kMostOneWindow_px = 64;
+// Whether rows share the window.
 [[nodiscard]] HWY_INLINE bool pays_one_window(const SpanBatch& batch) {
-  return batch.widest_px <= kMostOneWindow_px && batch.rows > 1;
+  return is_narrow(batch) && batch.rows > 1;
 }
 
 // What became of a batch: whether it is drawn or, if not, whether near-ties are why, and many.

@@ -68,8 +68,7 @@ class PieceWalk {
 
   // None where none is left. Some may be empty.
   HWY_INLINE void next(Pieces* pieces) {
-    constexpr int32_t kMostStrips = 4;
-    if (batch_->widest_px <= kMostStrips * kPiece_px) {
+    if (is_narrow(*batch_)) {
       next_strip(pieces);
     } else {
       next_parts(pieces);

@@ -14,6 +14,12 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
+// Whether rows have so few vectors that they are drawn some rows at a time.
+inline constexpr int32_t kMostNarrow_px = 64;
+[[nodiscard]] HWY_INLINE bool is_narrow(const SpanBatch& batch) {
+  return batch.widest_px <= kMostNarrow_px;
+}
+
 // Some rows of a batch. They have few vectors, and where they end is seldom foreseen: they are
 // drawn a strip at a time, a vector or two of every row, and no more rows at once than the cache
 // has room for: lines of one set of it, a pitch apart, would throw each other out before the next

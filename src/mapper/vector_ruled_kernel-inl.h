@@ -23,6 +23,39 @@ namespace {
   return hn::Add(whole, hn::ShiftRight<kAnchorShift>(fraction));
 }
 
+// The lanes of vectors of a row.
+class RuledRow {
+ public:
+  // Counted from a texel.
+  HWY_INLINE RuledRow(const RuledRows& rows, int32_t index, Lane origin = {0, 0})
+      : start_(plus(rows.start[static_cast<size_t>(index)], -1, origin)),
+        step_(rows.step[static_cast<size_t>(index)]),
+        steps_{steps_fx16(step_.u_fx32), steps_fx16(step_.v_fx32)} {}
+
+  // From a pixel of the span on.
+  [[nodiscard]] HWY_INLINE LaneVectors lanes(int32_t offset_px) const {
+    const D32 d;
+    const Lane lane = plus(start_, offset_px, step_);
+    return {hn::Add(hn::Set(d, floor_fx16(lane.u_fx32)), steps_.u),
+            hn::Add(hn::Set(d, floor_fx16(lane.v_fx32)), steps_.v)};
+  }
+
+ private:
+  Lane start_, step_;
+  LaneVectors steps_;
+};
+
+// Calls draw(offset_px, count_px) for the vectors of a row, whole ones where it is wide enough: the
+// last one may meet the one before.
+template <class Draw>
+HWY_INLINE void for_each_vector_of(const Span& span, const Draw& draw) {
+  const int32_t width_px = span.width_px(), last_px = HWY_MAX(width_px - kLanes, 0);
+  for (int32_t px = 0; px < width_px; px += kLanes) {
+    const int32_t from_px = HWY_MIN(px, last_px);
+    draw(from_px, width_px - from_px);
+  }
+}
+
 // Draws a batch from one window, row by row.
 template <class Pixel>
 struct RuledFromWindow {
@@ -34,61 +67,30 @@ struct RuledFromWindow {
   [[nodiscard]] HWY_INLINE bool operator()(const OneWindow& window) const {
     const FixedLanes<Addressed<InsideVector>> fixed(  // for what its lanes lack alone
         surface.texture, lack_fx16(spans.rows.margin_fx32));
-    const Lane origin = window.origin();
     V32 changed = hn::Zero(D32());
     for (int32_t i = 0; i < spans.batch.rows; ++i) {
       const Span span = spans.batch.span(i);
-      const Lane start = spans.rows.start[static_cast<size_t>(i)];
-      const Lane step = spans.rows.step[static_cast<size_t>(i)];
-      const LaneVectors steps{steps_fx16(step.u_fx32), steps_fx16(step.v_fx32)};
-      changed =
-          hn::Or(changed, draw_row(window, fixed,
-                                   {start.u_fx32 - origin.u_fx32, start.v_fx32 - origin.v_fx32},
-                                   step, steps, span));
+      const RuledRow row(spans.rows, i, window.origin());
+      auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
+      for_each_vector_of(span, [&](int32_t px, int32_t count_px) HWY_ATTR {
+        changed = draw_first(window, fixed, row.lanes(px), count_px, changed, to + px);
+      });
     }
     *changed_by_near = changed;
     return true;
   }
-
- private:
-  template <class OneWindow, class Fixed>
-  [[nodiscard]] HWY_INLINE V32 draw_row(const OneWindow& window, const Fixed& fixed, Lane lane,
-                                        Lane step, const LaneVectors& steps,
-                                        const Span& span) const {
-    const D32 d;
-    auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
-    const int32_t width_px = span.width_px();
-    V32 changed = hn::Zero(d);
-    for (int32_t px = 0; px < width_px; px += kLanes) {
-      const LaneVectors lanes{hn::Add(hn::Set(d, floor_fx16(lane.u_fx32)), steps.u),
-                              hn::Add(hn::Set(d, floor_fx16(lane.v_fx32)), steps.v)};
-      changed = draw_first(window, fixed, lanes, width_px - px, changed, to + px);
-      lane.u_fx32 += kLanes * step.u_fx32;
-      lane.v_fx32 += kLanes * step.v_fx32;
-    }
-    return changed;
-  }
 };
-
-// Lanes of a vector of pixels from an offset in the i-th span on.
-[[nodiscard]] HWY_INLINE LaneVectors lanes_of(const RuledRows& rows, int32_t i, int32_t offset_px) {
-  const D32 d;
-  const Lane step = rows.step[static_cast<size_t>(i)];
-  const Lane lane = plus(rows.start[static_cast<size_t>(i)], offset_px, step);
-  return {hn::Add(hn::Set(d, floor_fx16(lane.u_fx32)), steps_fx16(step.u_fx32)),
-          hn::Add(hn::Set(d, floor_fx16(lane.v_fx32)), steps_fx16(step.v_fx32))};
-}
 
 template <class Pixel, class Window>
 HWY_NOINLINE void draw_decided(const Window& window, const RuledSpans& spans,
                                const Surface& surface) {
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
+    const RuledRow row(spans.rows, i);
     auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
-    for (int32_t px = 0; px < span.width_px(); px += kLanes) {
-      window.draw(window.offset_px(span) + px, lanes_of(spans.rows, i, px), span.width_px() - px,
-                  to + px);
-    }
+    for_each_vector_of(span, [&](int32_t px, int32_t count_px) HWY_ATTR {
+      window.draw(window.offset_px(span) + px, row.lanes(px), count_px, to + px);
+    });
   }
 }
 
@@ -114,15 +116,62 @@ template <class Pixel>
   return true;
 }
 
-// As narrow spans of a plane.
-template <class Address>
-void draw_narrow_ruled(const RuledSpans& spans, const Surface& surface) {
-  const SpanBatch& batch = spans.batch;
+// Narrow rows from an index in the batch on, by a load for each pixel, but for vectors with
+// near-ties. Returns the first one that is not drawn, where no more may be left.
+template <class Pixel, class Address, class Fetch>
+HWY_NOINLINE int32_t draw_ruled_loads(const RuledSpans& spans, const Surface& surface,
+                                      int32_t first_index, Left* left) {
+  constexpr int32_t kMostVectors = kMostNarrow_px / kLanes;
+  static_assert(kMostVectors <= Left::kMost);
   const FixedLanes<Address> fixed(surface.texture, lack_fx16(spans.rows.margin_fx32));
-  draw_packed<Address>(batch, spans.exact, fixed, surface, [&](int32_t px, int32_t row) HWY_ATTR {
-    const int32_t i = row - batch.first_row;
-    return lanes_of(spans.rows, i, px - batch.left_px[static_cast<size_t>(i)]);
-  });
+  Fetch fetch(surface.texture.texels);
+  int32_t i = first_index, left_count = 0;
+  for (; i < spans.batch.rows && left_count <= Left::kMost - kMostVectors; ++i) {
+    const Span span = spans.batch.span(i);
+    const RuledRow row(spans.rows, i);
+    auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
+    for_each_vector_of(
+        span, [&](int32_t px, int32_t count_px) HWY_ATTR __attribute__((always_inline)) {
+          const LaneVectors lanes = row.lanes(px);
+          if (HWY_LIKELY(!fixed.any_near(lanes))) {
+            return fetch.add(fixed.places(lanes), count_px, reinterpret_cast<char*>(to + px));
+          }
+          left->rest[static_cast<size_t>(left_count++)] = {span.row, span.left_px + px,
+                                                           span.right_px};
+        });
+  }
+  fetch.finish();
+  left->count = left_count;
+  return i;
+}
+
+template <class Pixel, class Address, class Ties>
+HWY_NOINLINE void draw_left(const Left& left, const RuledSpans& spans, const Surface& surface,
+                            Ties* ties) {
+  const FixedLanes<Address> fixed(surface.texture, lack_fx16(spans.rows.margin_fx32));
+  for (int32_t k = 0; k < left.count; ++k) {
+    const Span& rest = left.rest[static_cast<size_t>(k)];
+    if (rest.row != ties->span().row) ties->go_to(rest);
+    const int32_t i = rest.row - spans.batch.first_row;
+    const RuledRow row(spans.rows, i);
+    fixed.template draw<Pixel>(rest, surface, *ties,
+                               row.lanes(rest.left_px - spans.batch.span(i).left_px), {0, 0, 0});
+  }
+}
+
+template <class Pixel, class Address>
+void draw_narrow_ruled(const RuledSpans& spans, const Surface& surface) {
+  const int spare_bits = spare_bits_fx16(lack_fx16(spans.rows.margin_fx32));
+  BatchTies batch_ties(spans.exact, spans.batch, spare_bits);
+  const bool cached = is_cached(surface.texture);
+  Left left;
+  for (int32_t i = 0; i < spans.batch.rows;) {
+    i = cached ? draw_ruled_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, i, &left)
+               : draw_ruled_loads<Pixel, Address, FetchAhead<Pixel>>(spans, surface, i, &left);
+    if (left.count == 0) continue;
+    batch_ties.with_ties(
+        [&](auto* ties) { draw_left<Pixel, Address>(left, spans, surface, ties); });
+  }
 }
 
 template <class Pixel, class Address>
@@ -135,7 +184,9 @@ HWY_NOINLINE void draw_ruled_as(const RuledSpans& spans, const Surface& surface)
     if (in_one == InOneWindow::kDrawn) return;
     if (in_one == InOneWindow::kManyNearTies && draw_near_ties<Pixel>(spans, surface)) return;
   }
-  if (spans.batch.widest_px <= kNarrow_px) return draw_narrow_ruled<Address>(spans, surface);
+  if (is_narrow(spans.batch)) {
+    return draw_narrow_ruled<Pixel, Address>(spans, surface);
+  }
   for_each_row(spans,
                [&](const AffineSpans& row) { draw_affine_as<Pixel, Address>(row, surface); });
 }

@@ -1,0 +1,75 @@
+// What others leave of affine spans: vectors with near-ties, and those that do not lie in their
+// window. Included once for each SIMD target.
+#if defined(SELVAGE_VECTOR_AFFINE_REST_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_AFFINE_REST_INL_H
+#undef SELVAGE_VECTOR_AFFINE_REST_INL_H
+#else
+#define SELVAGE_VECTOR_AFFINE_REST_INL_H
+#endif
+
+#include "mapper/vector_affine_exact-inl.h"
+#include "mapper/vector_batch_ties-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+template <class Pixel, class Address, class Ties>
+HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Surface& surface,
+                            int32_t window_rows, Ties* ties) {
+  const AffineBatch<Address> batch(spans, surface);
+  for (int32_t i = 0; i < left.count; ++i) {
+    const Span& rest = left.rest[static_cast<size_t>(i)];
+    if (rest.row != ties->span().row) ties->go_to(rest);
+    const Lane anchor = batch.anchor(spans.field.at(rest.left_px, rest.row));
+    batch.template draw<Pixel>(
+        rest, surface, *ties, batch.lanes_from(anchor),
+        {floor_texel(anchor.u_fx32), floor_texel(anchor.v_fx32), window_rows});
+  }
+}
+
+// Of a small polygon, which has finer lanes than vectors, a pixel at a time costs less, too.
+[[nodiscard]] HWY_INLINE bool is_small(const AffineField& field) {
+  constexpr uint32_t kSmall_fx32 = 128;
+  return field.margin_fx32 <= kSmall_fx32;
+}
+
+template <class Pixel, class Address>
+class RestDraw {
+ public:
+  HWY_INLINE RestDraw(const AffineSpans& spans, const Surface& surface, int32_t window_rows)
+      : spans_(spans),
+        surface_(surface),
+        window_rows_(window_rows),
+        batch_ties_(spans.exact, spans.batch, spare_bits_fx16(lack_fx16(spans.field.margin_fx32))) {
+  }
+
+  // The vectors that are left of so many. Where they are many, all rows from an index in the batch
+  // on are drawn, and false is returned.
+  HWY_INLINE bool draw(const Left& left, int32_t first_index, int32_t of_vectors) {
+    if (are_many(left.count, of_vectors)) {
+      if (has_quotients(spans_)) {
+        draw_exactly<Pixel, Address>(spans_, surface_, first_index, window_rows_);
+        return false;
+      }
+      if (is_small(spans_.field)) {
+        scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(spans_, surface_);
+        return false;
+      }
+    }
+    batch_ties_.with_ties(
+        [&](auto* ties) { draw_left<Pixel, Address>(left, spans_, surface_, window_rows_, ties); });
+    return true;
+  }
+
+ private:
+  const AffineSpans& spans_;
+  const Surface& surface_;
+  int32_t window_rows_;
+  BatchTies batch_ties_;
+};
+
+}  // namespace
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
