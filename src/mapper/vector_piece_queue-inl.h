@@ -23,8 +23,8 @@ struct PieceBlock {
 
 class PieceQueue {
  public:
-  HWY_INLINE PieceQueue(const SpanBatch& batch, const AnchoredVectors& vectors)
-      : walk_(batch), vectors_(vectors) {
+  HWY_INLINE PieceQueue(const SpanBatch& batch, PieceOrder order, const AnchoredVectors& vectors)
+      : walk_(batch, order), vectors_(vectors) {
     find_pieces(0);
     find_anchors(0);
     find_pieces(1);

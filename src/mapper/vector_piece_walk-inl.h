@@ -60,15 +60,19 @@ struct Pieces {
   }
 };
 
-// The pieces of a batch's spans, some at a time: where those are wide, span by span, and strip by
-// strip of some rows where many spans are a piece or few.
+// The pieces of a batch's spans, some at a time: span by span or, of narrow ones, strip by strip of
+// some rows, which takes less.
+enum class PieceOrder { kAny, kSpanBySpan };
 class PieceWalk {
  public:
-  HWY_INLINE explicit PieceWalk(const SpanBatch& batch) : batch_(&batch) {}
+  HWY_INLINE PieceWalk(const SpanBatch& batch, PieceOrder order)
+      : batch_(&batch),
+        by_strips_(batch.widest_px <= kPiece_px ||
+                   (order == PieceOrder::kAny && is_narrow(batch))) {}
 
   // None where none is left. Some may be empty.
   HWY_INLINE void next(Pieces* pieces) {
-    if (is_narrow(*batch_)) {
+    if (by_strips_) {
       next_strip(pieces);
     } else {
       next_parts(pieces);
@@ -100,6 +104,7 @@ class PieceWalk {
   }
 
   const SpanBatch* batch_;
+  bool by_strips_;
   int32_t next_ = 0;
   Span span_{0, 0, 0};
   RowBlock block_{0, 0, 0};

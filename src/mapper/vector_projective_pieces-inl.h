@@ -155,7 +155,9 @@ HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& su
   if (in_one == InOneWindow::kManyNearTies && draw_near_ties<Pixel>(spans, surface, vectors)) {
     return;
   }
-  PieceQueue queue(spans.batch, vectors);
+  // Ties of rows that each have a map of their own cost most where they go to another row.
+  const PieceOrder order = spans.exact.is_ruled() ? PieceOrder::kSpanBySpan : PieceOrder::kAny;
+  PieceQueue queue(spans.batch, order, vectors);
   LeftOfPieces left;
   BatchTies batch_ties(spans.exact, spans.batch, spare_bits_fx16(vectors.lack_fx16()));
   const bool cached = is_cached(surface.texture);

@@ -19,7 +19,7 @@ HWY_NOINLINE void draw_decided(const Window& window, const SpanBatch& batch,
                                const selvage_image& target, const AnchoredVectors& vectors) {
   const PieceLanes lanes = vectors.lanes();
   char* const pixels = static_cast<char*>(target.pixels);
-  PieceWalk walk(batch);
+  PieceWalk walk(batch, PieceOrder::kSpanBySpan);  // ties go to another row at some cost
   Pieces pieces;
   Anchors anchors;
   for (walk.next(&pieces); pieces.count != 0; walk.next(&pieces)) {

@@ -149,13 +149,16 @@ template <class Pixel, class Address, class Ties>
 HWY_NOINLINE void draw_left(const Left& left, const RuledSpans& spans, const Surface& surface,
                             Ties* ties) {
   const FixedLanes<Address> fixed(surface.texture, lack_fx16(spans.rows.margin_fx32));
-  for (int32_t k = 0; k < left.count; ++k) {
-    const Span& rest = left.rest[static_cast<size_t>(k)];
-    if (rest.row != ties->span().row) ties->go_to(rest);
-    const int32_t i = rest.row - spans.batch.first_row;
-    const RuledRow row(spans.rows, i);
-    fixed.template draw<Pixel>(rest, surface, *ties,
-                               row.lanes(rest.left_px - spans.batch.span(i).left_px), {0, 0, 0});
+  for (int32_t k = 0; k < left.count;) {
+    const int32_t row_px = left.rest[static_cast<size_t>(k)].row;
+    const Span span = spans.batch.span(row_px - spans.batch.first_row);
+    const RuledRow row(spans.rows, row_px - spans.batch.first_row);
+    ties->go_to(span);
+    for (; k < left.count && left.rest[static_cast<size_t>(k)].row == row_px; ++k) {
+      const Span& rest = left.rest[static_cast<size_t>(k)];
+      const LaneVectors lanes = row.lanes(rest.left_px - span.left_px);
+      fixed.template draw<Pixel>(rest, surface, *ties, lanes, {0, 0, 0});
+    }
   }
 }
 
