@@ -102,17 +102,24 @@ HWY_INLINE void draw_near_ties_by(Ties ties, const TexelRanges& texels, const Ru
       [&](const auto& window) { draw_decided<Pixel>(window, spans, surface); });
 }
 
+// Calls decide(ties) with what decides near-ties of rows.
+template <class Decide>
+HWY_INLINE void with_ruled_ties(const RuledSpans& spans, const Decide& decide) {
+  const int spare_bits = spare_bits_fx16(lack_fx16(spans.rows.margin_fx32));
+  if (are_64_enough(static_cast<int128>(spans.rows.most_denominator), spare_bits)) {
+    decide(RuledTies<OneLimb>(spans.exact));
+  } else {
+    decide(RuledTies<TwoLimbs>(spans.exact));
+  }
+}
+
 // Draws a batch that was drawn from one window in vain, if that lies within the texture.
 template <class Pixel>
 [[nodiscard]] HWY_INLINE bool draw_near_ties(const RuledSpans& spans, const Surface& surface) {
   const TexelRanges texels(spans.texels);
   if (!texels.within(surface.texture)) return false;
-  const int32_t lack = lack_fx16(spans.rows.margin_fx32);
-  if (are_64_enough(static_cast<int128>(spans.rows.most_denominator), spare_bits_fx16(lack))) {
-    draw_near_ties_by<Pixel>(RuledTies<OneLimb>(spans.exact), texels, spans, surface);
-  } else {
-    draw_near_ties_by<Pixel>(RuledTies<TwoLimbs>(spans.exact), texels, spans, surface);
-  }
+  with_ruled_ties(spans,
+                  [&](auto ties) { draw_near_ties_by<Pixel>(ties, texels, spans, surface); });
   return true;
 }
 
@@ -164,16 +171,14 @@ HWY_NOINLINE void draw_left(const Left& left, const RuledSpans& spans, const Sur
 
 template <class Pixel, class Address>
 void draw_narrow_ruled(const RuledSpans& spans, const Surface& surface) {
-  const int spare_bits = spare_bits_fx16(lack_fx16(spans.rows.margin_fx32));
-  BatchTies batch_ties(spans.exact, spans.batch, spare_bits);
   const bool cached = is_cached(surface.texture);
   Left left;
   for (int32_t i = 0; i < spans.batch.rows;) {
     i = cached ? draw_ruled_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, i, &left)
                : draw_ruled_loads<Pixel, Address, FetchAhead<Pixel>>(spans, surface, i, &left);
     if (left.count == 0) continue;
-    batch_ties.with_ties(
-        [&](auto* ties) { draw_left<Pixel, Address>(left, spans, surface, ties); });
+    with_ruled_ties(spans,
+                    [&](auto ties) { draw_left<Pixel, Address>(left, spans, surface, &ties); });
   }
 }
 
