@@ -134,7 +134,7 @@ HWY_INLINE By draw_strips(By by, AnyStrip* strip, Lane anchor, const AffineSpans
       const RowBlock rows = px == 0 ? block : rows_with(batch, block, px);
       find_strip(batch, rows, px, anchor, field, strip);
       draw_strip<Pixel>(*strip, rows, batch, surface.target, &by, &left);
-      if (HWY_UNLIKELY(left.count != 0) && !rest->draw(left, block.first, rows.end - rows.first)) {
+      if (HWY_UNLIKELY(left.count != 0) && !rest->draw(left, rows.first, rows.end - rows.first)) {
         return false;
       }
     }
