@@ -105,8 +105,7 @@ INSTANTIATE_TEST_SUITE_P(Kernel, EveryKernel,
                                          SELVAGE_KERNEL_NEON),
                          name_of);
 
-// v is 3 at every pixel although v q and q change: all of them are near-ties. Rows of 1 to 30 px,
-// which may be packed.
+// v is 3 at every pixel although v q and q change: all of them are near-ties. Rows of 1 to 30 px.
 TEST(Kernel, DecidesNearTiesOfNarrowRows) {
   constexpr int32_t texel = SELVAGE_SUBTEXELS, px = SELVAGE_SUBPIXELS;
   spec::Case c;
@@ -127,14 +126,14 @@ TEST(Kernel, DecidesNearTiesOfNarrowRows) {
   }
 }
 
-// As many rows as are packed at a time, about as wide as the widest that are.
-TEST(Kernel, PacksAsMuchAsItHasRoomFor) {
+// More rows than a batch has, about as wide as the widest that are drawn by strips.
+TEST(Kernel, DrawsRowsAboutAsWideAsStripsGo) {
   constexpr int32_t texel = SELVAGE_SUBTEXELS, px = SELVAGE_SUBPIXELS;
   spec::Case c;
-  c.target_width_px = 40;
+  c.target_width_px = 70;
   c.target_height_px = 140;
   c.texture_width_texel = c.texture_height_texel = 256;
-  for (int32_t width_px = 30; width_px <= 36; ++width_px) {
+  for (int32_t width_px = 62; width_px <= 67; ++width_px) {
     for (const int32_t texels_per_px : {1, 3}) {  // in windows, and not
       const int32_t right_u = width_px * texels_per_px * texel, low_v = 140 * texel;
       c.vertices = {{0, 0, 0, 7, 1},

@@ -251,8 +251,8 @@ TEST(NearTies, MayBeAllPixelsOfASpan) {
   for (const int32_t least_q : {3, 4}) expect_alike_over_a_steep_span(least_q);
 }
 
-// Quads on one texel's corner, whose rows have each a map of their own: from one window, packed,
-// and row by row; texels in the texture of 32 x 32 and beyond it.
+// Quads on one texel's corner, whose rows have each a map of their own: from one window, some rows
+// at once, and row by row; texels in the texture of 32 x 32 and beyond it.
 [[nodiscard]] std::vector<selvage_vertex> quad_on_a_point(spec::Random& random) {
   const int32_t side_px = random.pick({3, 8, 16, 30, 33, 64, 65, 200, 299});
   const int32_t height_px = random.pick({2, 4, 6, 40});

@@ -64,7 +64,7 @@ void set_coordinates(spec::Random& random, spec::Case* c) {
   spec::Case& c = wide.c;
   const int kind = random.in(0, 100);
   c.target_width_px = kind < 10 ? random.in(1000, 1400) : random.in(20, 200);
-  if (kind >= 90) c.target_width_px = random.in(31, 35);  // about the widest that are packed
+  if (kind >= 90) c.target_width_px = random.in(62, 68);  // about the widest drawn by strips
   c.target_height_px = kind >= 95 ? random.in(60, 140) : random.in(1, 7);
   c.texture_width_texel = random.pick(kSizes);
   c.texture_height_texel = random.pick(kSizes);

@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "mapper/polygon.h"
-#include "mapper/vector_kernel.h"
 #include "selvage.h"
 
 namespace selvage::mapper {
@@ -18,6 +17,9 @@ inline constexpr size_t kWorks = 3;  // kinds of selvage_work
 using KernelOrder = std::array<selvage_kernel, 5>;
 
 [[nodiscard]] const KernelOrder& kernel_order(selvage_filter filter, selvage_work work);
+
+// Polygons of a mesh are up to so wide.
+inline constexpr int32_t kNarrow_px = 32;
 
 // What drawing a polygon is like: within a tolerance, perspective is as affine maps are.
 [[nodiscard]] inline selvage_work work_of(const Polygon& polygon, int32_t tolerance) {

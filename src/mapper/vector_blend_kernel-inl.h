@@ -140,10 +140,9 @@ HWY_NOINLINE void draw_columns(const Steps& steps, const Span& span, int32_t fro
 template <class Steps, class Blend>
 HWY_INLINE void draw_few(const Steps& steps, const Span& span, const Surface& surface,
                          RowOfTies* ties, const Blend& blend) {
-  HWY_ALIGN uint32_t pixels[kLanes];
   const typename Steps::Points points(steps, span.left_px, span.row, ties);
-  hn::Store(blend(points.points()), D32(), reinterpret_cast<int32_t*>(pixels));
-  store_row<uint32_t>(pixels, span.width_px(), first_pixel(surface, span));
+  store_pixels(blend(points.points()), span.width_px(),
+               reinterpret_cast<uint32_t*>(first_pixel(surface, span)));
 }
 
 // The blend of the inside for the pixels that are there, and the other for those at both ends.

@@ -265,43 +265,6 @@ HWY_INLINE void fetch_vector(const void* texels, const int32_t* HWY_RESTRICT pla
   fetch_as<Pixel>(texels, place, count, pixel);
 }
 
-// Whether vectors are stored in part by a mask. AVX2 has masks for 32-bit pixels, too, but with
-// them a store takes as long as a dozen others on AMD Zen 3 (14 cycles).
-inline constexpr bool kHasMask = HWY_TARGET <= HWY_AVX3;
-
-// Stores the first pixels of a row, fewer than twice as many as D has lanes: by two vectors that
-// may meet, or by smaller ones.
-template <class D, class Pixel = hn::TFromD<D>>
-HWY_INLINE void store_halves(D d, const Pixel* HWY_RESTRICT row, int32_t count,
-                             Pixel* HWY_RESTRICT to) {
-  constexpr int32_t kVector = static_cast<int32_t>(hn::MaxLanes(D()));
-  if (count >= kVector) {
-    hn::StoreU(hn::LoadU(d, row), d, to);
-    hn::StoreU(hn::LoadU(d, row + count - kVector), d, to + count - kVector);
-  } else if constexpr (kVector > 1) {
-    store_halves(hn::CappedTag<Pixel, kVector / 2>(), row, count, to);
-  }
-}
-
-// Stores the first pixels of a row up to kNarrow_px wide, maybe none: by whole vectors, of which
-// the last may meet the one before.
-template <class Pixel>
-HWY_INLINE void store_row(const Pixel* HWY_RESTRICT row, int32_t count, char* HWY_RESTRICT pixel) {
-  const hn::CappedTag<Pixel, kHasMask ? kNarrow_px : 8> d;
-  constexpr int32_t kRow = static_cast<int32_t>(hn::MaxLanes(d));
-  auto* const to = reinterpret_cast<Pixel*>(pixel);
-  if (count >= kRow) {
-    for (int32_t done = 0; done + kRow < count; done += kRow) {
-      hn::StoreU(hn::LoadU(d, row + done), d, to + done);
-    }
-    hn::StoreU(hn::LoadU(d, row + count - kRow), d, to + count - kRow);
-  } else if constexpr (kHasMask) {
-    hn::BlendedStore(hn::LoadU(d, row), hn::FirstN(d, static_cast<size_t>(count)), d, to);
-  } else {
-    store_halves(hn::CappedTag<Pixel, kRow / 2>(), row, count, to);
-  }
-}
-
 }  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -12,8 +12,6 @@
 
 namespace selvage::mapper {
 
-// Spans up to so wide are drawn a batch at a time.
-inline constexpr int32_t kNarrow_px = 32;
 // What lanes of 16.16 lose beside the margin of 32.32 ones: less than a unit by the floor of the
 // anchor, and by that of the step from there.
 inline constexpr int32_t kVectorTruncations_fx16 = 2;
