@@ -34,6 +34,15 @@ namespace {
   return hn::Add(whole, hn::ShiftRight<kAnchorShift>(fraction));
 }
 
+// Modulo 2^64.
+[[nodiscard]] HWY_INLINE Lane plus(Lane lane, int32_t steps, Lane step) {
+  const auto sum = [steps](int64_t from, int64_t by) {
+    return static_cast<int64_t>(static_cast<uint64_t>(from) +
+                                static_cast<uint64_t>(steps) * static_cast<uint64_t>(by));
+  };
+  return {sum(lane.u_fx32, step.u_fx32), sum(lane.v_fx32, step.v_fx32)};
+}
+
 // kLanes lanes of 32.32, in two vectors.
 struct WideLanes {
   V32 low, high;
@@ -71,12 +80,7 @@ class AffineBatch : public FixedLanes<Address> {
   // From the 32.32 lane of a vector's first pixel to the least one.
   [[nodiscard]] HWY_INLINE Lane to_anchor() const { return to_anchor_; }
   // Modulo 2^64, as lanes are where nobody asks for them.
-  HWY_INLINE Lane anchor(Lane first) const {
-    const auto sum = [](int64_t a, int64_t b) {
-      return static_cast<int64_t>(static_cast<uint64_t>(a) + static_cast<uint64_t>(b));
-    };
-    return {sum(first.u_fx32, to_anchor_.u_fx32), sum(first.v_fx32, to_anchor_.v_fx32)};
-  }
+  HWY_INLINE Lane anchor(Lane first) const { return plus(first, 1, to_anchor_); }
   HWY_INLINE LaneVectors lanes_from(Lane anchor) const {
     return lanes_from(floor_fx16(anchor.u_fx32), floor_fx16(anchor.v_fx32));
   }

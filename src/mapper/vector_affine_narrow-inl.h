@@ -28,9 +28,8 @@ struct LoadStripDraw {
   }
 };
 
-template <class Pixel, class Address, class Fetch>
-HWY_NOINLINE void draw_load_strips(const AffineSpans& spans, const Surface& surface,
-                                   RestDraw<Pixel, Address>* rest) {
+template <class Pixel, class Address, class Fetch, class Rest>
+HWY_NOINLINE void draw_load_strips(const AffineSpans& spans, const Surface& surface, Rest* rest) {
   Fetch fetch(surface.texture.texels);
   const LoadStripDraw<Pixel, Address, Fetch> by{AffineBatch<Address>(spans, surface), &fetch};
   const Lane first = spans.field.at(0, spans.batch.first_row);
@@ -42,13 +41,15 @@ HWY_NOINLINE void draw_load_strips(const AffineSpans& spans, const Surface& surf
 template <class Pixel, class Address>
 void draw_narrow(const AffineSpans& spans, const Surface& surface, const WindowShape& shape) {
   RestDraw<Pixel, Address> rest(spans, surface, shape.rows);
+  const bool inside = TexelRanges(spans.texels).within(surface.texture);
   if (kHasWindows && shape.rows != 0) {
-    const bool inside = TexelRanges(spans.texels).within(surface.texture);
     with_window_shape<Pixel>(surface, shape, inside, WindowStrips{spans, surface, inside, &rest});
-  } else if (is_cached(surface.texture)) {
-    draw_load_strips<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, &rest);
-  } else {
+  } else if (!is_cached(surface.texture)) {
     draw_load_strips<Pixel, Address, FetchAhead<Pixel>>(spans, surface, &rest);
+  } else if (inside) {
+    draw_load_strips<Pixel, Addressed<InsideVector>, FetchAtOnce<Pixel>>(spans, surface, &rest);
+  } else {
+    draw_load_strips<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, &rest);
   }
 }
 

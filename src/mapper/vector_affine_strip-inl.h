@@ -14,15 +14,6 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// Modulo 2^64.
-[[nodiscard]] HWY_INLINE Lane plus(Lane lane, int32_t steps, Lane step) {
-  const auto sum = [steps](int64_t from, int64_t by) {
-    return static_cast<int64_t>(static_cast<uint64_t>(from) +
-                                static_cast<uint64_t>(steps) * static_cast<uint64_t>(by));
-  };
-  return {sum(lane.u_fx32, step.u_fx32), sum(lane.v_fx32, step.v_fx32)};
-}
-
 // One coordinate of the anchors, modulo 2^64, of kLanes rows at a time, of vectors that begin at
 // some pixels of them.
 class RowAnchors {

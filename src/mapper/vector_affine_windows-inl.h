@@ -14,7 +14,7 @@ namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
 // Vectors of pixels: the lanes of their anchors, counted from the origins of their windows, and the
-// places of those, negative where there is none.
+// places of those, kNoPlace where there is none.
 struct FoundWindows {
   static constexpr int32_t kMost = kRowsPerBatch;
   // With room for a vector that begins at the last one.
@@ -93,8 +93,8 @@ class WindowDraw {
   // False where a pixel may be a near-tie, or there is no window.
   HWY_INLINE bool draw(const FoundWindows& found, int32_t k, int32_t count_px, Pixel* to) const {
     const int32_t rows = kRows == 0 ? rows_ : kRows;
-    const ptrdiff_t place = found.place[k];
-    if (HWY_UNLIKELY(place < 0)) return false;
+    const int32_t place = found.place[k];
+    if (HWY_UNLIKELY(place == kNoPlace)) return false;
     auto [index, changes] = coarse_.texels(found.coarse[k]);
     if (InWindow::kClampsWindows || HWY_UNLIKELY(Coarse::any_near(changes))) {
       const LaneVectors lanes = batch_.lanes_from(found.u_fx16[k], found.v_fx16[k]);

@@ -10,7 +10,6 @@
 #include <hwy/highway.h>
 
 #include <cstring>
-#include <type_traits>
 
 #include "mapper/address.h"
 #include "mapper/exact_row.h"

@@ -147,7 +147,6 @@ class RowOfTies {
     known->is_row_known = true;
   }
 
-  // Packed vectors may begin before their row does.
   [[nodiscard]] HWY_INLINE uint128 divisor_at(int32_t offset_px) const {
     return d_.start + static_cast<uint128>(int128{offset_px}) * d_.step;
   }

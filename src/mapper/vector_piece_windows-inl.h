@@ -84,7 +84,7 @@ HWY_INLINE void find_windows(const Pieces& pieces, int32_t k, const Anchors& anc
   hn::StoreU(from(v, origins.t), d, windows->v_fx16[kVector] + k);
   hn::StoreU(origins.place, d, windows->place[kVector] + k);
   const auto is_outside =
-      hn::And(hn::Lt(origins.place, hn::Zero(d)), hn::Ne(shapes.name, hn::Zero(d)));
+      hn::And(hn::Eq(origins.place, hn::Set(d, kNoPlace)), hn::Ne(shapes.name, hn::Zero(d)));
   hn::StoreU(hn::IfThenElse(is_outside, hn::Set(d, kNoWindow), shapes.name), d,
              windows->rows[kVector] + k);
 }

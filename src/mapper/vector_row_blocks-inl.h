@@ -15,7 +15,7 @@ namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
 // Whether rows have so few vectors that they are drawn some rows at a time.
-inline constexpr int32_t kMostNarrow_px = 64;
+inline constexpr int32_t kMostNarrow_px = HWY_MIN(64, 8 * kLanes);
 [[nodiscard]] HWY_INLINE bool is_narrow(const SpanBatch& batch) {
   return batch.widest_px <= kMostNarrow_px;
 }
@@ -69,9 +69,10 @@ HWY_INLINE void for_each_block(const SpanBatch& batch, int32_t strip_px, int32_t
   }
 }
 
-// Of kLanes rows, what they have in a strip: the pixel where it begins, and how many there are from
-// there to the span's end. It begins where the strip does, so many pixels right of the span's left
-// end, or, in a row as wide as the strip, further left, so that it is whole.
+// Of kLanes rows, what is drawn of them in a strip: the pixel where it begins, and how many there
+// are from there to the span's end. It begins where the strip does, so many pixels right of the
+// span's left end, or, where fewer than the strip's width are left, further left, so that it is
+// whole or all of the span: some pixels are drawn twice, the same.
 struct StripEnds {
   V32 from_px, count_px;
 };
@@ -87,7 +88,7 @@ template <int32_t kStrip_px>
 }
 
 // Those of the rows of a block that have pixels so far right of their left ends, and maybe some
-// between that have none.
+// between that have none there.
 [[nodiscard]] HWY_INLINE RowBlock rows_with(const SpanBatch& batch, const RowBlock& block,
                                             int32_t right_by_px) {
   const D32 d;

@@ -171,11 +171,14 @@ HWY_NOINLINE void draw_left(const Left& left, const RuledSpans& spans, const Sur
 
 template <class Pixel, class Address>
 void draw_narrow_ruled(const RuledSpans& spans, const Surface& surface) {
-  const bool cached = is_cached(surface.texture);
+  using Inside = Addressed<InsideVector>;
+  const bool ahead = !is_cached(surface.texture);
+  const bool inside = TexelRanges(spans.texels).within(surface.texture);
   Left left;
   for (int32_t i = 0; i < spans.batch.rows;) {
-    i = cached ? draw_ruled_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, i, &left)
-               : draw_ruled_loads<Pixel, Address, FetchAhead<Pixel>>(spans, surface, i, &left);
+    i = ahead    ? draw_ruled_loads<Pixel, Address, FetchAhead<Pixel>>(spans, surface, i, &left)
+        : inside ? draw_ruled_loads<Pixel, Inside, FetchAtOnce<Pixel>>(spans, surface, i, &left)
+                 : draw_ruled_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, i, &left);
     if (left.count == 0) continue;
     with_ruled_ties(spans,
                     [&](auto ties) { draw_left<Pixel, Address>(left, spans, surface, &ties); });

@@ -142,7 +142,7 @@ class StepWindows {
                                            Pixel* to) const {
     for (int32_t k = 0; k < Lanes::kVectors && k * kLanes < count; ++k) {
       const int32_t place = groups.place[k][i];
-      if (HWY_UNLIKELY(place < 0)) return false;
+      if (HWY_UNLIKELY(place == kNoPlace)) return false;
       const LaneVectors lanes{u_.pixels(groups.u_fx16[k][i], k), v_.pixels(groups.v_fx16[k][i], k)};
       const V32 index = source_.fixed.template window_index<kWindowColumnBits>(lanes, rows_);
       store_pixels(pick_few(source_.texels + place, source_.extent.pitch_texel, rows_, index),

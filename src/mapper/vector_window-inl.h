@@ -83,7 +83,11 @@ struct WindowShape {
   return window_shape(step_fx32, texture).rows;
 }
 
-// Where windows begin: at these texels, and their places in the texture, negative where a window
+// Places are negative, too, where a texture is stored bottom row first; none is so low
+// (places_fit).
+inline constexpr int32_t kNoPlace = INT32_MIN;
+
+// Where windows begin: at these texels, and their places in the texture, kNoPlace where a window
 // does not lie in it.
 template <class V>
 struct WindowOrigins {
@@ -101,7 +105,7 @@ template <class Address, class V>
   const auto row = Address::origins(t, last_t, extent.height_texel);
   const auto outside = hn::Or(hn::Gt(column.index, last_s), hn::Gt(row.index, last_t));
   const V place = hn::Add(hn::Mul(row.index, hn::Set(d, extent.pitch_texel)), column.index);
-  return {column.texel, row.texel, hn::IfThenElse(outside, hn::Set(d, -1), place)};
+  return {column.texel, row.texel, hn::IfThenElse(outside, hn::Set(d, kNoPlace), place)};
 }
 
 template <class D, class Pixel>

@@ -56,6 +56,10 @@ class Texture {
     }
     texture_ = {texels_.data(),   side_texel,          side_texel, pitch_texel * kPixelBytes,
                 SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr};
+    if (work.flips_texture) {
+      texture_.texels = texels_.data() + pitch_texel * (side_texel - 1);
+      texture_.pitch = -texture_.pitch;
+    }
     if (work.with_sums) status_ = prepare();
   }
   Texture(const Texture&) = delete;

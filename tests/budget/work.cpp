@@ -163,6 +163,12 @@ std::optional<Work> adversarial(std::string_view id) {
 }  // namespace
 
 std::optional<Work> work_of(std::string_view kind) {
+  constexpr std::string_view kFlipped = "-flipped";
+  if (kind.ends_with(kFlipped)) {
+    std::optional<Work> work = work_of(kind.substr(0, kind.size() - kFlipped.size()));
+    if (work) work->flips_texture = true;
+    return work;
+  }
   if (kind == "mesh-52") return mesh(52, Depth::kFlat);
   if (kind == "mesh-484") return mesh(484, Depth::kFlat);
   if (kind == "tilted-52") return mesh(52, Depth::kTilted);

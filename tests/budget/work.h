@@ -19,13 +19,14 @@ struct Work {
   int32_t texture_side_texel;
   selvage_filter filter;
   bool with_sums = false;
+  bool flips_texture = false;  // its bottom row is stored first
 };
 
 // mesh-52 and mesh-484: a jittered mesh of triangles of about so many pixels; tilted-52 and
 // tilted-484: the same in perspective; affine, perspective and bilinear: 64 spans of 1024 px; area,
 // area-tilted, area-ruled and area-sums: minified spans, the last by looking boxes up; A1 and so
 // on, A1-ordinary and so on: 64 rows of an adversarial item of the report, and of its ordinary
-// twin. Nothing for another name.
+// twin. With -flipped behind it, from a texture stored bottom row first. Nothing for another name.
 [[nodiscard]] std::optional<Work> work_of(std::string_view kind);
 
 }  // namespace selvage::budget
