@@ -31,7 +31,8 @@ enum class InOneWindow { kDrawn, kNotDrawn, kManyNearTies };
   const int32_t many = HWY_MIN(4, widest_px);
   if (!any_bits(changed, ~0xFFFF)) return InOneWindow::kDrawn;
   const auto near = hn::Ne(hn::ShiftRight<kTexelFraction>(changed), hn::Zero(D32()));
-  return hn::CountTrue(D32(), near) < many ? InOneWindow::kNotDrawn : InOneWindow::kManyNearTies;
+  const auto count = static_cast<int32_t>(hn::CountTrue(D32(), near));
+  return count < many ? InOneWindow::kNotDrawn : InOneWindow::kManyNearTies;
 }
 
 // The texels of one coordinate, both of them included.

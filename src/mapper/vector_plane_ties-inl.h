@@ -105,9 +105,10 @@ class PlaneTies {
   }
   static HWY_INLINE auto biased(const ExactLine& n, const ExactLine& n_below,
                                 const BatchRows& rows) {
-    constexpr uint128 kBias = kTexelBias;
-    const ExactLine line{n.start + kBias * rows.first.d.start, n.step + kBias * rows.first.d.step};
-    return plane<typename Number::Numerator>(line, n_below.start + kBias * rows.below.d.start);
+    constexpr uint128 kTexels = kTexelBias;
+    const ExactLine line{n.start + kTexels * rows.first.d.start,
+                         n.step + kTexels * rows.first.d.step};
+    return plane<typename Number::Numerator>(line, n_below.start + kTexels * rows.below.d.start);
   }
 
   template <class Lanes>
