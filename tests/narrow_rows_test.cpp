@@ -3,13 +3,13 @@
 // one map and ruled, with near-ties in none, some or all of their vectors.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstdint>
 
 #include "spec/random.h"
 #include "spec/vertex_units.h"
 #include "tests/kernel_support.h"
 #include "tests/rounded.h"
+#include "tests/texel_map.h"
 
 namespace selvage::mapper {
 namespace {
@@ -41,35 +41,23 @@ using spec::kTexel_fx16;
   return c;
 }
 
-struct Map {
-  double u, v, u_per_px, v_per_px, u_per_row, v_per_row;
-};
-
 // A texel a pixel or less mostly, up to four; of ties along whole rows or columns, or of any slope.
-[[nodiscard]] Map any_map(spec::Random& random, const spec::Case& c) {
+[[nodiscard]] TexelMap any_map(spec::Random& random, const spec::Case& c) {
   const bool ties = random.percent(40), fits = random.percent(60);
   const double most = random.pick({0.05, 0.25, 0.6, 1.0, 1.0, 4.0});
   const auto slope = [&] {
     if (ties) return random.pick({0.0, 0.0, 0.5, 0.25, 1.0 / 3, 1.0}) * random.pick({1, -1});
     return most * random.in(-1000, 1001) / 1000;
   };
-  Map map{0, 0, slope(), slope() * random.pick({0.0, 0.1, 1.0}), slope(), slope()};
-  const double half_px = c.target_width_px / 2.0, half_rows = c.target_height_px / 2.0;
-  map.u = fits ? c.texture_width_texel / 2.0 - half_px * map.u_per_px - half_rows * map.u_per_row
-               : random.in(-300, 300) / 4.0;
-  map.v = fits ? c.texture_height_texel / 2.0 - half_px * map.v_per_px - half_rows * map.v_per_row
-               : random.in(-300, 300) / 4.0;
-  if (ties) {
-    map.u = std::round(map.u * 4) / 4;
-    map.v = std::round(map.v * 4) / 4;
-  }
+  TexelMap map{0, 0, slope(), slope() * random.pick({0.0, 0.1, 1.0}), slope(), slope()};
+  move(random, c, fits, ties, &map);
   return map;
 }
 
 // A quad about as large as the target, or a triangle, of straight or slanted sides; `off` of its
 // corners' coordinates are off the map by a unit or many.
 template <class WeightAt>
-void set_vertices(spec::Random& random, const Map& map, int off_percent, const WeightAt& q_at,
+void set_vertices(spec::Random& random, const TexelMap& map, int off_percent, const WeightAt& q_at,
                   spec::Case* c) {
   const int32_t right_fx8 = c->target_width_px * kPixel_fx8;
   const int32_t bottom_fx8 = c->target_height_px * kPixel_fx8;
@@ -81,15 +69,13 @@ void set_vertices(spec::Random& random, const Map& map, int off_percent, const W
     };
     const int32_t x = (is_right ? right_fx8 : 0) + moved(right_fx8);
     const int32_t y = (is_below ? bottom_fx8 : 0) + moved(bottom_fx8);
-    const double x_px = static_cast<double>(x) / kPixel_fx8,
-                 y_px = static_cast<double>(y) / kPixel_fx8;
+    const double x_px = x * (1.0 / kPixel_fx8), y_px = y * (1.0 / kPixel_fx8);
     const auto fx16 = [&](double texel) {
       const int32_t off = random.percent(off_percent) ? random.pick({-1, 1, 40, 70000}) : 0;
       return rounded(texel * kTexel_fx16) + off;
     };
-    c->vertices.push_back({x, y, fx16(map.u + x_px * map.u_per_px + y_px * map.u_per_row),
-                           fx16(map.v + x_px * map.v_per_px + y_px * map.v_per_row),
-                           q_at(is_right, is_below)});
+    c->vertices.push_back(
+        {x, y, fx16(map.u_at(x_px, y_px)), fx16(map.v_at(x_px, y_px)), q_at(is_right, is_below)});
   }
   if (random.percent(40)) c->vertices.erase(c->vertices.begin() + random.in(0, 4));
 }

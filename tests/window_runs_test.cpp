@@ -4,13 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "spec/random.h"
 #include "spec/vertex_units.h"
 #include "tests/kernel_support.h"
 #include "tests/rounded.h"
+#include "tests/texel_map.h"
 
 namespace selvage::mapper {
 namespace {
@@ -33,14 +33,9 @@ using spec::kTexel_fx16;
   return c;
 }
 
-// Texels a pixel, and where the target's first pixel is.
-struct Map {
-  double u, v, u_per_px, v_per_px, u_per_row, v_per_row;
-};
-
 // Most of it in the texture, or anywhere; ties along whole rows, or any slope up to a texel a
 // pixel.
-[[nodiscard]] Map any_map(spec::Random& random, const spec::Case& c) {
+[[nodiscard]] TexelMap any_map(spec::Random& random, const spec::Case& c) {
   const bool fits = random.percent(60), ties = random.percent(50);
   const double across = (fits ? c.texture_width_texel : 400.0) / c.target_width_px;
   const double most = std::min(across, 1.0);
@@ -48,28 +43,21 @@ struct Map {
     if (ties) return random.pick({0.0, 0.5, 0.25, 0.125, 1.0 / 3, 1.0}) * random.pick({1, -1});
     return most * random.in(-1000, 1001) / 1000;
   };
-  Map map{0, 0, slope(), slope() * random.pick({0.0, 0.3, 1.0}), slope(), slope()};
-  const double half_px = c.target_width_px / 2.0;
-  map.u = fits ? c.texture_width_texel / 2.0 - half_px * map.u_per_px : random.in(-300, 300) / 4.0;
-  map.v = fits ? c.texture_height_texel / 2.0 - half_px * map.v_per_px : random.in(-300, 300) / 4.0;
-  if (ties) {
-    map.u = std::round(map.u * 4) / 4;
-    map.v = std::round(map.v * 4) / 4;
-  }
+  TexelMap map{0, 0, slope(), slope() * random.pick({0.0, 0.3, 1.0}), slope(), slope()};
+  move(random, c, fits, ties, &map);
   return map;
 }
 
 // A rectangle over all of the target, or a triangle over most; q to be given by x in pixels.
 template <class WeightAt>
-void set_vertices(spec::Random& random, const Map& map, const WeightAt& q_at, spec::Case* c) {
+void set_vertices(spec::Random& random, const TexelMap& map, const WeightAt& q_at, spec::Case* c) {
   const int32_t right_px = c->target_width_px, bottom_px = c->target_height_px;
   for (const int corner : {0, 1, 2, 3}) {
     const int32_t x_px = corner == 1 || corner == 2 ? right_px : 0;
     const int32_t y_px = corner >= 2 ? bottom_px : 0;
     const auto fx16 = [&](double texel) { return rounded(texel * kTexel_fx16); };
-    c->vertices.push_back({x_px * kPixel_fx8, y_px * kPixel_fx8,
-                           fx16(map.u + x_px * map.u_per_px + y_px * map.u_per_row),
-                           fx16(map.v + x_px * map.v_per_px + y_px * map.v_per_row), q_at(x_px)});
+    c->vertices.push_back({x_px * kPixel_fx8, y_px * kPixel_fx8, fx16(map.u_at(x_px, y_px)),
+                           fx16(map.v_at(x_px, y_px)), q_at(x_px)});
   }
   if (random.percent(40)) c->vertices.erase(c->vertices.begin() + random.in(0, 4));
 }
@@ -94,7 +82,7 @@ TEST_P(WindowRuns, EveryKernelDrawsWhatTheScalarOneDrawsInPerspective) {
   for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
     spec::Random random(seed);
     spec::Case c = any_target(random);
-    const Map map = any_map(random, c);
+    const TexelMap map = any_map(random, c);
     const int32_t least_q = random.pick({1, 1000, 1 << 20});
     // q and all changes up to threefold, so that windows grow and shrink along a row; or by nothing
     // but a hair, and ties stay next to ties.

@@ -27,6 +27,7 @@ struct WindowStrip : Strip {
   }
 };
 
+// Draws them.
 template <class Pixel, class Window>
 struct WindowStripDraw {
   Window window;
@@ -37,6 +38,7 @@ struct WindowStripDraw {
   }
 };
 
+// Draws a batch by windows of one shape, and what does not lie in one by rest->draw().
 template <class Rest>
 struct WindowStrips {
   const AffineSpans& spans;
