@@ -57,6 +57,15 @@ struct ExactRow {
   }
 };
 
+[[nodiscard]] inline ExactLine exact_line(int128 start, int128 step) {
+  return {static_cast<uint128>(start), static_cast<uint128>(step)};
+}
+[[nodiscard]] inline ExactRow row_by(const SpanMap& map, int32_t px) {
+  return {exact_line(map.u_numerator(px), map.u_numerator_step()),
+          exact_line(map.v_numerator(px), map.v_numerator_step()),
+          exact_line(map.denominator(px), map.denominator_step())};
+}
+
 // Refers to the map.
 class ExactMap {
  public:
@@ -76,33 +85,27 @@ class ExactMap {
   }
   // Whether each row has a map of its own.
   [[nodiscard]] bool is_ruled() const { return is_ruled_; }
+  // Of which the map is one of all its rows, where it is ruled.
+  [[nodiscard]] const RuledMap& ruled() const { return *static_cast<const RuledMap*>(map_); }
 
  private:
-  [[nodiscard]] static ExactLine line(int128 start, int128 step) {
-    return {static_cast<uint128>(start), static_cast<uint128>(step)};
-  }
   [[nodiscard]] static ExactRow row_of_span(const void* of, int32_t px, int32_t /*row*/) {
     return row_by(*static_cast<const SpanMap*>(of), px);
   }
   [[nodiscard]] static ExactRow row_of_ruled(const void* of, int32_t px, int32_t row) {
     return row_by(static_cast<const RuledMap*>(of)->at(row), px);
   }
-  [[nodiscard]] static ExactRow row_by(const SpanMap& map, int32_t px) {
-    return {line(map.u_numerator(px), map.u_numerator_step()),
-            line(map.v_numerator(px), map.v_numerator_step()),
-            line(map.denominator(px), map.denominator_step())};
-  }
   [[nodiscard]] static ExactRow row_of_plane(const void* of, int32_t px, int32_t row) {
     const auto& plane = *static_cast<const Plane*>(of);
     const auto [u, u_step] = plane.u_numerator(px, row);
     const auto [v, v_step] = plane.v_numerator(px, row);
-    return {line(u, u_step), line(v, v_step), line(plane.denominator(), 0)};
+    return {exact_line(u, u_step), exact_line(v, v_step), exact_line(plane.denominator(), 0)};
   }
   [[nodiscard]] static ExactRow row_of_projective_plane(const void* of, int32_t px, int32_t row) {
     const auto& plane = *static_cast<const ProjectivePlane*>(of);
-    return {line(plane.u_numerator(px, row), plane.u_numerator_step()),
-            line(plane.v_numerator(px, row), plane.v_numerator_step()),
-            line(plane.denominator(px, row), plane.denominator_step())};
+    return {exact_line(plane.u_numerator(px, row), plane.u_numerator_step()),
+            exact_line(plane.v_numerator(px, row), plane.v_numerator_step()),
+            exact_line(plane.denominator(px, row), plane.denominator_step())};
   }
 
   const void* map_;

@@ -41,9 +41,8 @@ std::optional<Slab> from_left_to_right(const Slab& slab) {
 }
 
 SpanMap RuledMap::at(int32_t row) const {
-  const Slab* slab = slabs_.data();
-  while (row >= slab->end_row) ++slab;
-  const EdgePoint a = slab->a.at(row), b = slab->b.at(row);
+  const Slab& slab = slab_of(row);
+  const EdgePoint a = slab.a.at(row), b = slab.b.at(row);
   return right_by(a, b) > 0 ? SpanMap(a, b) : SpanMap(b, a);
 }
 

@@ -87,6 +87,12 @@ class RuledMap {
   }
   [[nodiscard]] std::span<const Slab> slabs() const { return {slabs_.data(), count_}; }
 
+  // That of a row.
+  [[nodiscard]] const Slab& slab_of(int32_t row) const {
+    const Slab* slab = slabs_.data();
+    while (row >= slab->end_row) ++slab;
+    return *slab;
+  }
   // Of a row with pixels.
   [[nodiscard]] SpanMap at(int32_t row) const;
 

@@ -20,21 +20,20 @@ struct Span {
 // three are linear along the span. With weights w to the other edge's point, (u q, q) is their
 // mean:
 //   u = (left.uq w_left + right.uq w_right) / (left.q w_left + right.q w_right)
-// for the common factor 1 / (height_left height_right width) cancels. Numbers fit 128 bits at
-// pixels between the edges (number.h); who asks elsewhere sees to it.
+// for the common factor 1 / (height_left height_right width) cancels. Modulo 2^128: numbers fit at
+// pixels between the edges (number.h), and differences of others may all the same.
 class SpanMap {
  public:
   SpanMap(const EdgePoint& left, const EdgePoint& right) : left_(left), right_(right) {}
 
   [[nodiscard]] int128 u_numerator(int32_t px) const {
-    return left_.uq * weight_left(px) + right_.uq * weight_right(px);
+    return mean(left_.uq, right_.uq, px);
   }
   [[nodiscard]] int128 v_numerator(int32_t px) const {
-    return left_.vq * weight_left(px) + right_.vq * weight_right(px);
+    return mean(left_.vq, right_.vq, px);
   }
   [[nodiscard]] int128 denominator(int32_t px) const {
-    return (int128{left_.q} * weight_left(px) + int128{right_.q} * weight_right(px))
-           << kTexelFraction;
+    return mean(left_.q, right_.q, px) << kTexelFraction;
   }
 
   // Change from a pixel to the next one.
@@ -50,6 +49,13 @@ class SpanMap {
   }
 
  private:
+  [[nodiscard]] int128 mean(int128 left, int128 right, int32_t px) const {
+    const auto product = [](int128 a, int64_t b) {
+      return static_cast<uint128>(a) * static_cast<uint128>(int128{b});
+    };
+    return static_cast<int128>(product(left, weight_left(px)) + product(right, weight_right(px)));
+  }
+
   // Distances from the pixel's centre to the other edge, times both heights: >= 0 within the span.
   [[nodiscard]] int64_t weight_left(int32_t px) const {
     return right_.x - centre_fx8(px) * right_.height;

@@ -36,7 +36,7 @@ class BatchTies {
  private:
   HWY_NOINLINE void find() {
     if (map_.is_ruled() && batch_.rows > 1) {
-      ruled_ = RuledTies<TwoLimbs>(map_);
+      ruled_.emplace(map_.ruled());
       return;
     }
     const Span first = batch_.span(0);

@@ -22,11 +22,16 @@ struct ByParity {
   Number even, odd;
 };
 
-// 0, 2, ... and 1, 3, ...
-[[nodiscard]] HWY_INLINE ByParity<V64> lane_numbers() {
+// For each pixel of a vector so many times the step: of one that is below 2^60, or modulo 2^64.
+[[nodiscard]] HWY_INLINE ByParity<V64> multiples_of(uint64_t step) {
   const D64 d;
-  const V64 even = hn::Add(hn::Iota(d, 0), hn::Iota(d, 0));
-  return {even, hn::Add(even, hn::Set(d, 1))};
+  const V64 even_pixel = hn::Add(hn::Iota(d, 0), hn::Iota(d, 0));
+  V64 even = hn::Zero(d);
+  for (uint64_t bit = 2; bit < kLanes; bit *= 2) {
+    const auto has_bit = hn::TestBit(even_pixel, hn::Set(d, bit));
+    even = hn::Add(even, hn::IfThenElseZero(has_bit, hn::Set(d, bit * step)));
+  }
+  return {even, hn::Add(even, hn::Set(d, step))};
 }
 
 // The lower half of each lane and, in its place, the upper one.
@@ -61,11 +66,11 @@ struct OneLimb {
   // A number at kLanes pixels in turn.
   class Walk {
    public:
-    HWY_INLINE explicit Walk(uint64_t step) {
+    HWY_INLINE void set_step(uint64_t step) {
       const D64 d;
-      const ByParity<V64> lanes = lane_numbers();
-      hn::Store(hn::Mul(lanes.even, hn::Set(d, step)), d, even_);
-      hn::Store(hn::Mul(lanes.odd, hn::Set(d, step)), d, odd_);
+      const ByParity<V64> by = multiples_of(step);
+      hn::Store(by.even, d, even_);
+      hn::Store(by.odd, d, odd_);
     }
     [[nodiscard]] HWY_INLINE ByParity<V64> from(uint64_t start) const {
       const D64 d;
@@ -101,10 +106,10 @@ struct TwoLimbs {
   template <int kDropped, uint64_t kBias>
   class Walk {
    public:
-    HWY_INLINE explicit Walk(uint128 step) {
-      const ByParity<V64> lanes = lane_numbers();
-      store(lanes.even, step, even_low_, even_high_);
-      store(lanes.odd, step, odd_low_, odd_high_);
+    HWY_INLINE void set_step(uint128 step) {
+      const ByParity<V64> low = multiples_of(low_of(step)), high = multiples_of(high_of(step));
+      store({low.even, high.even}, even_low_, even_high_);
+      store({low.odd, high.odd}, odd_low_, odd_high_);
     }
     [[nodiscard]] HWY_INLINE ByParity<Limbs> from(uint128 start) const {
       const D64 d;
@@ -118,13 +123,12 @@ struct TwoLimbs {
     static constexpr uint64_t kLow = (uint64_t{1} << kLowBits) - 1;
     static HWY_INLINE uint64_t low_of(uint128 a) { return static_cast<uint64_t>(a) & kLow; }
     static HWY_INLINE uint64_t high_of(uint128 a) { return static_cast<uint64_t>(a >> kLowBits); }
-    static HWY_INLINE void store(V64 lanes, uint128 step, uint64_t* HWY_RESTRICT to_low,
+    // The low limb's carry is still in it.
+    static HWY_INLINE void store(const Limbs& by, uint64_t* HWY_RESTRICT to_low,
                                  uint64_t* HWY_RESTRICT to_high) {
       const D64 d;
-      const V64 low = hn::Mul(lanes, hn::Set(d, low_of(step)));
-      const V64 high = hn::Mul(lanes, hn::Set(d, high_of(step)));
-      hn::Store(hn::ShiftRight<kDropped>(hn::And(low, hn::Set(d, kLow))), d, to_low);
-      hn::Store(hn::Add(high, hn::ShiftRight<kLowBits>(low)), d, to_high);
+      hn::Store(hn::ShiftRight<kDropped>(hn::And(by.low, hn::Set(d, kLow))), d, to_low);
+      hn::Store(hn::Add(by.high, hn::ShiftRight<kLowBits>(by.low)), d, to_high);
     }
 
     HWY_ALIGN uint64_t even_low_[kLanes / 2], even_high_[kLanes / 2];

@@ -10,9 +10,8 @@
 #define SELVAGE_VECTOR_PLANE_TIES_INL_H
 #endif
 
-#include <optional>
-
 #include "mapper/near_tie_bits.h"
+#include "mapper/slab_rows.h"
 #include "mapper/span_batch.h"
 #include "mapper/vector_limbs-inl.h"
 #include "mapper/vector_near_ties-inl.h"
@@ -35,8 +34,6 @@ struct BatchRows {
   HWY_INLINE BatchRows(const ExactMap& map, const Span& first_span)
       : first(map.row_from(first_span.left_px, first_span.row)),
         below(map.row_below(first_span.left_px, first_span.row)) {}
-  // Of one row.
-  HWY_INLINE explicit BatchRows(const ExactRow& row) : first(row), below(row) {}
 
   // Whether one limb tells near-ties that are no further from the whole number than 2^-spare_bits.
   [[nodiscard]] HWY_INLINE bool are_short(const SpanBatch& batch, int spare_bits) const {
@@ -45,26 +42,74 @@ struct BatchRows {
   }
 };
 
-// A number that is linear over the target.
-template <class Walk, class Scalar>
-class PlaneWalk {
- public:
-  // At some pixel, and how much more it is right of it and below it.
-  HWY_INLINE PlaneWalk(Scalar here, Scalar right, Scalar down)
-      : start_(here), right_(right), down_(down), row_start_(here), walk_(right) {}
+// A numerator of texels that are kTexelBias more.
+[[nodiscard]] HWY_INLINE ExactLine biased(const ExactLine& n, const ExactLine& d) {
+  constexpr uint128 kTexels = kTexelBias;
+  return {n.start + kTexels * d.start, n.step + kTexels * d.step};
+}
 
-  HWY_INLINE void go_to_row(int32_t down_px) { row_start_ = start_ + times(down_px, down_); }
+// A number along a row.
+template <class Walk, class Scalar>
+class RowWalk {
+ public:
+  // Where the step is the same, it need not be set again.
+  HWY_INLINE void set_step(Scalar step) {
+    step_ = step;
+    walk_.set_step(step);
+  }
+  HWY_INLINE void set_start(Scalar start) { start_ = start; }
+  HWY_INLINE void set(const ExactLine& line) {
+    set_step(static_cast<Scalar>(line.step));
+    set_start(static_cast<Scalar>(line.start));
+  }
+  // At a vector of pixels.
   [[nodiscard]] HWY_INLINE auto from(int32_t right_px) const {
-    return walk_.from(row_start_ + times(right_px, right_));
+    return walk_.from(start_ + static_cast<Scalar>(int128{right_px}) * step_);
   }
 
  private:
-  static HWY_INLINE Scalar times(int32_t steps, Scalar by) {
-    return static_cast<Scalar>(int128{steps}) * by;
+  Scalar start_, step_;
+  Walk walk_;
+};
+
+// A number that is linear over the target.
+template <class Walk, class Scalar>
+class PlaneWalk : public RowWalk<Walk, Scalar> {
+ public:
+  // In some row and in the one below it, from one column on.
+  HWY_INLINE PlaneWalk(const ExactLine& row, const ExactLine& below)
+      : first_(static_cast<Scalar>(row.start)),
+        down_(static_cast<Scalar>(below.start - row.start)) {
+    this->set(row);
+  }
+  HWY_INLINE void go_to_row(int32_t down_px) {
+    this->set_start(first_ + static_cast<Scalar>(int128{down_px}) * down_);
   }
 
-  Scalar start_, right_, down_, row_start_;
-  Walk walk_;
+ private:
+  Scalar first_, down_;
+};
+
+// Which near-ties of a vector reach the next whole number, by numbers at its pixels.
+template <class Number>
+struct Decision {
+  template <class Numerator, class Divisor>
+  static HWY_INLINE void decide(const Numerator& u, const Numerator& v, const Divisor& d,
+                                int32_t right_px, const NearTies& near, V32* HWY_RESTRICT s,
+                                V32* HWY_RESTRICT t) {
+    const auto divisor = d.from(right_px);
+    if (!hn::AllFalse(D32(), near.u)) *s = raised(u.from(right_px), divisor, near.u, *s);
+    if (!hn::AllFalse(D32(), near.v)) *t = raised(v.from(right_px), divisor, near.v, *t);
+  }
+
+ private:
+  template <class Lanes>
+  static HWY_INLINE V32 raised(const Lanes& n, const Lanes& divisor, hn::Mask<D32> near, V32 low) {
+    const D32 d;
+    const V32 next = hn::Add(low, hn::Set(d, 1));
+    const V32 sign = Number::signs(n, hn::Add(next, hn::Set(d, kTexelBias)), divisor);
+    return hn::IfThenElse(hn::AndNot(hn::Lt(sign, hn::Zero(d)), near), next, low);
+  }
 };
 
 // As RowOfTies, in units of a texel, of anchored lanes.
@@ -75,9 +120,9 @@ class PlaneTies {
       : first_px_(first_span.left_px),
         first_row_(first_span.row),
         span_(first_span),
-        u_(biased(rows.first.u, rows.below.u, rows)),
-        v_(biased(rows.first.v, rows.below.v, rows)),
-        d_(plane<typename Number::Divisor>(rows.first.d, rows.below.d.start)) {}
+        u_(biased(rows.first.u, rows.first.d), biased(rows.below.u, rows.below.d)),
+        v_(biased(rows.first.v, rows.first.d), biased(rows.below.v, rows.below.d)),
+        d_(rows.first.d, rows.below.d) {}
 
   HWY_INLINE void go_to(const Span& span) {
     span_ = span;
@@ -90,62 +135,43 @@ class PlaneTies {
 
   HWY_INLINE void decide(int32_t offset_px, const NearTies& near, V32* HWY_RESTRICT s,
                          V32* HWY_RESTRICT t) const {
-    const int32_t right_px = span_.left_px - first_px_ + offset_px;
-    const auto divisor = d_.from(right_px);
-    if (!hn::AllFalse(D32(), near.u)) *s = raised(u_.from(right_px), divisor, near.u, *s);
-    if (!hn::AllFalse(D32(), near.v)) *t = raised(v_.from(right_px), divisor, near.v, *t);
+    Decision<Number>::decide(u_, v_, d_, span_.left_px - first_px_ + offset_px, near, s, t);
   }
 
  private:
   using Scalar = typename Number::Scalar;
-  template <class Walk>
-  static HWY_INLINE PlaneWalk<Walk, Scalar> plane(const ExactLine& line, uint128 below) {
-    return {static_cast<Scalar>(line.start), static_cast<Scalar>(line.step),
-            static_cast<Scalar>(below - line.start)};
-  }
-  static HWY_INLINE auto biased(const ExactLine& n, const ExactLine& n_below,
-                                const BatchRows& rows) {
-    constexpr uint128 kTexels = kTexelBias;
-    const ExactLine line{n.start + kTexels * rows.first.d.start,
-                         n.step + kTexels * rows.first.d.step};
-    return plane<typename Number::Numerator>(line, n_below.start + kTexels * rows.below.d.start);
-  }
-
-  template <class Lanes>
-  static HWY_INLINE V32 raised(const Lanes& n, const Lanes& divisor, hn::Mask<D32> near, V32 low) {
-    const D32 d;
-    const V32 next = hn::Add(low, hn::Set(d, 1));
-    const V32 sign = Number::signs(n, hn::Add(next, hn::Set(d, kTexelBias)), divisor);
-    return hn::IfThenElse(hn::AndNot(hn::Lt(sign, hn::Zero(d)), near), next, low);
-  }
-
   int32_t first_px_, first_row_;
   Span span_;
   PlaneWalk<typename Number::Numerator, Scalar> u_, v_;
   PlaneWalk<typename Number::Divisor, Scalar> d_;
 };
 
-// The same of rows in no plane: each is found where it is gone to.
+// The same of rows in no plane.
 template <class Number>
 class RuledTies {
  public:
-  HWY_INLINE explicit RuledTies(const ExactMap& map) : map_(&map) {}
+  explicit RuledTies(const RuledMap& map) : rows_(map) {}
 
   HWY_NOINLINE void go_to(const Span& span) {
     span_ = span;
-    ties_ = PlaneTies<Number>(BatchRows(map_->row_from(span.left_px, span.row)), span);
+    const ExactRow row = rows_.row_from(span.left_px, span.row);
+    u_.set(biased(row.u, row.d));
+    v_.set(biased(row.v, row.d));
+    d_.set(row.d);
   }
   // Before the first: of a row that there is not.
   [[nodiscard]] HWY_INLINE const Span& span() const { return span_; }
   HWY_INLINE void decide(int32_t offset_px, const NearTies& near, V32* HWY_RESTRICT s,
                          V32* HWY_RESTRICT t) const {
-    ties_->decide(offset_px, near, s, t);
+    Decision<Number>::decide(u_, v_, d_, offset_px, near, s, t);
   }
 
  private:
-  const ExactMap* map_;
+  using Scalar = typename Number::Scalar;
+  RuledRowFinder rows_;
   Span span_{INT32_MIN, 0, 0};
-  std::optional<PlaneTies<Number>> ties_;
+  RowWalk<typename Number::Numerator, Scalar> u_, v_;
+  RowWalk<typename Number::Divisor, Scalar> d_;
 };
 
 }  // namespace

@@ -53,7 +53,7 @@ template <class Pixel>
                                              const AnchoredVectors& vectors) {
   if (!TexelRanges(spans.texels).within(surface.texture)) return false;
   if (spans.exact.is_ruled()) {
-    draw_near_ties_by<Pixel>(RuledTies<TwoLimbs>(spans.exact), spans, surface, vectors);
+    draw_near_ties_by<Pixel>(RuledTies<TwoLimbs>(spans.exact.ruled()), spans, surface, vectors);
     return true;
   }
   const Span first = spans.batch.span(0);
