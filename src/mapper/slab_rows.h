@@ -1,4 +1,4 @@
-// Exact rows of slabs, asked for one after another: by differences from a slab's first three.
+// A slab's exact rows, by differences from its first three.
 #pragma once
 
 #include <array>
@@ -31,6 +31,10 @@ class SlabLine {
     return {start_ + n * down_ + pairs * bend_ + right, step};
   }
 
+  void negate() {
+    for (uint128* const number : {&start_, &down_, &bend_, &step_, &turn_}) *number = 0 - *number;
+  }
+
  private:
   uint128 start_, down_, bend_;  // at the column: at first, to the next row, and how much more then
   uint128 step_, turn_;          // to the next pixel: in the first row, and how much more a row
@@ -38,11 +42,14 @@ class SlabLine {
 
 class SlabRows {
  public:
+  // Of no row.
   SlabRows() = default;
-  SlabRows(const Slab& slab, int32_t first_px) : first_px_(first_px), first_row_(slab.first_row) {
+  // Cheapest near the column of a pixel.
+  SlabRows(const Slab& slab, int32_t first_px)
+      : first_px_(first_px), first_row_(slab.first_row), end_row_(slab.end_row) {
     std::array<ExactRow, 3> rows;
     for (int32_t i = 0; i < 3; ++i) {
-      const int32_t row = slab.first_row + i;  // a slab may end before: its edges go on
+      const int32_t row = first_row_ + i;  // a slab may end before: its edges go on
       rows[static_cast<size_t>(i)] = row_by(SpanMap(slab.a.at(row), slab.b.at(row)), first_px);
     }
     const auto line = [&](ExactLine ExactRow::*of) {
@@ -53,59 +60,21 @@ class SlabRows {
     d_ = line(&ExactRow::d);
   }
 
-  // Of a pixel of the slab, and the pixels right of it.
-  [[nodiscard]] ExactRow row_from(int32_t px, int32_t row) const {
+  [[nodiscard]] bool has(int32_t row) const { return row >= first_row_ && row < end_row_; }
+
+  // Of a pixel of the slab, and the pixels right of it. Edges may change sides from row to row,
+  // which changes all signs.
+  [[nodiscard, gnu::always_inline]] inline ExactRow row_from(int32_t px, int32_t row) {
     const int32_t down = row - first_row_, right_px = px - first_px_;
-    const ExactRow found{u_.row(down, right_px), v_.row(down, right_px), d_.row(down, right_px)};
-    // Where edge `a` is the right one, all signs are changed.
-    return static_cast<int128>(found.d.start) > 0 ? found : negative(found);
-  }
-
- private:
-  [[nodiscard]] static ExactRow negative(const ExactRow& row) {
-    const auto line = [](const ExactLine& of) { return ExactLine{0 - of.start, 0 - of.step}; };
-    return {line(row.u), line(row.v), line(row.d)};
-  }
-
-  int32_t first_px_, first_row_;
-  SlabLine u_, v_, d_;
-};
-
-// The rows of a ruled map, which it refers to. They may be asked for in any order; most cheaply one
-// slab after another.
-class RuledRowFinder {
- public:
-  explicit RuledRowFinder(const RuledMap& map) : map_(&map) {}
-
-  // Of a pixel of the polygon, and the pixels right of it.
-  [[nodiscard]] ExactRow row_from(int32_t px, int32_t row) {
-    if (row < first_row_ || row >= end_row_) start(map_->slab_of(row));
-    if (asked_ < kWorth) {
-      ++asked_;
-      return row_by(map_->at(row), px);
+    if (static_cast<int128>(d_.row(down, right_px).start) < 0) {
+      for (SlabLine* const line : {&u_, &v_, &d_}) line->negate();
     }
-    if (asked_ == kWorth) find(map_->slab_of(row), px);
-    return rows_.row_from(px, row);
+    return {u_.row(down, right_px), v_.row(down, right_px), d_.row(down, right_px)};
   }
 
  private:
-  // Differences are worth finding after so many rows.
-  static constexpr int32_t kWorth = 2;
-
-  void start(const Slab& slab) {
-    first_row_ = slab.first_row;
-    end_row_ = slab.end_row;
-    asked_ = 0;
-  }
-  void find(const Slab& slab, int32_t px) {
-    rows_ = SlabRows(slab, px);
-    ++asked_;
-  }
-
-  const RuledMap* map_;
-  int32_t first_row_ = 0, end_row_ = 0;  // of the slab that was last asked of
-  int32_t asked_ = 0;
-  SlabRows rows_;
+  int32_t first_px_ = 0, first_row_ = 0, end_row_ = 0;
+  SlabLine u_, v_, d_;
 };
 
 }  // namespace selvage::mapper

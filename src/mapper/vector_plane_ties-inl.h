@@ -150,10 +150,11 @@ class PlaneTies {
 template <class Number>
 class RuledTies {
  public:
-  explicit RuledTies(const RuledMap& map) : rows_(map) {}
+  explicit RuledTies(const RuledMap& map) : map_(&map) {}
 
   HWY_NOINLINE void go_to(const Span& span) {
     span_ = span;
+    if (!rows_.has(span.row)) rows_ = SlabRows(map_->slab_of(span.row), span.left_px);
     const ExactRow row = rows_.row_from(span.left_px, span.row);
     u_.set(biased(row.u, row.d));
     v_.set(biased(row.v, row.d));
@@ -168,7 +169,8 @@ class RuledTies {
 
  private:
   using Scalar = typename Number::Scalar;
-  RuledRowFinder rows_;
+  const RuledMap* map_;
+  SlabRows rows_;  // of the slab that was last gone to
   Span span_{INT32_MIN, 0, 0};
   RowWalk<typename Number::Numerator, Scalar> u_, v_;
   RowWalk<typename Number::Divisor, Scalar> d_;
