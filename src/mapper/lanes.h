@@ -139,6 +139,8 @@ struct ProjectiveField {
   double steepest_fx32 = HUGE_VAL;
   double turn = HUGE_VAL;
   bool is_ruled = false;  // whether there may be a step_xy or a step_yy
+  // If it is: the exact map's is no greater, but for roundings.
+  double most_denominator = HUGE_VAL;
 
   [[nodiscard]] DividedLanes of(const Span& span) const {
     const double dx = span.left_px - first_px, dy = span.row - first_row;

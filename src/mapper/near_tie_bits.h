@@ -11,10 +11,11 @@ namespace selvage::mapper {
 // its first pixel on, and rises by `down` from row to row.
 [[nodiscard]] int128 most_in_box(const ExactLine& line, uint128 down, const SpanBatch& batch);
 
-// Whether 64 do, by the most that d is. Near-ties are no further from the whole number than
-// 2^-spare_bits, so that |n - k d| <= d / 2^spare_bits; a bit is the sign's, and one is spare.
-[[nodiscard]] inline bool are_64_enough(int128 most_d, int spare_bits) {
-  return most_d >> spare_bits < int128{1} << 62;
+// Whether 80 do, of which the lower 16 tell nothing, by the most that d is, but for some roundings
+// of it. Near-ties are no further from the whole number than 2^-spare_bits, so that |n - k d| <= d /
+// 2^spare_bits; a bit is the sign's, and one is spare.
+[[nodiscard]] inline bool are_80_enough(double most_d, int spare_bits) {
+  return most_d * 0x1p-78 < static_cast<double>(1 << spare_bits);
 }
 
 }  // namespace selvage::mapper

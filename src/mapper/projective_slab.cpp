@@ -66,17 +66,22 @@ struct Extremes {
   return most_u * extremes.most_q * heights * 2 * width_fx8 < kMostNumerator;
 }
 
-// No more than the denominator of any pixel: the width between the edges is linear in the row.
-[[nodiscard]] double least_denominator(const Slab& slab, const selvage_rect& part,
-                                       int32_t least_q) {
-  const auto width = [&](int32_t row) {
+// How far the edges are from each other, times both heights: linear in the row.
+struct Widths {
+  double least, most;
+
+  Widths(const Slab& slab, int32_t first_row, int32_t last_row) {
+    const double first = width(slab, first_row), last = width(slab, last_row);
+    least = std::min(first, last);
+    most = std::max(first, last);
+  }
+
+ private:
+  [[nodiscard]] static double width(const Slab& slab, int32_t row) {
     const EdgePoint left = slab.a.at(row), right = slab.b.at(row);
     return to_double(int128{right.x} * left.height - int128{left.x} * right.height);
-  };
-  constexpr double kRoundedDown = 1 - 0x1p-50;
-  return std::min(width(part.top), width(part.bottom - 1)) * least_q * (1 << kTexelFraction) *
-         kRoundedDown;
-}
+  }
+};
 
 }  // namespace
 
@@ -101,8 +106,10 @@ std::optional<ProjectiveField> ruled_field(const Slab& any, const Polygon& outli
     d.start[row] = at.denominator(part.left);
     d.step[row] = at.denominator_step();
   }
-  // Denominators are in units of the least one.
-  const double unit = 1 / least_denominator(slab, part, extremes.least_q);
+  // Denominators are in units of the least one, or of a little less.
+  constexpr double kRoundedDown = 1 - 0x1p-50, kPerQ = 1 << kTexelFraction;
+  const Widths widths(slab, part.top, part.bottom - 1);
+  const double unit = 1 / (widths.least * extremes.least_q * kPerQ * kRoundedDown);
   ProjectiveField field{
       part.left,        part.top, form_of(u, unit * kLaneUnit), form_of(v, unit * kLaneUnit),
       form_of(d, unit), 0};
@@ -115,6 +122,7 @@ std::optional<ProjectiveField> ruled_field(const Slab& any, const Polygon& outli
   field.steepest_fx32 = std::max(most_step(field.u_fx32, rows), most_step(field.v_fx32, rows)) +
                         extremes.texel_fx16 * (1 << (kLaneFraction - kTexelFraction)) * field.turn;
   field.is_ruled = true;
+  field.most_denominator = widths.most * extremes.most_q * kPerQ;
   return field;
 }
 

@@ -6,6 +6,7 @@
 #define SELVAGE_VECTOR_BATCH_TIES_INL_H
 #endif
 
+#include <cmath>
 #include <optional>
 
 #include "mapper/vector_plane_ties-inl.h"
@@ -17,43 +18,51 @@ namespace {
 // What decides them, from the first one on.
 class BatchTies {
  public:
-  HWY_INLINE BatchTies(const ExactMap& map, const SpanBatch& batch, int spare_bits)
-      : map_(map), batch_(batch), spare_bits_(spare_bits) {}
+  // Of a ruled map of more than one row, denominators are no greater than most_ruled.
+  HWY_INLINE BatchTies(const ExactMap& map, const SpanBatch& batch, int spare_bits,
+                       double most_ruled = HUGE_VAL)
+      : map_(map), batch_(batch), spare_bits_(spare_bits), most_ruled_(most_ruled) {}
 
   // Calls decide(ties) with PlaneTies, or with RuledTies.
   template <class Decide>
   HWY_INLINE void with_ties(const Decide& decide) {
-    if (!short_ && !long_ && !ruled_) find();
-    if (ruled_) {
-      decide(&*ruled_);
-    } else if (short_) {
-      decide(&*short_);
-    } else {
-      decide(&*long_);
-    }
+    if (!is_found_) find();
+    if (short_) return decide(&*short_);
+    if (long_) return decide(&*long_);
+    if (short_ruled_) return decide(&*short_ruled_);
+    decide(&*long_ruled_);
   }
 
  private:
   HWY_NOINLINE void find() {
+    is_found_ = true;
     if (map_.is_ruled() && batch_.rows > 1) {
-      ruled_.emplace(map_.ruled());
+      if (are_80_enough(most_ruled_, spare_bits_)) {
+        short_ruled_.emplace(map_.ruled());
+      } else {
+        long_ruled_.emplace(map_.ruled());
+      }
       return;
     }
     const Span first = batch_.span(0);
     const BatchRows rows(map_, first);
     if (rows.are_short(batch_, spare_bits_)) {
-      short_ = PlaneTies<OneLimb>(rows, first);
+      short_.emplace(rows, first);
     } else {
-      long_ = PlaneTies<TwoLimbs>(rows, first);
+      long_.emplace(rows, first);
     }
   }
 
   const ExactMap& map_;
   const SpanBatch& batch_;
   int spare_bits_;
+  double most_ruled_;
+  bool is_found_ = false;
+  // One of them, if it is:
   std::optional<PlaneTies<OneLimb>> short_;
   std::optional<PlaneTies<TwoLimbs>> long_;
-  std::optional<RuledTies<TwoLimbs>> ruled_;
+  std::optional<RuledTies<OneLimb>> short_ruled_;
+  std::optional<RuledTies<TwoLimbs>> long_ruled_;
 };
 
 }  // namespace

@@ -59,20 +59,23 @@ struct ByParity {
   return hn::Sub(carried, hn::Mul(k, upper_halves(b)));
 }
 
-// Modulo 2^64.
+// Modulo 2^80, of which a limb holds the upper 64 bits: divisors are multiples of 2^16, and n - k d
+// has the sign that it has without n's lower ones.
 struct OneLimb {
-  using Scalar = uint64_t;
+  static constexpr int kZeros = kTexelFraction;
 
   // A number at kLanes pixels in turn.
-  class Walk {
+  class Divisor {
    public:
-    HWY_INLINE void set_step(uint64_t step) {
+    using Scalar = uint64_t;
+    static HWY_INLINE Scalar scalar(uint128 a) { return static_cast<uint64_t>(a >> kZeros); }
+    HWY_INLINE void set_step(Scalar step) {
       const D64 d;
       const ByParity<V64> by = multiples_of(step);
       hn::Store(by.even, d, even_);
       hn::Store(by.odd, d, odd_);
     }
-    [[nodiscard]] HWY_INLINE ByParity<V64> from(uint64_t start) const {
+    [[nodiscard]] HWY_INLINE ByParity<V64> from(Scalar start) const {
       const D64 d;
       const V64 first = hn::Set(d, start);
       return {hn::Add(first, hn::Load(d, even_)), hn::Add(first, hn::Load(d, odd_))};
@@ -81,8 +84,27 @@ struct OneLimb {
    private:
     HWY_ALIGN uint64_t even_[kLanes / 2], odd_[kLanes / 2];
   };
-  using Numerator = Walk;
-  using Divisor = Walk;
+  class Numerator {
+   public:
+    using Scalar = uint128;
+    static HWY_INLINE Scalar scalar(uint128 a) { return a; }
+    HWY_INLINE void set_step(Scalar step) {
+      upper_.set_step(Divisor::scalar(step));
+      lower_.set_step(lower_bits(step));
+    }
+    [[nodiscard]] HWY_INLINE ByParity<V64> from(Scalar start) const {
+      const ByParity<V64> upper = upper_.from(Divisor::scalar(start));
+      const ByParity<V64> lower = lower_.from(lower_bits(start));
+      return {hn::Add(upper.even, hn::ShiftRight<kZeros>(lower.even)),
+              hn::Add(upper.odd, hn::ShiftRight<kZeros>(lower.odd))};
+    }
+
+   private:
+    static HWY_INLINE uint64_t lower_bits(uint128 a) {
+      return static_cast<uint64_t>(a) & ((uint64_t{1} << kZeros) - 1);
+    }
+    Divisor upper_, lower_;
+  };
 
   // A vector that is negative where n - k d is.
   static HWY_INLINE V32 signs(const ByParity<V64>& n, V32 k, const ByParity<V64>& divisor) {
@@ -93,7 +115,6 @@ struct OneLimb {
 // Modulo 2^109: low + 2^45 high. Divisors are multiples of 2^15, so that 30 bits are left of a low
 // limb, and factors below 3/4 2^17: one product by k 2^15 is the low limb's.
 struct TwoLimbs {
-  using Scalar = uint128;
   static constexpr int kLowBits = 45, kBits = kLowBits + 64;
   static constexpr int kDivisorZeros = 15, kFactorBits = 17;
   static_assert(kFactorBits + kDivisorZeros <= 32 && kLowBits + 1 - kDivisorZeros <= 32);
@@ -106,6 +127,8 @@ struct TwoLimbs {
   template <int kDropped, uint64_t kBias>
   class Walk {
    public:
+    using Scalar = uint128;
+    static HWY_INLINE Scalar scalar(uint128 a) { return a; }
     HWY_INLINE void set_step(uint128 step) {
       const ByParity<V64> low = multiples_of(low_of(step)), high = multiples_of(high_of(step));
       store({low.even, high.even}, even_low_, even_high_);

@@ -13,6 +13,7 @@
 #include "mapper/near_tie_bits.h"
 #include "mapper/slab_rows.h"
 #include "mapper/span_batch.h"
+#include "mapper/to_double.h"
 #include "mapper/vector_limbs-inl.h"
 #include "mapper/vector_near_ties-inl.h"
 
@@ -33,12 +34,12 @@ struct BatchRows {
 
   HWY_INLINE BatchRows(const ExactMap& map, const Span& first_span)
       : first(map.row_from(first_span.left_px, first_span.row)),
-        below(map.row_below(first_span.left_px, first_span.row)) {}
+        below(map.is_ruled() ? first : map.row_below(first_span.left_px, first_span.row)) {}
 
   // Whether one limb tells near-ties that are no further from the whole number than 2^-spare_bits.
   [[nodiscard]] HWY_INLINE bool are_short(const SpanBatch& batch, int spare_bits) const {
     const uint128 down = below.d.start - first.d.start;
-    return are_64_enough(most_in_box(first.d, down, batch), spare_bits);
+    return are_80_enough(to_double(most_in_box(first.d, down, batch)), spare_bits);
   }
 };
 
@@ -49,45 +50,46 @@ struct BatchRows {
 }
 
 // A number along a row.
-template <class Walk, class Scalar>
+template <class Walk>
 class RowWalk {
  public:
-  // Where the step is the same, it need not be set again.
-  HWY_INLINE void set_step(Scalar step) {
-    step_ = step;
-    walk_.set_step(step);
-  }
-  HWY_INLINE void set_start(Scalar start) { start_ = start; }
   HWY_INLINE void set(const ExactLine& line) {
-    set_step(static_cast<Scalar>(line.step));
-    set_start(static_cast<Scalar>(line.start));
+    start_ = Walk::scalar(line.start);
+    step_ = Walk::scalar(line.step);
+    walk_.set_step(step_);
   }
   // At a vector of pixels.
   [[nodiscard]] HWY_INLINE auto from(int32_t right_px) const {
-    return walk_.from(start_ + static_cast<Scalar>(int128{right_px}) * step_);
+    return walk_.from(start_ + times(right_px, step_));
   }
 
+ protected:
+  using Scalar = typename Walk::Scalar;
+  static HWY_INLINE Scalar times(int32_t steps, Scalar by) {
+    return static_cast<Scalar>(int128{steps}) * by;
+  }
+  Scalar start_;
+
  private:
-  Scalar start_, step_;
+  Scalar step_;
   Walk walk_;
 };
 
 // A number that is linear over the target.
-template <class Walk, class Scalar>
-class PlaneWalk : public RowWalk<Walk, Scalar> {
+template <class Walk>
+class PlaneWalk : public RowWalk<Walk> {
  public:
   // In some row and in the one below it, from one column on.
   HWY_INLINE PlaneWalk(const ExactLine& row, const ExactLine& below)
-      : first_(static_cast<Scalar>(row.start)),
-        down_(static_cast<Scalar>(below.start - row.start)) {
+      : first_(Walk::scalar(row.start)), down_(Walk::scalar(below.start - row.start)) {
     this->set(row);
   }
   HWY_INLINE void go_to_row(int32_t down_px) {
-    this->set_start(first_ + static_cast<Scalar>(int128{down_px}) * down_);
+    this->start_ = first_ + this->times(down_px, down_);
   }
 
  private:
-  Scalar first_, down_;
+  typename Walk::Scalar first_, down_;
 };
 
 // Which near-ties of a vector reach the next whole number, by numbers at its pixels.
@@ -116,7 +118,7 @@ struct Decision {
 template <class Number>
 class PlaneTies {
  public:
-  HWY_INLINE PlaneTies(const BatchRows& rows, const Span& first_span)
+  PlaneTies(const BatchRows& rows, const Span& first_span)
       : first_px_(first_span.left_px),
         first_row_(first_span.row),
         span_(first_span),
@@ -139,11 +141,10 @@ class PlaneTies {
   }
 
  private:
-  using Scalar = typename Number::Scalar;
   int32_t first_px_, first_row_;
   Span span_;
-  PlaneWalk<typename Number::Numerator, Scalar> u_, v_;
-  PlaneWalk<typename Number::Divisor, Scalar> d_;
+  PlaneWalk<typename Number::Numerator> u_, v_;
+  PlaneWalk<typename Number::Divisor> d_;
 };
 
 // The same of rows in no plane.
@@ -168,12 +169,11 @@ class RuledTies {
   }
 
  private:
-  using Scalar = typename Number::Scalar;
   const RuledMap* map_;
   SlabRows rows_;  // of the slab that was last gone to
   Span span_{INT32_MIN, 0, 0};
-  RowWalk<typename Number::Numerator, Scalar> u_, v_;
-  RowWalk<typename Number::Divisor, Scalar> d_;
+  RowWalk<typename Number::Numerator> u_, v_;
+  RowWalk<typename Number::Divisor> d_;
 };
 
 }  // namespace

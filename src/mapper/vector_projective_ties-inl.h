@@ -7,12 +7,19 @@
 #define SELVAGE_VECTOR_PROJECTIVE_TIES_INL_H
 #endif
 
+#include "mapper/vector_batch_ties-inl.h"
 #include "mapper/vector_decided_window-inl.h"
 #include "mapper/vector_projective_anchors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
+
+[[nodiscard]] HWY_INLINE BatchTies ties_of(const ProjectiveSpans& spans,
+                                           const AnchoredVectors& vectors) {
+  return {spans.exact, spans.batch, spare_bits_fx16(vectors.lack_fx16()),
+          spans.field.most_denominator};
+}
 
 template <class Pixel, class Window>
 HWY_NOINLINE void draw_decided(const Window& window, const SpanBatch& batch,
@@ -39,9 +46,9 @@ HWY_NOINLINE void draw_decided(const Window& window, const SpanBatch& batch,
 }
 
 template <class Pixel, class Ties>
-HWY_INLINE void draw_near_ties_by(Ties ties, const ProjectiveSpans& spans, const Surface& surface,
+HWY_INLINE void draw_near_ties_by(Ties* ties, const ProjectiveSpans& spans, const Surface& surface,
                                   const AnchoredVectors& vectors) {
-  with_decided_window<Pixel>(TexelRanges(spans.texels), surface, vectors.lack_fx16(), &ties,
+  with_decided_window<Pixel>(TexelRanges(spans.texels), surface, vectors.lack_fx16(), ties,
                              [&](const auto& window) {
                                draw_decided<Pixel>(window, spans.batch, surface.target, vectors);
                              });
@@ -52,17 +59,9 @@ template <class Pixel>
 [[nodiscard]] HWY_INLINE bool draw_near_ties(const ProjectiveSpans& spans, const Surface& surface,
                                              const AnchoredVectors& vectors) {
   if (!TexelRanges(spans.texels).within(surface.texture)) return false;
-  if (spans.exact.is_ruled()) {
-    draw_near_ties_by<Pixel>(RuledTies<TwoLimbs>(spans.exact.ruled()), spans, surface, vectors);
-    return true;
-  }
-  const Span first = spans.batch.span(0);
-  const BatchRows rows(spans.exact, first);
-  if (rows.are_short(spans.batch, spare_bits_fx16(vectors.lack_fx16()))) {
-    draw_near_ties_by<Pixel>(PlaneTies<OneLimb>(rows, first), spans, surface, vectors);
-  } else {
-    draw_near_ties_by<Pixel>(PlaneTies<TwoLimbs>(rows, first), spans, surface, vectors);
-  }
+  BatchTies ties = ties_of(spans, vectors);
+  ties.with_ties(
+      [&](auto* by) { draw_near_ties_by<Pixel>(by, spans, surface, vectors); });
   return true;
 }
 
