@@ -39,8 +39,9 @@ HWY_NOINLINE void draw_load_strips(const AffineSpans& spans, const Surface& surf
 }
 
 template <class Pixel, class Address>
-void draw_narrow(const AffineSpans& spans, const Surface& surface, const WindowShape& shape) {
-  RestDraw<Pixel, Address> rest(spans, surface, shape.rows);
+void draw_narrow(const AffineSpans& spans, const Surface& surface, const WindowShape& shape,
+                 bool in_window) {
+  RestDraw<Pixel, Address> rest(spans, surface, shape.rows, in_window);
   const bool inside = TexelRanges(spans.texels).within(surface.texture);
   if (kHasWindows && shape.rows != 0) {
     with_window_shape<Pixel>(surface, shape, inside, WindowStrips{spans, surface, inside, &rest});

@@ -8,6 +8,7 @@
 #endif
 
 #include "mapper/vector_affine_exact-inl.h"
+#include "mapper/vector_affine_ties-inl.h"
 #include "mapper/vector_batch_ties-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -37,10 +38,13 @@ HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Su
 template <class Pixel, class Address>
 class RestDraw {
  public:
-  HWY_INLINE RestDraw(const AffineSpans& spans, const Surface& surface, int32_t window_rows)
+  // in_window: it is known that one window holds the batch.
+  HWY_INLINE RestDraw(const AffineSpans& spans, const Surface& surface, int32_t window_rows,
+                      bool in_window)
       : spans_(spans),
         surface_(surface),
         window_rows_(window_rows),
+        in_window_(in_window),
         batch_ties_(spans.exact, spans.batch, spare_bits_fx16(lack_fx16(spans.field.margin_fx32))) {
   }
 
@@ -48,6 +52,10 @@ class RestDraw {
   // on are drawn, and false is returned.
   HWY_INLINE bool draw(const Left& left, int32_t first_index, int32_t of_vectors) {
     if (are_many(left.count, of_vectors)) {
+      if (in_window_ && spans_.batch.widest_px <= kLanes &&
+          draw_near_ties<Pixel>(spans_, surface_, first_index)) {
+        return false;
+      }
       if (has_quotients(spans_)) {
         draw_exactly<Pixel, Address>(spans_, surface_, first_index, window_rows_);
         return false;
@@ -66,6 +74,7 @@ class RestDraw {
   const AffineSpans& spans_;
   const Surface& surface_;
   int32_t window_rows_;
+  bool in_window_;
   BatchTies batch_ties_;
 };
 

@@ -67,11 +67,11 @@ struct AffineFromWindow {
 template <class Pixel, class Address>
 [[nodiscard]] HWY_INLINE InOneWindow draw_one_window(const AffineSpans& spans,
                                                      const Surface& surface) {
-  if (!pays_one_window(spans.batch)) return InOneWindow::kNotDrawn;
+  if (!pays_one_window(spans.batch)) return InOneWindow::kNoWindow;
   V32 changed;
   if (!with_one_window<Pixel, Address>(spans.texels, surface.texture,
                                        AffineFromWindow<Pixel>{spans, surface, &changed})) {
-    return InOneWindow::kNotDrawn;
+    return InOneWindow::kNoWindow;
   }
   return in_one_window(changed, spans.batch.widest_px);
 }

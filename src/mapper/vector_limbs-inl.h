@@ -26,12 +26,13 @@ struct ByParity {
 [[nodiscard]] HWY_INLINE ByParity<V64> multiples_of(uint64_t step) {
   const D64 d;
   const V64 even_pixel = hn::Add(hn::Iota(d, 0), hn::Iota(d, 0));
-  V64 even = hn::Zero(d);
+  const V64 once = hn::Set(d, step);
+  V64 even = hn::Zero(d), times_bit = once;
   for (uint64_t bit = 2; bit < kLanes; bit *= 2) {
-    const auto has_bit = hn::TestBit(even_pixel, hn::Set(d, bit));
-    even = hn::Add(even, hn::IfThenElseZero(has_bit, hn::Set(d, bit * step)));
+    times_bit = hn::Add(times_bit, times_bit);
+    even = hn::Add(even, hn::IfThenElseZero(hn::TestBit(even_pixel, hn::Set(d, bit)), times_bit));
   }
-  return {even, hn::Add(even, hn::Set(d, step))};
+  return {even, hn::Add(even, once)};
 }
 
 // The lower half of each lane and, in its place, the upper one.

@@ -21,8 +21,8 @@ namespace {
   return is_narrow(batch) && batch.rows > 1;
 }
 
-// What became of a batch: whether it is drawn or, if not, whether near-ties are why, and many.
-enum class InOneWindow { kDrawn, kNotDrawn, kManyNearTies };
+// What became of a batch: drawn, or not, for no window holds it or for it has near-ties.
+enum class InOneWindow { kDrawn, kNoWindow, kFewNearTies, kManyNearTies };
 
 // Of a batch that was drawn, by what the lanes of its pixels lack changes in them: near-ties are
 // many where they lie in many lanes, or in all of the widest row. How many vectors hold them is not
@@ -32,7 +32,7 @@ enum class InOneWindow { kDrawn, kNotDrawn, kManyNearTies };
   if (!any_bits(changed, ~0xFFFF)) return InOneWindow::kDrawn;
   const auto near = hn::Ne(hn::ShiftRight<kTexelFraction>(changed), hn::Zero(D32()));
   const auto count = static_cast<int32_t>(hn::CountTrue(D32(), near));
-  return count < many ? InOneWindow::kNotDrawn : InOneWindow::kManyNearTies;
+  return count < many ? InOneWindow::kFewNearTies : InOneWindow::kManyNearTies;
 }
 
 // The texels of one coordinate, both of them included.
