@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "spec/random.h"
 
@@ -55,13 +56,14 @@ TEST(NearTieBits, TheMostOfALineIsThatOfItsBox) {
   }
 }
 
-TEST(NearTieBits, SixtyFourAreEnoughBelowTwoToTheSixtyTwo) {
-  for (const int spare_bits : {0, 1, 13, 16}) {
-    const int128 least_too_large = (int128{1} << 62) << spare_bits;
-    EXPECT_TRUE(are_64_enough(least_too_large - 1, spare_bits));
-    EXPECT_FALSE(are_64_enough(least_too_large, spare_bits));
+TEST(NearTieBits, EightyAreEnoughBelowTwoToTheSeventyEight) {
+  for (const int spare_bits : {0, 1, 12, 16}) {
+    const double least_too_large = std::ldexp(1.0, 78 + spare_bits);
+    EXPECT_TRUE(are_80_enough(std::nextafter(least_too_large, 0), spare_bits));
+    EXPECT_FALSE(are_80_enough(least_too_large, spare_bits));
+    EXPECT_FALSE(are_80_enough(HUGE_VAL, spare_bits));
   }
-  EXPECT_TRUE(are_64_enough(1, 0));
+  EXPECT_TRUE(are_80_enough(1, 0));
 }
 
 }  // namespace

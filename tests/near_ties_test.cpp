@@ -252,10 +252,11 @@ TEST(NearTies, MayBeAllPixelsOfASpan) {
 }
 
 // Quads on one texel's corner, whose rows have each a map of their own: from one window, some rows
-// at once, and row by row; texels in the texture of 32 x 32 and beyond it.
+// at once, and row by row; texels in the texture of 32 x 32 and beyond it. Denominators are of all
+// sizes, for some reach far beyond the target.
 [[nodiscard]] std::vector<selvage_vertex> quad_on_a_point(spec::Random& random) {
   const int32_t side_px = random.pick({3, 8, 16, 30, 33, 64, 65, 200, 299});
-  const int32_t height_px = random.pick({2, 4, 6, 40});
+  const int32_t height_px = random.pick({2, 4, 6, 40, 40, kFar_px >> random.in(0, 8)});
   const int32_t texel = random.pick({1, 9, 9, 20, 31, 32, 40, -3});
   const int32_t off_fx16 = random.pick({0, 0, -1, 1, -2});
   const int32_t far = random.pick({0, 0, 1, 5, 20});  // texels that u goes on to

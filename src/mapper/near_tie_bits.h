@@ -12,8 +12,8 @@ namespace selvage::mapper {
 [[nodiscard]] int128 most_in_box(const ExactLine& line, uint128 down, const SpanBatch& batch);
 
 // Whether 80 do, of which the lower 16 tell nothing, by the most that d is, but for some roundings
-// of it. Near-ties are no further from the whole number than 2^-spare_bits, so that |n - k d| <= d /
-// 2^spare_bits; a bit is the sign's, and one is spare.
+// of it. Near-ties are no further from the whole number than 2^-spare_bits, so that |n - k d| <= d
+// / 2^spare_bits; a bit is the sign's, and one is spare.
 [[nodiscard]] inline bool are_80_enough(double most_d, int spare_bits) {
   return most_d * 0x1p-78 < static_cast<double>(1 << spare_bits);
 }

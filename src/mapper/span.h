@@ -26,12 +26,8 @@ class SpanMap {
  public:
   SpanMap(const EdgePoint& left, const EdgePoint& right) : left_(left), right_(right) {}
 
-  [[nodiscard]] int128 u_numerator(int32_t px) const {
-    return mean(left_.uq, right_.uq, px);
-  }
-  [[nodiscard]] int128 v_numerator(int32_t px) const {
-    return mean(left_.vq, right_.vq, px);
-  }
+  [[nodiscard]] int128 u_numerator(int32_t px) const { return mean(left_.uq, right_.uq, px); }
+  [[nodiscard]] int128 v_numerator(int32_t px) const { return mean(left_.vq, right_.vq, px); }
   [[nodiscard]] int128 denominator(int32_t px) const {
     return mean(left_.q, right_.q, px) << kTexelFraction;
   }

@@ -60,8 +60,7 @@ template <class Pixel>
                                              const AnchoredVectors& vectors) {
   if (!TexelRanges(spans.texels).within(surface.texture)) return false;
   BatchTies ties = ties_of(spans, vectors);
-  ties.with_ties(
-      [&](auto* by) { draw_near_ties_by<Pixel>(by, spans, surface, vectors); });
+  ties.with_ties([&](auto* by) { draw_near_ties_by<Pixel>(by, spans, surface, vectors); });
   return true;
 }
 
