@@ -56,14 +56,16 @@ TEST(NearTieBits, TheMostOfALineIsThatOfItsBox) {
   }
 }
 
-TEST(NearTieBits, EightyAreEnoughBelowTwoToTheSeventyEight) {
-  for (const int spare_bits : {0, 1, 12, 16}) {
-    const double least_too_large = std::ldexp(1.0, 78 + spare_bits);
-    EXPECT_TRUE(are_80_enough(std::nextafter(least_too_large, 0), spare_bits));
-    EXPECT_FALSE(are_80_enough(least_too_large, spare_bits));
-    EXPECT_FALSE(are_80_enough(HUGE_VAL, spare_bits));
+TEST(NearTieBits, AreEnoughBelowAQuarterOfTheirRange) {
+  for (const int bits : {64, 80}) {
+    for (const int spare_bits : {0, 1, 12, 16}) {
+      const double least_too_large = std::ldexp(0.25, bits + spare_bits);
+      EXPECT_TRUE(are_enough(bits, std::nextafter(least_too_large, 0), spare_bits));
+      EXPECT_FALSE(are_enough(bits, least_too_large, spare_bits));
+      EXPECT_FALSE(are_enough(bits, HUGE_VAL, spare_bits));
+    }
+    EXPECT_TRUE(are_enough(bits, 1, 0));
   }
-  EXPECT_TRUE(are_80_enough(1, 0));
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 // How many bits tell on which side of a whole number near-ties of n / d lie: the sign of n - k d.
 #pragma once
 
+#include <cmath>
+
 #include "mapper/exact_row.h"
 #include "mapper/number.h"
 #include "mapper/span_batch.h"
@@ -11,11 +13,11 @@ namespace selvage::mapper {
 // its first pixel on, and rises by `down` from row to row.
 [[nodiscard]] int128 most_in_box(const ExactLine& line, uint128 down, const SpanBatch& batch);
 
-// Whether 80 do, of which the lower 16 tell nothing, by the most that d is, but for some roundings
-// of it. Near-ties are no further from the whole number than 2^-spare_bits, so that |n - k d| <= d
-// / 2^spare_bits; a bit is the sign's, and one is spare.
-[[nodiscard]] inline bool are_80_enough(double most_d, int spare_bits) {
-  return most_d * 0x1p-78 < static_cast<double>(1 << spare_bits);
+// Whether so many do, by the most that d is, but for some roundings of it. Near-ties are no further
+// from the whole number than 2^-spare_bits, so that |n - k d| <= d / 2^spare_bits; a bit is the
+// sign's, and one is spare.
+[[nodiscard]] inline bool are_enough(int bits, double most_d, int spare_bits) {
+  return most_d < std::ldexp(1.0, bits - 2 + spare_bits);
 }
 
 }  // namespace selvage::mapper

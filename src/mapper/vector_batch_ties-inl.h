@@ -28,8 +28,9 @@ class BatchTies {
   HWY_INLINE void with_ties(const Decide& decide) {
     if (!is_found_) find();
     if (short_) return decide(&*short_);
+    if (upper_) return decide(&*upper_);
     if (long_) return decide(&*long_);
-    if (short_ruled_) return decide(&*short_ruled_);
+    if (ruled_) return decide(&*ruled_);
     decide(&*long_ruled_);
   }
 
@@ -37,8 +38,8 @@ class BatchTies {
   HWY_NOINLINE void find() {
     is_found_ = true;
     if (map_.is_ruled() && batch_.rows > 1) {
-      if (are_80_enough(most_ruled_, spare_bits_)) {
-        short_ruled_.emplace(map_.ruled());
+      if (are_enough(UpperLimb::kBits, most_ruled_, spare_bits_)) {
+        ruled_.emplace(map_.ruled());
       } else {
         long_ruled_.emplace(map_.ruled());
       }
@@ -46,8 +47,11 @@ class BatchTies {
     }
     const Span first = batch_.span(0);
     const BatchRows rows(map_, first);
-    if (rows.are_short(batch_, spare_bits_)) {
+    const double most = rows.most_denominator(batch_);
+    if (are_enough(OneLimb::kBits, most, spare_bits_)) {
       short_.emplace(rows, first);
+    } else if (are_enough(UpperLimb::kBits, most, spare_bits_)) {
+      upper_.emplace(rows, first);
     } else {
       long_.emplace(rows, first);
     }
@@ -60,8 +64,9 @@ class BatchTies {
   bool is_found_ = false;
   // One of them, if it is:
   std::optional<PlaneTies<OneLimb>> short_;
+  std::optional<PlaneTies<UpperLimb>> upper_;
   std::optional<PlaneTies<TwoLimbs>> long_;
-  std::optional<RuledTies<OneLimb>> short_ruled_;
+  std::optional<RuledTies<UpperLimb>> ruled_;
   std::optional<RuledTies<TwoLimbs>> long_ruled_;
 };
 

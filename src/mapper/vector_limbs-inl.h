@@ -60,16 +60,23 @@ struct ByParity {
   return hn::Sub(carried, hn::Mul(k, upper_halves(b)));
 }
 
-// Modulo 2^80, of which a limb holds the upper 64 bits: divisors are multiples of 2^16, and n - k d
-// has the sign that it has without n's lower ones.
+// Modulo 2^64, and modulo 2^128.
+[[nodiscard]] HWY_INLINE uint64_t times(int32_t n, uint64_t a) {
+  return static_cast<uint64_t>(int64_t{n}) * a;
+}
+[[nodiscard]] HWY_INLINE uint128 times(int32_t n, uint128 a) {
+  return static_cast<uint128>(int128{n}) * a;
+}
+
+// Modulo 2^64.
 struct OneLimb {
-  static constexpr int kZeros = kTexelFraction;
+  static constexpr int kBits = 64;
 
   // A number at kLanes pixels in turn.
-  class Divisor {
+  class Walk {
    public:
     using Scalar = uint64_t;
-    static HWY_INLINE Scalar scalar(uint128 a) { return static_cast<uint64_t>(a >> kZeros); }
+    static HWY_INLINE Scalar scalar(uint128 a) { return static_cast<uint64_t>(a); }
     HWY_INLINE void set_step(Scalar step) {
       const D64 d;
       const ByParity<V64> by = multiples_of(step);
@@ -85,29 +92,56 @@ struct OneLimb {
    private:
     HWY_ALIGN uint64_t even_[kLanes / 2], odd_[kLanes / 2];
   };
+  using Numerator = Walk;
+  using Divisor = Walk;
+
+  // A vector that is negative where n - k d is.
+  static HWY_INLINE V32 signs(const ByParity<V64>& n, V32 k, const ByParity<V64>& divisor) {
+    return upper_halves_of_difference(n, k, divisor);
+  }
+};
+
+// Modulo 2^80, of which a limb holds the upper 64 bits: divisors are multiples of 2^16, so that n -
+// k d has the sign that it has without n's lower ones.
+struct UpperLimb {
+  static constexpr int kZeros = kTexelFraction, kBits = 64 + kZeros;
+
+  class Divisor : public OneLimb::Walk {
+   public:
+    static HWY_INLINE uint64_t scalar(uint128 a) { return static_cast<uint64_t>(a >> kZeros); }
+  };
   class Numerator {
    public:
-    using Scalar = uint128;
-    static HWY_INLINE Scalar scalar(uint128 a) { return a; }
-    HWY_INLINE void set_step(Scalar step) {
-      upper_.set_step(Divisor::scalar(step));
-      lower_.set_step(lower_bits(step));
+    // upper 2^16 + lower, of which the lower part is 16 bits at first, and carries nothing.
+    struct Scalar {
+      uint64_t upper, lower;
+      friend HWY_INLINE Scalar operator+(const Scalar& a, const Scalar& b) {
+        return {a.upper + b.upper, a.lower + b.lower};
+      }
+      friend HWY_INLINE Scalar times(int32_t n, const Scalar& a) {
+        return {mapper::HWY_NAMESPACE::times(n, a.upper), mapper::HWY_NAMESPACE::times(n, a.lower)};
+      }
+    };
+    static HWY_INLINE Scalar scalar(uint128 a) {
+      return {Divisor::scalar(a), static_cast<uint64_t>(a) & ((uint64_t{1} << kZeros) - 1)};
     }
-    [[nodiscard]] HWY_INLINE ByParity<V64> from(Scalar start) const {
-      const ByParity<V64> upper = upper_.from(Divisor::scalar(start));
-      const ByParity<V64> lower = lower_.from(lower_bits(start));
+    HWY_INLINE void set_step(const Scalar& step) {
+      upper_.set_step(step.upper);
+      lower_.set_step(step.lower);
+    }
+    // Walked left, the lower part is negative: with a bias it is not.
+    [[nodiscard]] HWY_INLINE ByParity<V64> from(const Scalar& start) const {
+      constexpr int kBiasBits = 62;
+      const ByParity<V64> upper = upper_.from(start.upper - (uint64_t{1} << (kBiasBits - kZeros)));
+      const ByParity<V64> lower = lower_.from(start.lower + (uint64_t{1} << kBiasBits));
       return {hn::Add(upper.even, hn::ShiftRight<kZeros>(lower.even)),
               hn::Add(upper.odd, hn::ShiftRight<kZeros>(lower.odd))};
     }
 
    private:
-    static HWY_INLINE uint64_t lower_bits(uint128 a) {
-      return static_cast<uint64_t>(a) & ((uint64_t{1} << kZeros) - 1);
-    }
-    Divisor upper_, lower_;
+    OneLimb::Walk upper_, lower_;
   };
 
-  // A vector that is negative where n - k d is.
   static HWY_INLINE V32 signs(const ByParity<V64>& n, V32 k, const ByParity<V64>& divisor) {
     return upper_halves_of_difference(n, k, divisor);
   }

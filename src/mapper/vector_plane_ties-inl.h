@@ -36,10 +36,10 @@ struct BatchRows {
       : first(map.row_from(first_span.left_px, first_span.row)),
         below(map.is_ruled() ? first : map.row_below(first_span.left_px, first_span.row)) {}
 
-  // Whether one limb tells near-ties that are no further from the whole number than 2^-spare_bits.
-  [[nodiscard]] HWY_INLINE bool are_short(const SpanBatch& batch, int spare_bits) const {
+  // But for some roundings.
+  [[nodiscard]] HWY_INLINE double most_denominator(const SpanBatch& batch) const {
     const uint128 down = below.d.start - first.d.start;
-    return are_80_enough(to_double(most_in_box(first.d, down, batch)), spare_bits);
+    return to_double(most_in_box(first.d, down, batch));
   }
 };
 
@@ -65,9 +65,6 @@ class RowWalk {
 
  protected:
   using Scalar = typename Walk::Scalar;
-  static HWY_INLINE Scalar times(int32_t steps, Scalar by) {
-    return static_cast<Scalar>(int128{steps}) * by;
-  }
   Scalar start_;
 
  private:
@@ -84,9 +81,7 @@ class PlaneWalk : public RowWalk<Walk> {
       : first_(Walk::scalar(row.start)), down_(Walk::scalar(below.start - row.start)) {
     this->set(row);
   }
-  HWY_INLINE void go_to_row(int32_t down_px) {
-    this->start_ = first_ + this->times(down_px, down_);
-  }
+  HWY_INLINE void go_to_row(int32_t down_px) { this->start_ = first_ + times(down_px, down_); }
 
  private:
   typename Walk::Scalar first_, down_;

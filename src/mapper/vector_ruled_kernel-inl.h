@@ -106,8 +106,8 @@ HWY_INLINE void draw_near_ties_by(Ties ties, const TexelRanges& texels, const Ru
 template <class Decide>
 HWY_INLINE void with_ruled_ties(const RuledSpans& spans, const Decide& decide) {
   const int spare_bits = spare_bits_fx16(lack_fx16(spans.rows.margin_fx32));
-  if (are_80_enough(spans.rows.most_denominator, spare_bits)) {
-    decide(RuledTies<OneLimb>(spans.exact.ruled()));
+  if (are_enough(UpperLimb::kBits, spans.rows.most_denominator, spare_bits)) {
+    decide(RuledTies<UpperLimb>(spans.exact.ruled()));
   } else {
     decide(RuledTies<TwoLimbs>(spans.exact.ruled()));
   }
