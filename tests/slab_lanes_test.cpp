@@ -129,8 +129,7 @@ TEST(RuledMap, DecidesAsTheModelDoes) {
                     {-40000, slab.first_row, 40000, std::min(slab.end_row, slab.first_row + 5)});
       while (walk.next()) {
         const Span span = walk.span();
-        const ExactRow row = ExactMap(map).row_from(span.left_px, span.row);
-        const ExactRow below = ExactMap(map).row_below(span.left_px, span.row);
+        const auto [row, below] = ExactMap(map).rows_from(span.left_px, span.row);
         ASSERT_TRUE(below.u.start == row.u.start && below.d.start == row.d.start);
         for (const int32_t px : {0, span.width_px() - 1}) {
           const auto exact = spec::sample(vertices, span.left_px + px, span.row);

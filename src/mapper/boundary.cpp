@@ -23,7 +23,7 @@ Boundary::Boundary(const ExactMap& map, ExactLine ExactRow::*coordinate, int bit
                    int32_t px, int32_t row)
     : px_(px), row_(row) {
   const auto k = static_cast<uint128>(int128{whole});
-  const ExactRow here = map.row_from(px, row), below = map.row_below(px, row);
+  const auto [here, below] = map.rows_from(px, row);
   const ExactLine n = here.*coordinate, d = here.finer_d(bits);
   const uint128 start = n.start - k * d.start;
   start_ = to_double(start);

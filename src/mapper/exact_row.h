@@ -66,6 +66,11 @@ struct ExactRow {
           exact_line(map.denominator(px), map.denominator_step())};
 }
 
+// A row, and the one below it from the same column on.
+struct ExactRows {
+  ExactRow row, below;
+};
+
 // Refers to the map.
 class ExactMap {
  public:
@@ -79,9 +84,10 @@ class ExactMap {
   [[nodiscard]] ExactRow row_from(int32_t px, int32_t row) const {
     return row_from_(map_, px, row);
   }
-  // The one below it, where both are of one map; else the same.
-  [[nodiscard]] ExactRow row_below(int32_t px, int32_t row) const {
-    return row_from(px, is_ruled_ ? row : row + 1);
+  // The one below it, too, where both are of one map; else the same twice.
+  [[nodiscard]] ExactRows rows_from(int32_t px, int32_t row) const {
+    const ExactRow here = row_from(px, row);
+    return {here, is_ruled_ ? here : row_from(px, row + 1)};
   }
   // Whether each row has a map of its own.
   [[nodiscard]] bool is_ruled() const { return is_ruled_; }

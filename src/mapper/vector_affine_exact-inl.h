@@ -75,8 +75,7 @@ HWY_NOINLINE void draw_exactly(const AffineSpans& spans, const Surface& surface,
                                int32_t first_index, int32_t window_rows) {
   const AffineField field = spans.field;
   const int32_t first_row = spans.batch.first_row + first_index;
-  const ExactRow first = spans.exact.row_from(field.first_px, first_row);
-  const ExactRow below = spans.exact.row_below(field.first_px, first_row);
+  const auto [first, below] = spans.exact.rows_from(field.first_px, first_row);
   const auto divisor = static_cast<uint64_t>(first.d.start);
   ExactCoordinate exact_u(first.u, below.u.start, divisor, field.step_x.u_fx32);
   ExactCoordinate exact_v(first.v, below.v.start, divisor, field.step_x.v_fx32);

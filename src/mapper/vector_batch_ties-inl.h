@@ -46,8 +46,8 @@ class BatchTies {
       return;
     }
     const Span first = batch_.span(0);
-    const BatchRows rows(map_, first);
-    const double most = rows.most_denominator(batch_);
+    const ExactRows rows = map_.rows_from(first.left_px, first.row);
+    const double most = most_denominator(rows, batch_);
     if (are_enough(OneLimb::kBits, most, spare_bits_)) {
       short_.emplace(rows, first);
     } else if (are_enough(UpperLimb::kBits, most, spare_bits_)) {

@@ -28,20 +28,12 @@ static_assert(kTexelBiasBits + 1 <= TwoLimbs::kFactorBits);
 static_assert(TwoLimbs::kDivisorZeros <= kTexelFraction);
 static_assert(kDenominatorBits - kLeastSpareBits < TwoLimbs::kBits - 1, "|n - k d| and its sign");
 
-// A batch's exact rows: the first one from its first pixel on, and the one below from there.
-struct BatchRows {
-  ExactRow first, below;
-
-  HWY_INLINE BatchRows(const ExactMap& map, const Span& first_span)
-      : first(map.row_from(first_span.left_px, first_span.row)),
-        below(map.is_ruled() ? first : map.row_below(first_span.left_px, first_span.row)) {}
-
-  // But for some roundings.
-  [[nodiscard]] HWY_INLINE double most_denominator(const SpanBatch& batch) const {
-    const uint128 down = below.d.start - first.d.start;
-    return to_double(most_in_box(first.d, down, batch));
-  }
-};
+// The most that denominators of a batch are, but for some roundings, by the rows of its first
+// pixel.
+[[nodiscard]] HWY_INLINE double most_denominator(const ExactRows& first, const SpanBatch& batch) {
+  const uint128 down = first.below.d.start - first.row.d.start;
+  return to_double(most_in_box(first.row.d, down, batch));
+}
 
 // A numerator of texels that are kTexelBias more.
 [[nodiscard]] HWY_INLINE ExactLine biased(const ExactLine& n, const ExactLine& d) {
@@ -113,13 +105,14 @@ struct Decision {
 template <class Number>
 class PlaneTies {
  public:
-  PlaneTies(const BatchRows& rows, const Span& first_span)
+  // From the rows of the span's first pixel.
+  PlaneTies(const ExactRows& rows, const Span& first_span)
       : first_px_(first_span.left_px),
         first_row_(first_span.row),
         span_(first_span),
-        u_(biased(rows.first.u, rows.first.d), biased(rows.below.u, rows.below.d)),
-        v_(biased(rows.first.v, rows.first.d), biased(rows.below.v, rows.below.d)),
-        d_(rows.first.d, rows.below.d) {}
+        u_(biased(rows.row.u, rows.row.d), biased(rows.below.u, rows.below.d)),
+        v_(biased(rows.row.v, rows.row.d), biased(rows.below.v, rows.below.d)),
+        d_(rows.row.d, rows.below.d) {}
 
   HWY_INLINE void go_to(const Span& span) {
     span_ = span;
