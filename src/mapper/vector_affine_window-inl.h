@@ -67,11 +67,11 @@ struct AffineFromWindow {
 template <class Pixel, class Address>
 [[nodiscard]] HWY_INLINE InOneWindow draw_one_window(const AffineSpans& spans,
                                                      const Surface& surface) {
-  if (!pays_one_window(spans.batch)) return InOneWindow::kNoWindow;
+  if (!pays_one_window(spans.batch)) return InOneWindow::kNotInOne;
   V32 changed;
   if (!with_one_window<Pixel, Address>(spans.texels, surface.texture,
                                        AffineFromWindow<Pixel>{spans, surface, &changed})) {
-    return InOneWindow::kNoWindow;
+    return InOneWindow::kNotInOne;
   }
   return in_one_window(changed, spans.batch.widest_px);
 }

@@ -22,7 +22,7 @@ namespace {
 }
 
 // What became of a batch: drawn, or not, for no window holds it or for it has near-ties.
-enum class InOneWindow { kDrawn, kNoWindow, kFewNearTies, kManyNearTies };
+enum class InOneWindow { kDrawn, kNotInOne, kFewNearTies, kManyNearTies };
 
 // Of a batch that was drawn, by what the lanes of its pixels lack changes in them: near-ties are
 // many where they lie in many lanes, or in all of the widest row. How many vectors hold them is not

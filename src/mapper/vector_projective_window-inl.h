@@ -81,12 +81,12 @@ template <class Pixel, class Address>
 [[nodiscard]] HWY_INLINE InOneWindow draw_one_window(const ProjectiveSpans& spans,
                                                      const Surface& surface,
                                                      const AnchoredVectors& vectors) {
-  if (!pays_one_window(spans.batch)) return InOneWindow::kNoWindow;
+  if (!pays_one_window(spans.batch)) return InOneWindow::kNotInOne;
   V32 changed;
   if (!with_one_window<Pixel, Address>(
           spans.texels, surface.texture,
           ProjectiveFromWindow<Pixel>{spans, surface, vectors, &changed})) {
-    return InOneWindow::kNoWindow;
+    return InOneWindow::kNotInOne;
   }
   return in_one_window(changed, spans.batch.widest_px);
 }
