@@ -1,9 +1,9 @@
 #include "mapper/projective_slab.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "mapper/slab_rows.h"
 #include "mapper/to_double.h"
 
 namespace selvage::mapper {
@@ -12,18 +12,12 @@ namespace {
 inline constexpr double kLaneUnit = 4294967296.0;  // 2^kLaneFraction
 inline constexpr double kMostTexel_fx32 = kLaneUnit * (1 << (kTexelBits - kTexelFraction));
 
-// A number at the part's first column, in its first three rows, and from there to the next column.
-struct FirstRows {
-  std::array<int128, kLeastFieldRows> start, step;
-};
-
-// By differences: n(y) = n_0 + y first + y (y - 1) / 2 second. Twice a coefficient is whole.
-[[nodiscard]] ProjectiveField::Form form_of(const FirstRows& rows, double unit) {
-  const auto& [n, step] = rows;
-  const int128 first = n[1] - n[0], second = n[2] - n[1] - first;
+// n(y) = start + y down + y (y - 1) / 2 bend, and the steps. Twice a coefficient is whole.
+[[nodiscard]] ProjectiveField::Form form_of(const SlabLine& line, double unit) {
+  const auto times = [](uint128 n, double by) { return to_double(static_cast<int128>(n)) * by; };
   const double half = unit / 2;
-  return {to_double(n[0]) * unit, to_double(step[0]) * unit, to_double(2 * first - second) * half,
-          to_double(step[1] - step[0]) * unit, to_double(second) * half};
+  return {times(line.start, unit), times(line.step, unit), times(2 * line.down - line.bend, half),
+          times(line.turn, unit), times(line.bend, half)};
 }
 
 // How far it may get from 0 in so many columns and rows, and so its change from a pixel to the next
@@ -95,24 +89,17 @@ std::optional<ProjectiveField> ruled_field(const Slab& any, const Polygon& outli
   const double rows = part.bottom - part.top, columns = part.right - part.left;
   if (rows < kLeastFieldRows || !fit_128_bits(slab, outline, extremes)) return std::nullopt;
 
-  FirstRows u, v, d;
-  for (int32_t i = 0; i < kLeastFieldRows; ++i) {
-    const SpanMap at(slab.a.at(part.top + i), slab.b.at(part.top + i));
-    const auto row = static_cast<size_t>(i);
-    u.start[row] = at.u_numerator(part.left);
-    u.step[row] = at.u_numerator_step();
-    v.start[row] = at.v_numerator(part.left);
-    v.step[row] = at.v_numerator_step();
-    d.start[row] = at.denominator(part.left);
-    d.step[row] = at.denominator_step();
-  }
+  const SlabRows at({slab.a, slab.b, part.top, part.bottom}, part.left);
   // Denominators are in units of the least one, or of a little less.
   constexpr double kRoundedDown = 1 - 0x1p-50, kPerQ = 1 << kTexelFraction;
   const Widths widths(slab, part.top, part.bottom - 1);
   const double unit = 1 / (widths.least * extremes.least_q * kPerQ * kRoundedDown);
-  ProjectiveField field{
-      part.left,        part.top, form_of(u, unit * kLaneUnit), form_of(v, unit * kLaneUnit),
-      form_of(d, unit), 0};
+  ProjectiveField field{part.left,
+                        part.top,
+                        form_of(at.u(), unit * kLaneUnit),
+                        form_of(at.v(), unit * kLaneUnit),
+                        form_of(at.d(), unit),
+                        0};
   const double numerator =
       std::max(most(field.u_fx32, columns, rows), most(field.v_fx32, columns, rows));
   const double reach = numerator / kMostTexel_fx32 + most(field.denominator, columns, rows);

@@ -11,40 +11,38 @@ namespace selvage::mapper {
 
 // A number that is linear along each row; at a column it is quadratic in the row, and its step is
 // linear. Modulo 2^128.
-class SlabLine {
- public:
+struct SlabLine {
+  uint128 start, down, bend;  // at the column: at first, to the next row, and how much more then
+  uint128 step, turn;         // to the next pixel: in the first row, and how much more a row
+
   SlabLine() = default;
   // From a row and the two below it, all from the same column on.
   SlabLine(const ExactLine& row, const ExactLine& below, const ExactLine& next)
-      : start_(row.start),
-        down_(below.start - row.start),
-        bend_(next.start - below.start - down_),
-        step_(row.step),
-        turn_(below.step - row.step) {}
+      : start(row.start),
+        down(below.start - row.start),
+        bend(next.start - below.start - down),
+        step(row.step),
+        turn(below.step - row.step) {}
 
   // So many rows below the first one, from so many pixels right of the column on: rows >= 0.
   [[nodiscard]] ExactLine row(int32_t rows, int32_t right_px) const {
     const auto n = static_cast<uint32_t>(rows);
     const uint64_t pairs = uint64_t{n} * (n - 1) / 2;
-    const uint128 step = step_ + n * turn_;
-    const uint128 right = static_cast<uint128>(int128{right_px}) * step;
-    return {start_ + n * down_ + pairs * bend_ + right, step};
+    const uint128 row_step = step + n * turn;
+    const uint128 right = static_cast<uint128>(int128{right_px}) * row_step;
+    return {start + n * down + pairs * bend + right, row_step};
   }
 
   void negate() {
-    for (uint128* const number : {&start_, &down_, &bend_, &step_, &turn_}) *number = 0 - *number;
+    for (uint128* const number : {&start, &down, &bend, &step, &turn}) *number = 0 - *number;
   }
-
- private:
-  uint128 start_, down_, bend_;  // at the column: at first, to the next row, and how much more then
-  uint128 step_, turn_;          // to the next pixel: in the first row, and how much more a row
 };
 
 class SlabRows {
  public:
   // Of no row.
   SlabRows() = default;
-  // Cheapest near the column of a pixel.
+  // By differences at a column, whichever.
   SlabRows(const Slab& slab, int32_t first_px)
       : first_px_(first_px), first_row_(slab.first_row), end_row_(slab.end_row) {
     std::array<ExactRow, 3> rows;
@@ -59,6 +57,11 @@ class SlabRows {
     v_ = line(&ExactRow::v);
     d_ = line(&ExactRow::d);
   }
+
+  // Numerators and denominator from the first row and the column on.
+  [[nodiscard]] const SlabLine& u() const { return u_; }
+  [[nodiscard]] const SlabLine& v() const { return v_; }
+  [[nodiscard]] const SlabLine& d() const { return d_; }
 
   [[nodiscard]] bool has(int32_t row) const { return row >= first_row_ && row < end_row_; }
 
