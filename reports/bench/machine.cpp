@@ -62,7 +62,7 @@ std::string now_utc() {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> describe_machine(const SystemTexts& texts) {
+Machine describe_machine(const SystemTexts& texts) {
   utsname system{};
   uname(&system);
   return {{"date", now_utc()},

@@ -13,7 +13,7 @@ struct SystemTexts {
 };
 
 // Names and values, in the order of the page.
-[[nodiscard]] std::vector<std::pair<std::string, std::string>> describe_machine(
-    const SystemTexts& texts);
+using Machine = std::vector<std::pair<std::string, std::string>>;
+[[nodiscard]] Machine describe_machine(const SystemTexts& texts);
 
 }  // namespace selvage::reports

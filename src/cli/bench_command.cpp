@@ -5,6 +5,7 @@
 #include <optional>
 #include <regex>
 
+#include "cli/bench_near_ties.h"
 #include "cli/bench_report.h"
 #include "cli/error.h"
 #include "cli/file.h"
@@ -69,6 +70,12 @@ namespace {
   return std::filesystem::exists(path, ignored) ? read_text_file(path) : std::string();
 }
 
+[[nodiscard]] reports::Machine machine_now() {
+  return reports::describe_machine({text_of_system("/proc/cpuinfo"),
+                                    text_of_system("/proc/meminfo"),
+                                    text_of_system("/etc/os-release")});
+}
+
 [[nodiscard]] std::string cpu_of(const BenchReport& report) {
   const auto found =
       std::ranges::find(report.machine, "cpu", &std::pair<std::string, std::string>::first);
@@ -98,9 +105,7 @@ int run_plan(const reports::Plan& plan, const BenchOptions& options, const Conso
   std::optional<Baseline> baseline;
   if (!options.compare.empty())
     baseline = parse_baseline(options.compare, read_text_file(options.compare));
-  report.machine =
-      reports::describe_machine({text_of_system("/proc/cpuinfo"), text_of_system("/proc/meminfo"),
-                                 text_of_system("/etc/os-release")});
+  report.machine = machine_now();
   report.fastest_kernels = reports::fastest_kernels();
   try {
     StatusLine status(console);
@@ -119,6 +124,10 @@ int run_plan(const reports::Plan& plan, const BenchOptions& options, const Conso
 }
 
 int run_bench(const BenchOptions& options, const Console& console) {
+  if (!options.near_ties.empty()) {
+    const int32_t maps = whole_number("--near-ties", options.near_ties, 1, 10000000);
+    return run_near_ties(options, {first_seed(options.seed), maps}, machine_now(), console);
+  }
   const reports::Plan plan = plan_of(options, settings_of(options).seed);
   if (!options.list) return run_plan(plan, options, console);
   console.out << bench_list(plan);

@@ -21,6 +21,7 @@ struct BenchOptions {
   std::string repetitions = "15";
   std::string min_time = "0.03";
   std::string padding = "16";
+  std::string near_ties;  // maps to search; empty: no search
   bool curves = false;
   bool kernels = false;
   bool json = false;

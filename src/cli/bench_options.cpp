@@ -15,6 +15,7 @@ constexpr const char* kFooter = R"(Examples:
   selvage bench --padding 0 --filter '^W3/'     a mesh on rows at a pitch of 4096 bytes
   selvage bench --compare reports/baseline.json
   selvage bench --curves --json --output bench.json
+  selvage bench --near-ties 20000 --seed 7      what an adversary can make of near-ties
   selvage bench --brief --output reports/baseline.json    records that baseline
 
 Each drawing is first held against the exact model on sampled rows, then all are timed, interleaved
@@ -63,6 +64,14 @@ CLI::App* add_bench(CLI::App& program, BenchOptions& options) {
   bench->add_flag("--kernels", options.kernels,
                   "Measure each of the mapper's kernels, and each of the loops that 'inexact' is "
                   "the fastest of, that this machine can run too");
+  bench
+      ->add_option(
+          "--near-ties", options.near_ties,
+          "Search N random maps, of the seeds from S on, for near-ties that cost the most: "
+          "each is timed beside the same map moved off them")
+      ->type_name("N")
+      ->excludes("--filter", "--compare", "--rows", "--repetitions", "--min-time", "--padding",
+                 "--curves", "--kernels");
   bench->add_option("-o,--output", options.output, "Write the JSON to a file")->type_name("FILE");
   bench->add_flag("--json", options.json, "Print the JSON instead of the tables");
   bench->add_flag("--brief", options.brief, "As JSON, the machine and the medians only");

@@ -9,6 +9,7 @@
 #include "cli/bench_command.h"
 #include "cli/bench_comparison.h"
 #include "reports/bench/kernels.h"
+#include "reports/bench/machine.h"
 #include "reports/bench/measurement.h"
 #include "reports/bench/plan.h"
 
@@ -17,7 +18,7 @@ namespace selvage::cli {
 struct BenchReport {
   reports::BenchSettings settings;
   std::string filter;
-  std::vector<std::pair<std::string, std::string>> machine;
+  reports::Machine machine;
   std::vector<reports::FastestKernel> fastest_kernels;
   const reports::Plan* plan = nullptr;
   std::vector<reports::ItemResult> results;  // one for each item of the plan
