@@ -281,7 +281,7 @@ TEST(NearTies, OfRowsInNoPlaneAreDecidedAlikeByAllKernels) {
     const std::vector<selvage_vertex> quad = quad_on_a_point(random);
     ASSERT_NO_FATAL_FAILURE(expect_near_ties_alike(
         quad,
-        {.height_px = 40,
+        {.height_px = random.pick({40, 66}),  // the last batch of 66 rows has two
          .format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888})},
         seed));
   }
