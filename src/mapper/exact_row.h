@@ -91,7 +91,7 @@ class ExactMap {
   }
   // Whether each row has a map of its own.
   [[nodiscard]] bool is_ruled() const { return is_ruled_; }
-  // Of which the map is one of all its rows, where it is ruled.
+  // Whose rows they are, where each has a map of its own.
   [[nodiscard]] const RuledMap& ruled() const { return *static_cast<const RuledMap*>(map_); }
 
  private:

@@ -139,7 +139,7 @@ struct ProjectiveField {
   double steepest_fx32 = HUGE_VAL;
   double turn = HUGE_VAL;
   bool is_ruled = false;  // whether there may be a step_xy or a step_yy
-  // If it is: the exact map's is no greater, but for roundings.
+  // Where it is ruled: no denominator of the exact map is greater, but for roundings.
   double most_denominator = HUGE_VAL;
 
   [[nodiscard]] DividedLanes of(const Span& span) const {

@@ -13,9 +13,9 @@ namespace selvage::mapper {
 // its first pixel on, and rises by `down` from row to row.
 [[nodiscard]] int128 most_in_box(const ExactLine& line, uint128 down, const SpanBatch& batch);
 
-// Whether so many do, by the most that d is, but for some roundings of it. Near-ties are no further
-// from the whole number than 2^-spare_bits, so that |n - k d| <= d / 2^spare_bits; a bit is the
-// sign's, and one is spare.
+// Whether so many bits tell, by the most that d is, but for some roundings of it. Near-ties are no
+// further from the whole number than 2^-spare_bits, so that |n - k d| <= d / 2^spare_bits; a bit is
+// the sign's, and one is spare.
 [[nodiscard]] inline bool are_enough(int bits, double most_d, int spare_bits) {
   return most_d < std::ldexp(1.0, bits - 2 + spare_bits);
 }

@@ -45,9 +45,12 @@ class SlabRows {
   // By differences at a column, whichever.
   SlabRows(const Slab& slab, int32_t first_px)
       : first_px_(first_px), first_row_(slab.first_row), end_row_(slab.end_row) {
+    // A slab may end before. Two rows, or three pixels, beyond its end an edge's values are no more
+    // than they would be if it were six pixels higher.
+    static_assert(kEdgeBits + kPositionBits + kSubpixelBits + 2 < 127 && kWeightBits + 3 < 63);
     std::array<ExactRow, 3> rows;
     for (int32_t i = 0; i < 3; ++i) {
-      const int32_t row = first_row_ + i;  // a slab may end before: its edges go on
+      const int32_t row = first_row_ + i;
       rows[static_cast<size_t>(i)] = row_by(SpanMap(slab.a.at(row), slab.b.at(row)), first_px);
     }
     const auto line = [&](ExactLine ExactRow::*of) {
@@ -66,7 +69,7 @@ class SlabRows {
   [[nodiscard]] bool has(int32_t row) const { return row >= first_row_ && row < end_row_; }
 
   // Of a pixel of the slab, and the pixels right of it. Edges may change sides from row to row,
-  // which changes all signs.
+  // which changes all signs: then those of all rows are changed, to stay so below.
   [[nodiscard, gnu::always_inline]] inline ExactRow row_from(int32_t px, int32_t row) {
     const int32_t down = row - first_row_, right_px = px - first_px_;
     if (static_cast<int128>(d_.row(down, right_px).start) < 0) {

@@ -20,8 +20,8 @@ struct Span {
 // three are linear along the span. With weights w to the other edge's point, (u q, q) is their
 // mean:
 //   u = (left.uq w_left + right.uq w_right) / (left.q w_left + right.q w_right)
-// for the common factor 1 / (height_left height_right width) cancels. Modulo 2^128: numbers fit at
-// pixels between the edges (number.h), and differences of others may all the same.
+// for the common factor 1 / (height_left height_right width) cancels. The three fit 128 bits at
+// pixels between the edges (number.h); elsewhere they are right modulo 2^128.
 class SpanMap {
  public:
   SpanMap(const EdgePoint& left, const EdgePoint& right) : left_(left), right_(right) {}

@@ -16,8 +16,8 @@ namespace {
 
 template <class Pixel, class Window, class Batch>
 HWY_NOINLINE void draw_decided(const Window& window, const Batch& lanes, const AffineSpans& spans,
-                               const Surface& surface, int32_t first_index) {
-  for (int32_t i = first_index; i < spans.batch.rows; ++i) {
+                               const Surface& surface) {
+  for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
     if (span.empty()) continue;
     const Lane anchor = lanes.anchor(spans.field.at(span.left_px, span.row));
@@ -26,11 +26,10 @@ HWY_NOINLINE void draw_decided(const Window& window, const Batch& lanes, const A
   }
 }
 
-// Draws the rows from an index on of a batch of a plane that was drawn from one window in vain, if
-// that lies within the texture. Of rows longer than a vector exact quotients cost less.
+// Draws a batch of rows of a plane that was drawn from one window in vain, if that lies within the
+// texture. Of rows longer than a vector exact quotients cost less.
 template <class Pixel>
-[[nodiscard]] HWY_INLINE bool draw_near_ties(const AffineSpans& spans, const Surface& surface,
-                                             int32_t first_index) {
+[[nodiscard]] HWY_INLINE bool draw_near_ties(const AffineSpans& spans, const Surface& surface) {
   static_assert(kPlaneAreaBits + kTexelFraction - kLeastSpareBits < 62, "one limb is enough");
   const TexelRanges texels(spans.texels);
   if (!texels.within(surface.texture)) return false;
@@ -38,7 +37,7 @@ template <class Pixel>
   const Span first = spans.batch.span(0);
   PlaneTies<OneLimb> ties(spans.exact.rows_from(first.left_px, first.row), first);
   with_decided_window<Pixel>(texels, surface, lanes.lack_fx16(), &ties, [&](const auto& window) {
-    draw_decided<Pixel>(window, lanes, spans, surface, first_index);
+    draw_decided<Pixel>(window, lanes, spans, surface);
   });
   return true;
 }

@@ -6,51 +6,40 @@
 #define SELVAGE_VECTOR_BATCH_TIES_INL_H
 #endif
 
-#include <cmath>
 #include <optional>
 
+#include "mapper/near_tie_bits.h"
+#include "mapper/to_double.h"
 #include "mapper/vector_plane_ties-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// What decides them, from the first one on.
+// What decides those of rows of one map, or of one row, from the first one on.
 class BatchTies {
  public:
-  // Of a ruled map of more than one row, denominators are no greater than most_ruled.
-  HWY_INLINE BatchTies(const ExactMap& map, const SpanBatch& batch, int spare_bits,
-                       double most_ruled = HUGE_VAL)
-      : map_(map), batch_(batch), spare_bits_(spare_bits), most_ruled_(most_ruled) {}
+  HWY_INLINE BatchTies(const ExactMap& map, const SpanBatch& batch, int spare_bits)
+      : map_(map), batch_(batch), spare_bits_(spare_bits) {}
 
-  // Calls decide(ties) with PlaneTies, or with RuledTies.
+  // Calls decide(ties) with PlaneTies.
   template <class Decide>
   HWY_INLINE void with_ties(const Decide& decide) {
-    if (!is_found_) find();
+    if (!short_ && !upper_ && !long_) find();
     if (short_) return decide(&*short_);
     if (upper_) return decide(&*upper_);
-    if (long_) return decide(&*long_);
-    if (ruled_) return decide(&*ruled_);
-    decide(&*long_ruled_);
+    decide(&*long_);
   }
 
  private:
   HWY_NOINLINE void find() {
-    is_found_ = true;
-    if (map_.is_ruled() && batch_.rows > 1) {
-      if (are_enough(UpperLimb::kBits, most_ruled_, spare_bits_)) {
-        ruled_.emplace(map_.ruled());
-      } else {
-        long_ruled_.emplace(map_.ruled());
-      }
-      return;
-    }
     const Span first = batch_.span(0);
     const ExactRows rows = map_.rows_from(first.left_px, first.row);
-    const double most = most_denominator(rows, batch_);
-    if (are_enough(OneLimb::kBits, most, spare_bits_)) {
+    const uint128 down = rows.below.d.start - rows.row.d.start;
+    const double most_denominator = to_double(most_in_box(rows.row.d, down, batch_));
+    if (are_enough(OneLimb::kBits, most_denominator, spare_bits_)) {
       short_.emplace(rows, first);
-    } else if (are_enough(UpperLimb::kBits, most, spare_bits_)) {
+    } else if (are_enough(UpperLimb::kBits, most_denominator, spare_bits_)) {
       upper_.emplace(rows, first);
     } else {
       long_.emplace(rows, first);
@@ -60,14 +49,34 @@ class BatchTies {
   const ExactMap& map_;
   const SpanBatch& batch_;
   int spare_bits_;
-  double most_ruled_;
-  bool is_found_ = false;
-  // One of them, if it is:
+  // One of them, once there are any:
   std::optional<PlaneTies<OneLimb>> short_;
   std::optional<PlaneTies<UpperLimb>> upper_;
   std::optional<PlaneTies<TwoLimbs>> long_;
-  std::optional<RuledTies<UpperLimb>> ruled_;
-  std::optional<RuledTies<TwoLimbs>> long_ruled_;
+};
+
+// What decides those of rows that each have a map of their own.
+class RuledBatchTies {
+ public:
+  RuledBatchTies(const RuledMap& map, double most_denominator, int spare_bits) {
+    if (are_enough(UpperLimb::kBits, most_denominator, spare_bits)) {
+      upper_.emplace(map);
+    } else {
+      long_.emplace(map);
+    }
+  }
+
+  // Calls decide(ties) with RuledTies.
+  template <class Decide>
+  HWY_INLINE void with_ties(const Decide& decide) {
+    if (upper_) return decide(&*upper_);
+    decide(&*long_);
+  }
+
+ private:
+  // One of them:
+  std::optional<RuledTies<UpperLimb>> upper_;
+  std::optional<RuledTies<TwoLimbs>> long_;
 };
 
 }  // namespace

@@ -143,7 +143,7 @@ struct UpperLimb {
   };
 
   static HWY_INLINE V32 signs(const ByParity<V64>& n, V32 k, const ByParity<V64>& divisor) {
-    return upper_halves_of_difference(n, k, divisor);
+    return OneLimb::signs(n, k, divisor);
   }
 };
 

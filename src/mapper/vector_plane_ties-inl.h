@@ -10,10 +10,8 @@
 #define SELVAGE_VECTOR_PLANE_TIES_INL_H
 #endif
 
-#include "mapper/near_tie_bits.h"
 #include "mapper/slab_rows.h"
 #include "mapper/span_batch.h"
-#include "mapper/to_double.h"
 #include "mapper/vector_limbs-inl.h"
 #include "mapper/vector_near_ties-inl.h"
 
@@ -27,13 +25,6 @@ inline constexpr int32_t kTexelBias = 1 << kTexelBiasBits;
 static_assert(kTexelBiasBits + 1 <= TwoLimbs::kFactorBits);
 static_assert(TwoLimbs::kDivisorZeros <= kTexelFraction);
 static_assert(kDenominatorBits - kLeastSpareBits < TwoLimbs::kBits - 1, "|n - k d| and its sign");
-
-// The most that denominators of a batch are, but for some roundings, by the rows of its first
-// pixel.
-[[nodiscard]] HWY_INLINE double most_denominator(const ExactRows& first, const SpanBatch& batch) {
-  const uint128 down = first.below.d.start - first.row.d.start;
-  return to_double(most_in_box(first.row.d, down, batch));
-}
 
 // A numerator of texels that are kTexelBias more.
 [[nodiscard]] HWY_INLINE ExactLine biased(const ExactLine& n, const ExactLine& d) {

@@ -159,7 +159,7 @@ HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& su
   const PieceOrder order = spans.exact.is_ruled() ? PieceOrder::kSpanBySpan : PieceOrder::kAny;
   PieceQueue queue(spans.batch, order, vectors);
   LeftOfPieces left;
-  BatchTies batch_ties = ties_of(spans, vectors);
+  ProjectiveTies batch_ties(spans, vectors);
   const bool cached = is_cached(surface.texture);
   const bool inside = cached && pays_to_ask_inside(spans.batch) &&
                       is_inside(spans.batch, spans.field, surface.texture);

@@ -7,6 +7,8 @@
 #define SELVAGE_VECTOR_PROJECTIVE_TIES_INL_H
 #endif
 
+#include <optional>
+
 #include "mapper/vector_batch_ties-inl.h"
 #include "mapper/vector_decided_window-inl.h"
 #include "mapper/vector_projective_anchors-inl.h"
@@ -15,11 +17,30 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-[[nodiscard]] HWY_INLINE BatchTies ties_of(const ProjectiveSpans& spans,
-                                           const AnchoredVectors& vectors) {
-  return {spans.exact, spans.batch, spare_bits_fx16(vectors.lack_fx16()),
-          spans.field.most_denominator};
-}
+// What decides near-ties of a batch, be it of one map or of a slab.
+class ProjectiveTies {
+ public:
+  HWY_INLINE ProjectiveTies(const ProjectiveSpans& spans, const AnchoredVectors& vectors)
+      : spans_(spans),
+        spare_bits_(spare_bits_fx16(vectors.lack_fx16())),
+        of_one_map_(spans.exact, spans.batch, spare_bits_) {}
+
+  // Calls decide(ties) with PlaneTies, or with RuledTies.
+  template <class Decide>
+  HWY_INLINE void with_ties(const Decide& decide) {
+    if (!spans_.exact.is_ruled()) return of_one_map_.with_ties(decide);
+    if (!ruled_) {
+      ruled_.emplace(spans_.exact.ruled(), spans_.field.most_denominator, spare_bits_);
+    }
+    ruled_->with_ties(decide);
+  }
+
+ private:
+  const ProjectiveSpans& spans_;
+  int spare_bits_;
+  BatchTies of_one_map_;
+  std::optional<RuledBatchTies> ruled_;
+};
 
 template <class Pixel, class Window>
 HWY_NOINLINE void draw_decided(const Window& window, const SpanBatch& batch,
@@ -59,8 +80,9 @@ template <class Pixel>
 [[nodiscard]] HWY_INLINE bool draw_near_ties(const ProjectiveSpans& spans, const Surface& surface,
                                              const AnchoredVectors& vectors) {
   if (!TexelRanges(spans.texels).within(surface.texture)) return false;
-  BatchTies ties = ties_of(spans, vectors);
-  ties.with_ties([&](auto* by) { draw_near_ties_by<Pixel>(by, spans, surface, vectors); });
+  ProjectiveTies(spans, vectors).with_ties([&](auto* by) {
+    draw_near_ties_by<Pixel>(by, spans, surface, vectors);
+  });
   return true;
 }
 

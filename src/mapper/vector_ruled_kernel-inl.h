@@ -95,22 +95,16 @@ HWY_NOINLINE void draw_decided(const Window& window, const RuledSpans& spans,
 }
 
 template <class Pixel, class Ties>
-HWY_INLINE void draw_near_ties_by(Ties ties, const TexelRanges& texels, const RuledSpans& spans,
+HWY_INLINE void draw_near_ties_by(Ties* ties, const TexelRanges& texels, const RuledSpans& spans,
                                   const Surface& surface) {
   with_decided_window<Pixel>(
-      texels, surface, lack_fx16(spans.rows.margin_fx32), &ties,
+      texels, surface, lack_fx16(spans.rows.margin_fx32), ties,
       [&](const auto& window) { draw_decided<Pixel>(window, spans, surface); });
 }
 
-// Calls decide(ties) with what decides near-ties of rows.
-template <class Decide>
-HWY_INLINE void with_ruled_ties(const RuledSpans& spans, const Decide& decide) {
-  const int spare_bits = spare_bits_fx16(lack_fx16(spans.rows.margin_fx32));
-  if (are_enough(UpperLimb::kBits, spans.rows.most_denominator, spare_bits)) {
-    decide(RuledTies<UpperLimb>(spans.exact.ruled()));
-  } else {
-    decide(RuledTies<TwoLimbs>(spans.exact.ruled()));
-  }
+[[nodiscard]] HWY_INLINE RuledBatchTies ties_of(const RuledSpans& spans) {
+  return {spans.exact.ruled(), spans.rows.most_denominator,
+          spare_bits_fx16(lack_fx16(spans.rows.margin_fx32))};
 }
 
 // Draws a batch that was drawn from one window in vain, if that lies within the texture.
@@ -118,8 +112,8 @@ template <class Pixel>
 [[nodiscard]] HWY_INLINE bool draw_near_ties(const RuledSpans& spans, const Surface& surface) {
   const TexelRanges texels(spans.texels);
   if (!texels.within(surface.texture)) return false;
-  with_ruled_ties(spans,
-                  [&](auto ties) { draw_near_ties_by<Pixel>(ties, texels, spans, surface); });
+  ties_of(spans).with_ties(
+      [&](auto* ties) { draw_near_ties_by<Pixel>(ties, texels, spans, surface); });
   return true;
 }
 
@@ -180,8 +174,8 @@ void draw_narrow_ruled(const RuledSpans& spans, const Surface& surface) {
         : inside ? draw_ruled_loads<Pixel, Inside, FetchAtOnce<Pixel>>(spans, surface, i, &left)
                  : draw_ruled_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, i, &left);
     if (left.count == 0) continue;
-    with_ruled_ties(spans,
-                    [&](auto ties) { draw_left<Pixel, Address>(left, spans, surface, &ties); });
+    ties_of(spans).with_ties(
+        [&](auto* ties) { draw_left<Pixel, Address>(left, spans, surface, ties); });
   }
 }
 
