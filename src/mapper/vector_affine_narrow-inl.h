@@ -38,9 +38,10 @@ HWY_NOINLINE void draw_load_strips(const AffineSpans& spans, const Surface& surf
   fetch.finish();
 }
 
+// By itself, so that small polygons, which one window holds, do without the room that this takes.
 template <class Pixel, class Address>
-void draw_narrow(const AffineSpans& spans, const Surface& surface, const WindowShape& shape,
-                 bool in_window) {
+HWY_NOINLINE void draw_narrow(const AffineSpans& spans, const Surface& surface,
+                              const WindowShape& shape, bool in_window) {
   RestDraw<Pixel, Address> rest(spans, surface, shape.rows, in_window);
   const bool inside = TexelRanges(spans.texels).within(surface.texture);
   if (kHasWindows && shape.rows != 0) {

@@ -29,7 +29,7 @@ HWY_NOINLINE void draw_decided(const Window& window, const Batch& lanes, const A
 // Draws a batch of rows of a plane that was drawn from one window in vain, if that lies within the
 // texture. Of rows longer than a vector exact quotients cost less.
 template <class Pixel>
-[[nodiscard]] HWY_INLINE bool draw_near_ties(const AffineSpans& spans, const Surface& surface) {
+[[nodiscard]] HWY_NOINLINE bool draw_near_ties(const AffineSpans& spans, const Surface& surface) {
   static_assert(kPlaneAreaBits + kTexelFraction - kLeastSpareBits < 62, "one limb is enough");
   const TexelRanges texels(spans.texels);
   if (!texels.within(surface.texture)) return false;

@@ -147,14 +147,10 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
   return more;
 }
 
+// By itself, so that small polygons, which one window holds, do without the room that this takes.
 template <class Pixel, class Address>
-HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
-  const AnchoredVectors vectors(spans.field);
-  const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface, vectors);
-  if (in_one == InOneWindow::kDrawn) return;
-  if (in_one == InOneWindow::kManyNearTies && draw_near_ties<Pixel>(spans, surface, vectors)) {
-    return;
-  }
+HWY_NOINLINE void draw_all_pieces(const ProjectiveSpans& spans, const Surface& surface,
+                                  const AnchoredVectors& vectors) {
   // Ties of rows that each have a map of their own cost most where they go to another row.
   const PieceOrder order = spans.exact.is_ruled() ? PieceOrder::kSpanBySpan : PieceOrder::kAny;
   PieceQueue queue(spans.batch, order, vectors);
@@ -180,6 +176,17 @@ HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& su
     batch_ties.with_ties(
         [&](auto* ties) { draw_left<Pixel, Address>(left, surface, vectors.lack_fx16(), ties); });
   }
+}
+
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
+  const AnchoredVectors vectors(spans.field);
+  const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface, vectors);
+  if (in_one == InOneWindow::kDrawn) return;
+  if (in_one == InOneWindow::kManyNearTies && draw_near_ties<Pixel>(spans, surface, vectors)) {
+    return;
+  }
+  draw_all_pieces<Pixel, Address>(spans, surface, vectors);
 }
 
 }  // namespace

@@ -77,8 +77,8 @@ HWY_INLINE void draw_near_ties_by(Ties* ties, const ProjectiveSpans& spans, cons
 
 // Draws a batch that was drawn from one window in vain, if that lies within the texture.
 template <class Pixel>
-[[nodiscard]] HWY_INLINE bool draw_near_ties(const ProjectiveSpans& spans, const Surface& surface,
-                                             const AnchoredVectors& vectors) {
+[[nodiscard]] HWY_NOINLINE bool draw_near_ties(const ProjectiveSpans& spans, const Surface& surface,
+                                               const AnchoredVectors& vectors) {
   if (!TexelRanges(spans.texels).within(surface.texture)) return false;
   ProjectiveTies(spans, vectors).with_ties([&](auto* by) {
     draw_near_ties_by<Pixel>(by, spans, surface, vectors);
