@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "selvage.h"
+
 namespace selvage::reports {
 
 // What near-ties may cost at most, times the same map without them.
@@ -22,6 +24,7 @@ struct TimedMap {
 
 struct NearTieSearch {
   uint64_t first_seed = 0;
+  selvage_kernel kernel = SELVAGE_KERNEL_FASTEST;
   std::vector<double> ratios;   // of all maps, from the least to the greatest
   std::vector<TimedMap> worst;  // the kWorst greatest, the greatest first
 
@@ -29,10 +32,14 @@ struct NearTieSearch {
   [[nodiscard]] size_t above(double ratio) const;
 };
 
-// The maps of the seeds from the first one on, at least one. Each drawing is first held against
-// that of the scalar kernel; throws WrongAnswer where they differ. tick is called with the number
-// of maps that are done.
-[[nodiscard]] NearTieSearch search_near_ties(uint64_t first_seed, int32_t maps,
-                                             const std::function<void(int32_t)>& tick);
+struct MapSeeds {
+  uint64_t first;
+  int32_t count;  // at least 1
+};
+
+// The maps of these seeds by a kernel of this machine. Each drawing is first held against that of
+// the scalar kernel; throws WrongAnswer where they differ. tick is called before each map.
+[[nodiscard]] NearTieSearch search_near_ties(const MapSeeds& seeds, selvage_kernel kernel,
+                                             const std::function<void()>& tick);
 
 }  // namespace selvage::reports

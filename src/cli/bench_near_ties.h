@@ -1,6 +1,7 @@
 // `selvage bench --near-ties`.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "cli/bench_command.h"
@@ -9,22 +10,17 @@
 
 namespace selvage::cli {
 
-struct MapSeeds {
-  uint64_t first;
-  int32_t count;
-};
-
 // Prints what was found. Returns kExitFine, or kExitLawFailed where a drawing is wrong; never for
 // slowness.
-int run_near_ties(const BenchOptions& options, const MapSeeds& seeds,
+int run_near_ties(const BenchOptions& options, const reports::MapSeeds& seeds,
                   const reports::Machine& machine, const Console& console);
 
-// At most 100 columns: the quantiles of all maps, then the worst.
-[[nodiscard]] std::string near_ties_table(const reports::NearTieSearch& search);
+// At most 100 columns, for each search: the median of all maps, then the worst.
+[[nodiscard]] std::string near_ties_table(std::span<const reports::NearTieSearch> searches);
 
-// { machine, seed, maps, most_times_ordinary, above, median, worst: [{ seed, map, hard_ns,
-// ordinary_ns, ratio }] }
-[[nodiscard]] std::string near_ties_json(const reports::NearTieSearch& search,
+// { machine, seed, maps, most_times_ordinary, searches: [{ kernel, above, median, worst: [{ seed,
+// map, hard_ns, ordinary_ns, ratio }] }] }; at least one search.
+[[nodiscard]] std::string near_ties_json(std::span<const reports::NearTieSearch> searches,
                                          const reports::Machine& machine);
 
 }  // namespace selvage::cli

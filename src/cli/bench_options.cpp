@@ -68,10 +68,10 @@ CLI::App* add_bench(CLI::App& program, BenchOptions& options) {
       ->add_option(
           "--near-ties", options.near_ties,
           "Search N random maps, of the seeds from S on, for near-ties that cost the most: "
-          "each is timed beside the same map moved off them")
+          "each is timed beside the same map moved off them; with --kernels, by each kernel")
       ->type_name("N")
       ->excludes("--filter", "--compare", "--rows", "--repetitions", "--min-time", "--padding",
-                 "--curves", "--kernels");
+                 "--curves");
   bench->add_option("-o,--output", options.output, "Write the JSON to a file")->type_name("FILE");
   bench->add_flag("--json", options.json, "Print the JSON instead of the tables");
   bench->add_flag("--brief", options.brief, "As JSON, the machine and the medians only");

@@ -22,7 +22,7 @@ struct ByParity {
   Number even, odd;
 };
 
-// For each pixel of a vector so many times the step: of one that is below 2^60, or modulo 2^64.
+// The step times 0, 1, 2, ..., for the pixels of a vector, modulo 2^64.
 [[nodiscard]] HWY_INLINE ByParity<V64> multiples_of(uint64_t step) {
   const D64 d;
   const V64 even_pixel = hn::Add(hn::Iota(d, 0), hn::Iota(d, 0));
