@@ -79,6 +79,14 @@ class ExactMap {
   explicit ExactMap(const ProjectivePlane& plane)
       : map_(&plane), row_from_(row_of_projective_plane) {}
   explicit ExactMap(const RuledMap& map) : map_(&map), row_from_(row_of_ruled), is_ruled_(true) {}
+  // Of rows that each have a map of their own, as rows.row_from(px, row) finds them.
+  template <class Rows>
+  [[nodiscard]] static ExactMap of_rows(const Rows& rows) {
+    const auto find = [](const void* of, int32_t px, int32_t row) {
+      return static_cast<const Rows*>(of)->row_from(px, row);
+    };
+    return {&rows, find, true};
+  }
 
   // Of a pixel of the polygon, and the pixels right of it.
   [[nodiscard]] ExactRow row_from(int32_t px, int32_t row) const {
@@ -91,10 +99,14 @@ class ExactMap {
   }
   // Whether each row has a map of its own.
   [[nodiscard]] bool is_ruled() const { return is_ruled_; }
-  // Whose rows they are, where each has a map of its own.
+  // What it was made from, where that is a RuledMap.
   [[nodiscard]] const RuledMap& ruled() const { return *static_cast<const RuledMap*>(map_); }
 
  private:
+  using RowFrom = ExactRow (*)(const void* of, int32_t px, int32_t row);
+  ExactMap(const void* map, RowFrom find, bool is_ruled)
+      : map_(map), row_from_(find), is_ruled_(is_ruled) {}
+
   [[nodiscard]] static ExactRow row_of_span(const void* of, int32_t px, int32_t /*row*/) {
     return row_by(*static_cast<const SpanMap*>(of), px);
   }
@@ -115,7 +127,7 @@ class ExactMap {
   }
 
   const void* map_;
-  ExactRow (*row_from_)(const void* of, int32_t px, int32_t row);
+  RowFrom row_from_;
   bool is_ruled_ = false;
 };
 

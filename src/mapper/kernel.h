@@ -8,6 +8,7 @@
 
 #include "mapper/affine_slab.h"
 #include "mapper/exact_row.h"
+#include "mapper/exact_slab.h"
 #include "mapper/footprint.h"
 #include "mapper/lanes.h"
 #include "mapper/plane_lanes.h"
@@ -47,10 +48,12 @@ struct RuledSpans {
 // Calls draw(spans) with those of each row by itself.
 template <class Draw>
 void for_each_row(const RuledSpans& spans, const Draw& draw) {
+  const RuledRowFinder rows(spans.exact.ruled());
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
     if (span.empty()) continue;
-    draw(AffineSpans{one_span(span), spans.rows.lanes(i).field(span), spans.texels, spans.exact});
+    draw(AffineSpans{one_span(span), spans.rows.lanes(i).field(span), spans.texels,
+                     ExactMap::of_rows(rows)});
   }
 }
 

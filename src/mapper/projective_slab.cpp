@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mapper/slab_rows.h"
+#include "mapper/exact_slab.h"
 #include "mapper/to_double.h"
 
 namespace selvage::mapper {
@@ -89,7 +89,7 @@ std::optional<ProjectiveField> ruled_field(const Slab& any, const Polygon& outli
   const double rows = part.bottom - part.top, columns = part.right - part.left;
   if (rows < kLeastFieldRows || !fit_128_bits(slab, outline, extremes)) return std::nullopt;
 
-  const SlabRows at({slab.a, slab.b, part.top, part.bottom}, part.left);
+  const ExactSlab at({slab.a, slab.b, part.top, part.bottom}, part.left);
   // Denominators are in units of the least one, or of a little less.
   constexpr double kRoundedDown = 1 - 0x1p-50, kPerQ = 1 << kTexelFraction;
   const Widths widths(slab, part.top, part.bottom - 1);

@@ -10,7 +10,7 @@
 #define SELVAGE_VECTOR_PLANE_TIES_INL_H
 #endif
 
-#include "mapper/slab_rows.h"
+#include "mapper/exact_slab.h"
 #include "mapper/span_batch.h"
 #include "mapper/vector_limbs-inl.h"
 #include "mapper/vector_near_ties-inl.h"
@@ -130,11 +130,10 @@ class PlaneTies {
 template <class Number>
 class RuledTies {
  public:
-  explicit RuledTies(const RuledMap& map) : map_(&map) {}
+  explicit RuledTies(const RuledMap& map) : rows_(map) {}
 
   HWY_NOINLINE void go_to(const Span& span) {
     span_ = span;
-    if (!rows_.has(span.row)) rows_ = SlabRows(map_->slab_of(span.row), span.left_px);
     const ExactRow row = rows_.row_from(span.left_px, span.row);
     u_.set(biased(row.u, row.d));
     v_.set(biased(row.v, row.d));
@@ -148,8 +147,7 @@ class RuledTies {
   }
 
  private:
-  const RuledMap* map_;
-  SlabRows rows_;  // of the slab that was last gone to
+  RuledRowFinder rows_;
   Span span_{INT32_MIN, 0, 0};
   RowWalk<typename Number::Numerator> u_, v_;
   RowWalk<typename Number::Divisor> d_;

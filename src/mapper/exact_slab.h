@@ -38,12 +38,12 @@ struct SlabLine {
   }
 };
 
-class SlabRows {
+class ExactSlab {
  public:
   // Of no row.
-  SlabRows() = default;
+  ExactSlab() = default;
   // By differences at a column, whichever.
-  SlabRows(const Slab& slab, int32_t first_px)
+  ExactSlab(const Slab& slab, int32_t first_px)
       : first_px_(first_px), first_row_(slab.first_row), end_row_(slab.end_row) {
     // A slab may end before. Two rows, or three pixels, beyond its end an edge's values are no more
     // than they would be if it were six pixels higher.
@@ -81,6 +81,22 @@ class SlabRows {
  private:
   int32_t first_px_ = 0, first_row_ = 0, end_row_ = 0;
   SlabLine u_, v_, d_;
+};
+
+// The rows of a ruled map, which it refers to, slab by slab.
+class RuledRowFinder {
+ public:
+  explicit RuledRowFinder(const RuledMap& map) : map_(&map) {}
+
+  // Of a pixel of the map, and the pixels right of it. Cheapest in turn.
+  [[nodiscard, gnu::always_inline]] inline ExactRow row_from(int32_t px, int32_t row) const {
+    if (!rows_.has(row)) rows_ = ExactSlab(map_->slab_of(row), px);
+    return rows_.row_from(px, row);
+  }
+
+ private:
+  const RuledMap* map_;
+  mutable ExactSlab rows_;  // of the slab that was last asked of
 };
 
 }  // namespace selvage::mapper

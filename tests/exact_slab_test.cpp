@@ -1,5 +1,5 @@
 // A slab's exact rows by differences are those that its edges make row by row.
-#include "mapper/slab_rows.h"
+#include "mapper/exact_slab.h"
 
 #include <gtest/gtest.h>
 
@@ -32,7 +32,7 @@ void expect_rows_of(const Polygon& polygon, const Slab& slab, spec::Random& rand
   if (random.percent(30)) std::ranges::reverse(spans);
   const RuledMap map(slab);
   const Span& from = spans[static_cast<size_t>(random.in(0, static_cast<int32_t>(spans.size())))];
-  SlabRows found(slab, random.in(from.left_px, from.right_px));
+  ExactSlab found(slab, random.in(from.left_px, from.right_px));
   for (const Span& span : spans) {
     if (random.percent(50)) continue;
     const int32_t px = random.in(span.left_px, span.right_px);
@@ -43,7 +43,7 @@ void expect_rows_of(const Polygon& polygon, const Slab& slab, spec::Random& rand
   }
 }
 
-TEST(SlabRows, AreThoseOfTheMap) {
+TEST(ExactSlab, AreThoseOfTheMap) {
   int rows = 0;
   spec::Random random(1);
   for (const bool affine : {true, false}) {
@@ -55,7 +55,7 @@ TEST(SlabRows, AreThoseOfTheMap) {
 }
 
 // Edges that change sides between rows, and the largest numbers that there are.
-TEST(SlabRows, AreThoseOfTheMapBetweenEdgesThatCross) {
+TEST(ExactSlab, AreThoseOfTheMapBetweenEdgesThatCross) {
   constexpr int32_t kLeast_fx8 = SELVAGE_X_MIN, kMost_fx8 = SELVAGE_X_END - 1;
   const std::vector<selvage_vertex> vertices = {
       {kLeast_fx8, kLeast_fx8, INT32_MIN, INT32_MAX, SELVAGE_Q_MAX},
@@ -67,7 +67,7 @@ TEST(SlabRows, AreThoseOfTheMapBetweenEdgesThatCross) {
   const RuledMap map(slab);
   int before = 0, behind = 0;
   for (const int32_t first_px : {-32768, -1, 32767}) {
-    SlabRows found(slab, first_px);
+    ExactSlab found(slab, first_px);
     for (int32_t row = slab.first_row; row < slab.end_row; row += 97) {
       const int32_t px = row / 3;
       ASSERT_TRUE(are_equal(found.row_from(px, row), ExactMap(map).row_from(px, row))) << row;
@@ -77,13 +77,13 @@ TEST(SlabRows, AreThoseOfTheMapBetweenEdgesThatCross) {
   EXPECT_GT(std::min(before, behind), 500);
 }
 
-TEST(SlabRows, AreOfTheSlabsRowsAlone) {
+TEST(ExactSlab, AreOfTheSlabsRowsAlone) {
   const selvage_vertex v[] = {
       {0, 0, 0, 0, 1}, {0, 50000, 0, 0, 1}, {900, 0, 9, 0, 1}, {900, 50000, 99, 0, 1}};
-  const SlabRows rows(Slab{Edge(v[0], v[1]), Edge(v[2], v[3]), 10, 13}, 1);
+  const ExactSlab rows(Slab{Edge(v[0], v[1]), Edge(v[2], v[3]), 10, 13}, 1);
   for (const int32_t row : {10, 11, 12}) EXPECT_TRUE(rows.has(row));
   for (const int32_t row : {9, 13, INT32_MIN, INT32_MAX}) EXPECT_FALSE(rows.has(row));
-  for (const int32_t row : {INT32_MIN, -1, 0, 1}) EXPECT_FALSE(SlabRows().has(row));
+  for (const int32_t row : {INT32_MIN, -1, 0, 1}) EXPECT_FALSE(ExactSlab().has(row));
 }
 
 }  // namespace
