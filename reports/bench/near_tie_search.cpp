@@ -86,7 +86,9 @@ class MapTimes {
 
 [[nodiscard]] TimedMap timed_map(Drawing* drawing, uint64_t seed) {
   const NearTieMap map = near_tie_map(seed);
-  if (!drawing->is_right(map.hard)) {
+  if (!drawing->is_right(map.hard) || !std::ranges::all_of(map.ordinary, [&](const Polygon& moved) {
+        return drawing->is_right(moved);
+      })) {
     throw WrongAnswer("a kernel draws something else than the scalar one: map " +
                       std::to_string(seed) + ", " + map.description);
   }

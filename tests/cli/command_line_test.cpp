@@ -93,6 +93,9 @@ TEST_F(CommandLine, RefusesOptionsThatExcludeEachOther) {
   expect_refused({"verify", "--case", "00", "--cases", "1"}, "excludes");
   expect_refused({"verify", "--case", "00", "--case-file", "x"}, "excludes");
   expect_refused({"verify", "--case-file", "x", "--seed", "1"}, "excludes");
+  for (const char* other : {"--list", "--brief", "--curves"})
+    expect_refused({"bench", "--near-ties", "9", other}, "excludes");
+  expect_refused({"bench", "--near-ties", "9", "--filter", "W1"}, "excludes");
 }
 
 TEST_F(CommandLine, RefusesAnOptionGivenTwice) {
