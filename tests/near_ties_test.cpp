@@ -251,6 +251,33 @@ TEST(NearTies, MayBeAllPixelsOfASpan) {
   for (const int32_t least_q : {3, 4}) expect_alike_over_a_steep_span(least_q);
 }
 
+// Triangles on one texel's corner, far taller than the target and leaning left or right: rows begin
+// on either side of the first one's pixel. In perspective, by odd numbers, so that no low bits of
+// their large numerators are 0.
+[[nodiscard]] std::vector<selvage_vertex> leaning_triangle(spec::Random& random) {
+  const int32_t width_px = random.in(4, 60), far_px = random.in(3000, kFar_px);
+  const int32_t lean_px = random.in(-far_px / 4, far_px / 4 + 1);
+  const int32_t texel = random.in(1, 31);
+  std::vector<selvage_vertex> triangle;
+  for (const auto& [x_px, y_px] :
+       {std::pair(100, 0), std::pair(100 + width_px, 0), std::pair(100 + lean_px, far_px)}) {
+    const int32_t u_fx16 = texel * SELVAGE_SUBTEXELS + random.in(-3, 2);
+    const int32_t v_fx16 = texel * SELVAGE_SUBTEXELS + random.in(-3, 2);
+    triangle.push_back({x_px * SELVAGE_SUBPIXELS + random.in(0, 256),
+                        y_px * SELVAGE_SUBPIXELS + random.in(0, 256), u_fx16, v_fx16,
+                        SELVAGE_Q_MAX - random.in(1, 5000)});
+  }
+  return triangle;
+}
+
+TEST(NearTies, OfLeaningTrianglesAreDecidedAlikeByAllKernels) {
+  for (uint64_t seed = 1; seed <= 600; ++seed) {
+    spec::Random random(seed);
+    const std::vector<selvage_vertex> triangle = leaning_triangle(random);
+    ASSERT_NO_FATAL_FAILURE(expect_near_ties_alike(triangle, {.height_px = 104}, seed));
+  }
+}
+
 // Quads on one texel's corner, whose rows have each a map of their own: from one window, some rows
 // at once, and row by row; texels in the texture of 32 x 32 and beyond it. Denominators are of all
 // sizes, for some reach far beyond the target.
