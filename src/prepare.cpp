@@ -2,7 +2,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "mapper/image.h"
+#include "mapper/image_check.h"
 #include "mapper/prepare.h"
 #include "selvage.h"
 

@@ -5,7 +5,7 @@
 #include "historic/classroom.h"
 #include "historic/two_stage.h"
 #include "mapper/draw.h"
-#include "mapper/image.h"
+#include "mapper/image_check.h"
 #include "mapper/kernel.h"
 #include "mapper/kernel_choice.h"
 #include "mapper/polygon.h"
@@ -71,10 +71,13 @@ void draw_checked(const mapper::Surface& surface, const selvage_rect& visible,
 
 namespace {
 
-// All arguments of a call but the clip, of which every one is good.
-[[nodiscard]] selvage_status check_one(const selvage_options& options, const selvage_image* target,
-                                       const selvage_vertex* vertices, size_t count,
-                                       const selvage_texture* texture, mapper::Polygon* polygon) {
+// All arguments of a call but the clip, of which every one is good. In one piece: a call would cost
+// as much as some of the checks do.
+[[nodiscard, gnu::flatten]] selvage_status check_one(const selvage_options& options,
+                                                     const selvage_image* target,
+                                                     const selvage_vertex* vertices, size_t count,
+                                                     const selvage_texture* texture,
+                                                     mapper::Polygon* polygon) {
   selvage_status status = check_call(options, target);
   if (status == SELVAGE_OK) status = check_source(options, *target, texture);
   if (status == SELVAGE_OK)

@@ -1,4 +1,4 @@
-#include "mapper/image.h"
+#include "mapper/image_check.h"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "draw_call.h"
+#include "mapper/image_check.h"
 
 namespace selvage::many {
 namespace {

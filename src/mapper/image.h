@@ -1,4 +1,4 @@
-// Images and textures: what makes one valid, and where its bytes are.
+// Images and textures: where their bytes are.
 #pragma once
 
 #include <algorithm>
@@ -31,10 +31,6 @@ struct Memory {
   const uintptr_t most = (UINTPTR_MAX - begin) / bytes_per_value;
   return {begin, begin + std::min(uintptr_t{count}, most) * bytes_per_value};
 }
-// From the first pixel's byte to the last's; of a texture, to the end of its sums. The image must
-// have passed its checks.
-[[nodiscard]] Memory memory_of(const selvage_image& image);
-[[nodiscard]] Memory memory_of(const selvage_texture& texture);
 
 inline constexpr int kTileBits = 2;
 inline constexpr int32_t kTileSide_texel = 1 << kTileBits;
@@ -62,23 +58,41 @@ struct RowsOfBytes {
 [[nodiscard]] inline RowsOfBytes rows_of_bytes(const selvage_texture& texture) {
   return rows_of_bytes(texture.layout, texture.format, texture.width, texture.height);
 }
-[[nodiscard]] bool layout_is_known(selvage_layout layout);
 
-// Each returns SELVAGE_OK or the error of the first rule that is broken.
-[[nodiscard]] selvage_status check_target(const selvage_image* target);
-[[nodiscard]] selvage_status check_texture(const selvage_texture* texture);
-// Both images must have passed the checks above.
-[[nodiscard]] selvage_status check_pair(const selvage_image& target,
-                                        const selvage_texture& texture);
-[[nodiscard]] inline selvage_status check_vertices(const Memory& target,
-                                                   const selvage_vertex* vertices, size_t count) {
-  if (vertices == nullptr) return SELVAGE_ERROR_VERTICES_NULL;
-  if (count < 3) return SELVAGE_ERROR_VERTEX_COUNT;
-  const Memory bytes = memory_of(vertices, count, sizeof(selvage_vertex));
-  return target.meets(bytes) ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
+[[nodiscard]] constexpr uintptr_t magnitude(ptrdiff_t pitch) {
+  return pitch < 0 ? uintptr_t{0} - static_cast<uintptr_t>(pitch) : static_cast<uintptr_t>(pitch);
 }
 
+// From the first pixel's byte to the last's: `size.rows` rows at `pitch`.
+[[nodiscard]] inline Memory memory_of_rows(const void* pixels, RowsOfBytes size, ptrdiff_t pitch) {
+  const uintptr_t to_last_row = static_cast<uintptr_t>(size.rows - 1) * magnitude(pitch);
+  const auto first = reinterpret_cast<uintptr_t>(pixels);
+  const uintptr_t begin = pitch < 0 ? first - to_last_row : first;
+  return {begin, begin + to_last_row + static_cast<uintptr_t>(size.row_bytes)};
+}
+
+// The end of the sums of a texture that has some.
+[[nodiscard]] uintptr_t end_of_sums(const selvage_texture& texture);
+
+// Of an image that has passed its checks; of a texture, to the end of its sums.
+[[nodiscard]] inline Memory memory_of(const selvage_image& image) {
+  return memory_of_rows(image.pixels, rows_of_bytes(image), image.pitch);
+}
+[[nodiscard]] inline Memory memory_of(const selvage_texture& texture) {
+  const Memory texels = memory_of_rows(texture.texels, rows_of_bytes(texture), texture.pitch);
+  return texture.prepared == nullptr ? texels : Memory{texels.begin, end_of_sums(texture)};
+}
+
+// Whether a pixel of the target and a texel or a sum share a byte. Two rectangles of one bitmap do
+// not, where their columns never meet.
+[[nodiscard]] bool share_bytes(const selvage_image& target, const selvage_texture& texture);
+
 // The clip rectangle within the target; NULL is all of it.
-[[nodiscard]] selvage_rect visible_rect(const selvage_image& target, const selvage_rect* clip);
+[[nodiscard]] inline selvage_rect visible_rect(const selvage_image& target,
+                                               const selvage_rect* clip) {
+  if (clip == nullptr) return {0, 0, target.width, target.height};
+  return {std::max(clip->left, 0), std::max(clip->top, 0), std::min(clip->right, target.width),
+          std::min(clip->bottom, target.height)};
+}
 
 }  // namespace selvage::mapper

@@ -13,8 +13,13 @@
 
 namespace selvage::mapper {
 
+// NULL where the build or the machine has no such kernel.
+[[nodiscard]] const Kernels* kernels_of(selvage_kernel kernel, selvage_filter filter);
+
 // Whether this build and this machine have it.
-[[nodiscard]] bool is_usable(selvage_kernel kernel);
+[[nodiscard]] inline bool is_usable(selvage_kernel kernel) {
+  return kernel == SELVAGE_KERNEL_FASTEST || kernels_of(kernel, SELVAGE_FILTER_NEAREST) != nullptr;
+}
 
 // Those of options.kernel, which this machine can run.
 [[nodiscard]] const Kernels& kernels_for(const selvage_options& options, selvage_work work);

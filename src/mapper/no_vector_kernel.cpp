@@ -7,4 +7,9 @@ const Kernels* vector_kernels(selvage_kernel /*kernel*/, selvage_filter /*filter
   return nullptr;
 }
 
+const Kernels* first_vector_kernels(std::span<const selvage_kernel> /*order*/,
+                                    selvage_filter /*filter*/) {
+  return nullptr;
+}
+
 }  // namespace selvage::mapper

@@ -77,10 +77,9 @@ namespace {
 }
 #endif
 
-}  // namespace
-
-const Kernels* vector_kernels([[maybe_unused]] selvage_kernel kernel,
-                              [[maybe_unused]] selvage_filter filter) {
+// Every call looks for the fastest: in one piece, without a call for each that it tries.
+[[nodiscard]] inline const Kernels* kernels_of([[maybe_unused]] selvage_kernel kernel,
+                                               [[maybe_unused]] selvage_filter filter) {
 #if HWY_TARGETS & HWY_SSE4
   if (kernel == SELVAGE_KERNEL_SSE4 && has_sse4()) return &N_SSE4::kernels(filter);
 #endif
@@ -93,6 +92,20 @@ const Kernels* vector_kernels([[maybe_unused]] selvage_kernel kernel,
 #if HWY_TARGETS & HWY_NEON
   if (kernel == SELVAGE_KERNEL_NEON) return &N_NEON::kernels(filter);
 #endif
+  return nullptr;
+}
+
+}  // namespace
+
+const Kernels* vector_kernels(selvage_kernel kernel, selvage_filter filter) {
+  return kernels_of(kernel, filter);
+}
+
+const Kernels* first_vector_kernels(std::span<const selvage_kernel> order, selvage_filter filter) {
+  for (const selvage_kernel each : order) {
+    const Kernels* const kernels = kernels_of(each, filter);
+    if (kernels != nullptr || each == SELVAGE_KERNEL_SCALAR) return kernels;
+  }
   return nullptr;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "mapper/image.h"
 #include "mapper/kernel.h"
@@ -94,5 +95,8 @@ inline constexpr int64_t kCached_bytes = 8 << 20;
 
 // NULL where the build or the machine has no such kernel.
 [[nodiscard]] const Kernels* vector_kernels(selvage_kernel kernel, selvage_filter filter);
+// Those of the first one in an order that they have, before the scalar one; else NULL.
+[[nodiscard]] const Kernels* first_vector_kernels(std::span<const selvage_kernel> order,
+                                                  selvage_filter filter);
 
 }  // namespace selvage::mapper
