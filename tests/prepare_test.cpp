@@ -7,7 +7,7 @@
 #include <new>
 #include <vector>
 
-#include "mapper/image.h"
+#include "mapper/image_check.h"
 #include "mapper/layout.h"
 #include "mapper/prepare.h"
 #include "mapper/sums.h"

@@ -18,8 +18,8 @@ namespace {
   const Memory pixels = memory_of(target);
   const Memory texels = memory_of_rows(texture.texels, size, texture.pitch);
   if (!pixels.meets(texels)) return false;
-  const uintptr_t stride = magnitude(target.pitch);
-  return stride != magnitude(texture.pitch) ||
+  const uintptr_t stride = stride_of(target.pitch);
+  return stride != stride_of(texture.pitch) ||
          !interleave(pixels.begin, rows_of_bytes(target).row_bytes, texels.begin, size.row_bytes,
                      stride);
 }

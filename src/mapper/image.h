@@ -59,13 +59,13 @@ struct RowsOfBytes {
   return rows_of_bytes(texture.layout, texture.format, texture.width, texture.height);
 }
 
-[[nodiscard]] constexpr uintptr_t magnitude(ptrdiff_t pitch) {
+[[nodiscard]] constexpr uintptr_t stride_of(ptrdiff_t pitch) {
   return pitch < 0 ? uintptr_t{0} - static_cast<uintptr_t>(pitch) : static_cast<uintptr_t>(pitch);
 }
 
 // From the first pixel's byte to the last's: `size.rows` rows at `pitch`.
 [[nodiscard]] inline Memory memory_of_rows(const void* pixels, RowsOfBytes size, ptrdiff_t pitch) {
-  const uintptr_t to_last_row = static_cast<uintptr_t>(size.rows - 1) * magnitude(pitch);
+  const uintptr_t to_last_row = static_cast<uintptr_t>(size.rows - 1) * stride_of(pitch);
   const auto first = reinterpret_cast<uintptr_t>(pixels);
   const uintptr_t begin = pitch < 0 ? first - to_last_row : first;
   return {begin, begin + to_last_row + static_cast<uintptr_t>(size.row_bytes)};

@@ -20,7 +20,7 @@ namespace selvage::mapper {
 
 // |pitch| holds a row and is a multiple of `unit`, and the image spans at most PTRDIFF_MAX bytes.
 [[nodiscard]] inline bool pitch_is_valid(RowsOfBytes size, ptrdiff_t pitch, ptrdiff_t unit) {
-  const uintptr_t stride = magnitude(pitch);
+  const uintptr_t stride = stride_of(pitch);
   const auto row = static_cast<uintptr_t>(size.row_bytes);
   if (stride < row || !is_multiple(stride, unit)) return false;
   uintptr_t to_last_row;

@@ -38,14 +38,20 @@ static_assert(offsetof(selvage_vertex, v) + sizeof(int32_t) == sizeof(Numbers));
   return numbers;
 }
 
-// The least and the most of each number of some vertices.
+// The least and the most of each number of some vertices, and the first vertex of least y.
 struct VertexBox {
   Numbers least, most;
   int32_t least_q, most_q;
+  size_t top = 0;
 
   explicit VertexBox(std::span<const selvage_vertex> vertices)
       : least(numbers_of(vertices[0])), most(least), least_q(vertices[0].q), most_q(least_q) {
-    for (const selvage_vertex& v : vertices.subspan(1)) {
+    int32_t top_y_fx8 = vertices[0].y;
+    for (size_t i = 1; i < vertices.size(); ++i) {
+      const selvage_vertex& v = vertices[i];
+      const bool is_higher = v.y < top_y_fx8;
+      top = is_higher ? i : top;
+      top_y_fx8 = is_higher ? v.y : top_y_fx8;
       const Numbers numbers = numbers_of(v);
       const Numbers is_less = numbers < least;
       const Numbers is_more = numbers > most;
@@ -75,17 +81,6 @@ struct VertexBox {
     return (xy & (uint64_t{kOut} << 32 | kOut)) == 0 && q < kQEnd;
   }
 };
-
-// The first vertex of this y, which one has. A triangle's is found without a guess.
-[[nodiscard]] size_t first_at(int32_t y_fx8, std::span<const selvage_vertex> vertices) {
-  if (vertices.size() == 3) {
-    const size_t not_first = vertices[0].y != y_fx8, not_second = vertices[1].y != y_fx8;
-    return not_first + (not_first & not_second);
-  }
-  size_t at = 0;
-  while (vertices[at].y != y_fx8) ++at;
-  return at;
-}
 
 // A closed outline crosses every scan line at most twice if and only if its edges, horizontal ones
 // apart, turn from down to up once around, and from up to down once. One of the two turns may lie
@@ -138,7 +133,7 @@ selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygo
   // made by eights, and wait for it.
   const Numbers places = box.places();
   polygon->vertices = vertices;
-  polygon->top = first_at(places[1], vertices);
+  polygon->top = box.top;
   const Numbers pixels = (places + (kHalfPixel - 1)) >> kSubpixelBits;
   polygon->left_px = pixels[0];
   polygon->top_row = pixels[1];
