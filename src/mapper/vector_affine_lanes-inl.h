@@ -24,14 +24,16 @@ namespace {
   return step_fx32 < 0 ? kLanes - 1 : 0;
 }
 
-// floor(i step) for lane i counted from the anchor: whole units, and what the fraction adds.
-[[nodiscard]] HWY_INLINE V32 offsets_fx16(int64_t step_fx32) {
+// floor(i step) for lane i counted from the anchor, in units of 2^kShift fx32: whole units, and
+// what the fraction adds.
+template <int kShift>
+[[nodiscard]] HWY_INLINE V32 offsets_from_anchor(int64_t step_fx32) {
   const D32 d;
   const V32 i = hn::Abs(hn::Sub(hn::Iota(d, 0), hn::Set(d, anchor_lane(step_fx32))));
   const int64_t rise_fx32 = step_fx32 < 0 ? -step_fx32 : step_fx32;
-  const V32 whole = hn::Mul(i, hn::Set(d, floor_fx16(rise_fx32)));
-  const V32 fraction = hn::Mul(i, hn::Set(d, static_cast<int32_t>(rise_fx32 & 0xFFFF)));
-  return hn::Add(whole, hn::ShiftRight<kAnchorShift>(fraction));
+  const auto below = static_cast<int32_t>(rise_fx32 & ((1 << kShift) - 1));
+  const V32 whole = hn::Mul(i, hn::Set(d, static_cast<int32_t>(rise_fx32 >> kShift)));
+  return hn::Add(whole, hn::ShiftRight<kShift>(hn::Mul(i, hn::Set(d, below))));
 }
 
 // Modulo 2^64.
@@ -67,15 +69,19 @@ struct WideLanes {
   }
 };
 
+// From the 32.32 lane of a vector's first pixel to the least one.
+[[nodiscard]] HWY_INLINE Lane way_to_anchor(Lane step_x) {
+  return {anchor_lane(step_x.u_fx32) * step_x.u_fx32, anchor_lane(step_x.v_fx32) * step_x.v_fx32};
+}
+
 template <class Address>
 class AffineBatch : public FixedLanes<Address> {
  public:
   HWY_INLINE AffineBatch(const AffineSpans& spans, const Surface& surface)
       : FixedLanes<Address>(surface.texture, lack_fx16(spans.field.margin_fx32)),
-        to_anchor_{anchor_lane(spans.field.step_x.u_fx32) * spans.field.step_x.u_fx32,
-                   anchor_lane(spans.field.step_x.v_fx32) * spans.field.step_x.v_fx32},
-        offset_u_(offsets_fx16(spans.field.step_x.u_fx32)),
-        offset_v_(offsets_fx16(spans.field.step_x.v_fx32)) {}
+        to_anchor_(way_to_anchor(spans.field.step_x)),
+        offset_u_(offsets_from_anchor<kAnchorShift>(spans.field.step_x.u_fx32)),
+        offset_v_(offsets_from_anchor<kAnchorShift>(spans.field.step_x.v_fx32)) {}
 
   // From the 32.32 lane of a vector's first pixel to the least one.
   [[nodiscard]] HWY_INLINE Lane to_anchor() const { return to_anchor_; }

@@ -34,7 +34,8 @@ HWY_NOINLINE void draw_load_strips(const AffineSpans& spans, const Surface& surf
   const LoadStripDraw<Pixel, Address, Fetch> by{AffineBatch<Address>(spans, surface), &fetch};
   const Lane first = spans.field.at(0, spans.batch.first_row);
   AnchoredStrip strip;
-  draw_strips<Pixel>(by, &strip, by.batch.anchor(first), spans, surface, rest);
+  draw_strips<Pixel>(by, &strip, WideAnchors(spans.field, by.batch.anchor(first)), spans.batch,
+                     surface, rest);
   fetch.finish();
 }
 

@@ -16,10 +16,10 @@ namespace {
 
 // One coordinate of the anchors, modulo 2^64, of kLanes rows at a time, of vectors that begin at
 // some pixels of them.
-class RowAnchors {
+class WideAnchorLine {
  public:
   // `first_fx32`: that of the first row's vector that begins at pixel 0.
-  HWY_INLINE RowAnchors(int64_t first_fx32, int64_t step_x_fx32, int64_t step_y_fx32)
+  HWY_INLINE WideAnchorLine(int64_t first_fx32, int64_t step_x_fx32, int64_t step_y_fx32)
       : step_(hn::Set(Unsigned(), static_cast<uint64_t>(step_x_fx32))),
         step_high_(hn::ShiftRight<32>(step_)),
         down_(hn::ShiftLeft<kRowBits>(hn::Set(Wide(), step_y_fx32))),
@@ -55,6 +55,33 @@ class RowAnchors {
   hn::Vec<Wide> down_, rows_;
 };
 
+// Anchors of both coordinates, as wide as the lanes of the map. `anchor`: of the vector that begins
+// in column 0 of the batch's first row.
+class WideAnchors {
+ public:
+  struct Lines {
+    struct Anchors {
+      WideLanes u, v;
+    };
+    HWY_INLINE Anchors next(V32 px) { return {u.next(px), v.next(px)}; }
+
+    WideAnchorLine u, v;
+  };
+
+  HWY_INLINE WideAnchors(const AffineField& field, Lane anchor)
+      : anchor_(anchor), step_x_(field.step_x), step_y_(field.step_y) {}
+
+  // From a row of the batch on.
+  HWY_INLINE Lines from(int32_t row) const {
+    const Lane first = plus(anchor_, row, step_y_);
+    return {WideAnchorLine(first.u_fx32, step_x_.u_fx32, step_y_.u_fx32),
+            WideAnchorLine(first.v_fx32, step_x_.v_fx32, step_y_.v_fx32)};
+  }
+
+ private:
+  Lane anchor_, step_x_, step_y_;
+};
+
 // A vector of each row of a batch: where it begins, and how many pixels there are from there on.
 struct Strip {
   HWY_ALIGN int32_t from_px[kRowsPerBatch + kLanes], count_px[kRowsPerBatch + kLanes];
@@ -69,24 +96,22 @@ struct Strip {
 struct AnchoredStrip : Strip {
   HWY_ALIGN int32_t u_fx16[kRowsPerBatch + kLanes], v_fx16[kRowsPerBatch + kLanes];
 
-  HWY_INLINE void put(int32_t row, const StripEnds& ends, const WideLanes& u, const WideLanes& v) {
+  HWY_INLINE void put(int32_t row, const StripEnds& ends, const WideAnchors::Lines::Anchors& at) {
     Strip::put(row, ends);
-    hn::StoreU(u.floors_fx16(), D32(), u_fx16 + row);
-    hn::StoreU(v.floors_fx16(), D32(), v_fx16 + row);
+    hn::StoreU(at.u.floors_fx16(), D32(), u_fx16 + row);
+    hn::StoreU(at.v.floors_fx16(), D32(), v_fx16 + row);
   }
 };
 
-// Calls strip->put(row, ends, u, v) for kLanes rows at a time, maybe with some beyond the last one;
-// u and v are anchors. `anchor`: of the vector that begins in column 0 of the batch's first row.
-template <class AnyStrip>
+// Calls strip->put(row, ends, anchors) for kLanes rows at a time, maybe with some beyond the last
+// one.
+template <class AnyStrip, class Anchors>
 HWY_INLINE void find_strip(const SpanBatch& batch, const RowBlock& rows, int32_t right_by_px,
-                           Lane anchor, const AffineField& field, AnyStrip* strip) {
-  const Lane first = plus(anchor, rows.first, field.step_y);
-  RowAnchors u(first.u_fx32, field.step_x.u_fx32, field.step_y.u_fx32);
-  RowAnchors v(first.v_fx32, field.step_x.v_fx32, field.step_y.v_fx32);
+                           const Anchors& anchors, AnyStrip* strip) {
+  auto lines = anchors.from(rows.first);
   for (int32_t row = rows.first; row < rows.end; row += kLanes) {
     const StripEnds ends = strip_ends<kLanes>(batch, row, right_by_px);
-    strip->put(row, ends, u.next(ends.from_px), v.next(ends.from_px));
+    strip->put(row, ends, lines.next(ends.from_px));
   }
 }
 
@@ -111,19 +136,17 @@ HWY_INLINE void draw_strip(const AnyStrip& strip, const RowBlock& rows, const Sp
 
 // Draws a batch by strips. Where some vectors of one are left, calls rest->draw(left, first_index,
 // of_vectors) with the row of the batch above which all is drawn, and how many vectors the strip
-// has; ends where that returns false. `anchor` as above. Returns what it was drawn by, a copy,
-// which stays in registers, for no store can change it.
-template <class Pixel, class AnyStrip, class By, class Rest>
-HWY_INLINE By draw_strips(By by, AnyStrip* strip, Lane anchor, const AffineSpans& spans,
+// has; ends where that returns false. Returns what it was drawn by, a copy, which stays in
+// registers, for no store can change it.
+template <class Pixel, class AnyStrip, class Anchors, class By, class Rest>
+HWY_INLINE By draw_strips(By by, AnyStrip* strip, Anchors anchors, const SpanBatch& batch,
                           const Surface& surface, Rest* rest) {
   static_assert(Left::kMost >= kRowsPerBatch);
-  const AffineField field = spans.field;
-  const SpanBatch& batch = spans.batch;
   Left left;
   const auto draw_block = [&](const RowBlock& block) HWY_ATTR __attribute__((always_inline)) {
     for (int32_t px = 0; px < block.widest_px; px += kLanes) {
       const RowBlock rows = px == 0 ? block : rows_with(batch, block, px);
-      find_strip(batch, rows, px, anchor, field, strip);
+      find_strip(batch, rows, px, anchors, strip);
       draw_strip<Pixel>(*strip, rows, batch, surface.target, &by, &left);
       if (HWY_UNLIKELY(left.count != 0) && !rest->draw(left, rows.first, rows.end - rows.first)) {
         return false;

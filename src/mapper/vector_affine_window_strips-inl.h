@@ -21,9 +21,9 @@ struct WindowStrip : Strip {
   FoundWindows found;
 
   HWY_INLINE explicit WindowStrip(const Finder& by) : finder(by) {}
-  HWY_INLINE void put(int32_t row, const StripEnds& ends, const WideLanes& u, const WideLanes& v) {
+  HWY_INLINE void put(int32_t row, const StripEnds& ends, const WideAnchors::Lines::Anchors& at) {
     Strip::put(row, ends);
-    finder.find(u, v, row, &found);
+    finder.find(at.u, at.v, row, &found);
   }
 };
 
@@ -53,7 +53,8 @@ struct WindowStrips {
     const WindowStripDraw<Pixel, Window> by{Window(spans, surface, shape.rows)};
     const Lane first = spans.field.at(0, spans.batch.first_row);
     WindowStrip<Finder> strip(Finder(surface, shape, inside));
-    draw_strips<Pixel>(by, &strip, plus(first, 1, by.window.to_anchor()), spans, surface, rest);
+    const WideAnchors anchors(spans.field, plus(first, 1, by.window.to_anchor()));
+    draw_strips<Pixel>(by, &strip, anchors, spans.batch, surface, rest);
   }
 };
 

@@ -25,23 +25,13 @@ namespace {
 }
 inline constexpr int32_t kMostLack_fx24 = 1 << 9;  // with more, near-ties are many
 
-// floor(i step) for lane i counted from the anchor.
-[[nodiscard]] HWY_INLINE V32 offsets_fx24(int64_t step_fx32) {
-  const D32 d;
-  const V32 i = hn::Abs(hn::Sub(hn::Iota(d, 0), hn::Set(d, anchor_lane(step_fx32))));
-  const int64_t rise_fx32 = step_fx32 < 0 ? -step_fx32 : step_fx32;
-  const auto below = static_cast<int32_t>(rise_fx32 & ((1 << kWindowShift) - 1));
-  const V32 whole = hn::Mul(i, hn::Set(d, static_cast<int32_t>(rise_fx32 >> kWindowShift)));
-  return hn::Add(whole, hn::ShiftRight<kWindowShift>(hn::Mul(i, hn::Set(d, below))));
-}
-
 // The least lane of the vectors that begin at a row's pixels, along u or along v.
 class AnchorLine {
  public:
   HWY_INLINE AnchorLine(int64_t step_fx32, int32_t size_texel)
       : to_anchor_fx32_(anchor_lane(step_fx32) * step_fx32 - (int64_t{1} << (kLaneFraction - 1))),
         step_fx32_(kLanes * step_fx32),
-        offset_(offsets_fx24(step_fx32)) {
+        offset_(offsets_from_anchor<kWindowShift>(step_fx32)) {
     const int64_t walk_fx32 = (kLanes - 1) * (step_fx32 < 0 ? -step_fx32 : step_fx32);
     end_fx32_ =
         static_cast<uint64_t>(HWY_MAX(0, (int64_t{size_texel - 1} << kLaneFraction) - walk_fx32));

@@ -12,7 +12,6 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-inline constexpr int kWindowShift = kLaneFraction - kWindowFraction;
 inline constexpr int64_t kOneTexel_fx24 = int64_t{1} << kWindowFraction;
 
 // The least lanes of a vector of pixels, of u - 1/2 and v - 1/2.

@@ -30,10 +30,17 @@ inline constexpr int32_t kCoarseTruncations = 2;
 }
 static_assert(kCoarseBits == kTexelFraction);  // so that a unit is 2^texel_bits fx16
 
-// The filters over four texels ask for lanes that are finer, of the same law, and for fewer texels,
-// counted from the first of a window: 8.24.
+// Counted from the first texel of a window they may be finer, too, of the same law and for fewer
+// texels: 8.24. The filters over four texels ask for that.
 inline constexpr int kWindowFraction = 24;
+inline constexpr int kWindowShift = kLaneFraction - kWindowFraction;
 inline constexpr int32_t kVectorTruncations_fx24 = kVectorTruncations_fx16;
+
+// In the rows of one window they walk from a pixel to each anchor by floors of steps in 8.24, of
+// which each loses less than a unit (spec/proofs/fine_lanes.g).
+[[nodiscard]] constexpr int32_t fine_lack_fx24(int32_t steps, uint32_t margin_fx32) {
+  return kVectorTruncations_fx24 + steps + static_cast<int32_t>(margin_fx32 >> kWindowShift) + 1;
+}
 
 // In perspective they are floors of estimates that are lowered by their error, and lack less than
 // twice that, the floor's unit, and what is left of one where the sum is floored.

@@ -55,6 +55,8 @@ struct TexelVectors {
 template <class Address>
 class FixedLanes {
  public:
+  static constexpr int kFraction = kTexelFraction;
+
   // A true value is below its lane + lack_fx16.
   HWY_INLINE FixedLanes(const selvage_texture& texture, int32_t lack_fx16)
       : extent_(extent_of(texture)), lack_fx16_(lack_fx16) {}
@@ -67,15 +69,16 @@ class FixedLanes {
 
   // Texels of a window of so many rows by lanes that are counted from its origin. Those of no pixel
   // may lie anywhere.
-  template <int kColumnBits>
+  template <int kColumnBits, int kFractionOfLanes = kFraction>
   static HWY_INLINE V32 window_index(const LaneVectors& lanes, int32_t rows) {
     const D32 d;
+    const V32 s_of_lane = hn::ShiftRight<kFractionOfLanes>(lanes.u);
     if constexpr (Address::kClampsWindows) {
-      const V32 s = Address::window_texel(texel_of(lanes.u), kColumns<kColumnBits>);
-      const V32 t = Address::window_texel(texel_of(lanes.v), rows);
+      const V32 s = Address::window_texel(s_of_lane, kColumns<kColumnBits>);
+      const V32 t = Address::window_texel(hn::ShiftRight<kFractionOfLanes>(lanes.v), rows);
       return hn::Add(hn::ShiftLeft<kColumnBits>(t), s);
     } else {
-      return hn::OrAnd(texel_of(lanes.u), hn::ShiftRight<kTexelFraction - kColumnBits>(lanes.v),
+      return hn::OrAnd(s_of_lane, hn::ShiftRight<kFractionOfLanes - kColumnBits>(lanes.v),
                        hn::Set(d, -kColumns<kColumnBits>));
     }
   }

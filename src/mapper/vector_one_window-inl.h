@@ -104,6 +104,8 @@ template <class Address, int kColumnBits>
 template <class Pixel, class Address, int kColumnBits, int32_t kVectors>
 class Window {
  public:
+  static constexpr bool kClamps = Address::kClampsWindows;
+
   HWY_INLINE Window(const selvage_texture& texture, const WindowPlace& place)
       : origin_{int64_t{place.s.texel} << kLaneFraction, int64_t{place.t.texel} << kLaneFraction} {
     const ptrdiff_t pitch_texel = pitch_texel_of(texture);
@@ -119,10 +121,12 @@ class Window {
   // The texel whose lanes are 0.
   [[nodiscard]] HWY_INLINE Lane origin() const { return origin_; }
 
-  // By lanes that are counted from the origin.
+  // By lanes that are counted from the origin, of so many bits of fraction.
+  template <int kFraction>
   [[nodiscard]] HWY_INLINE V32 texels(const LaneVectors& lanes) const {
     constexpr int32_t kRows = kVectors * kRowsPerVector<kColumnBits>;
-    const V32 index = FixedLanes<Address>::template window_index<kColumnBits>(lanes, kRows);
+    const V32 index =
+        FixedLanes<Address>::template window_index<kColumnBits, kFraction>(lanes, kRows);
     V32 picked = permute(0, index);
 #pragma GCC unroll 16
     for (int32_t i = kVectorsPerPermute; i < kVectors; i += kVectorsPerPermute) {
@@ -165,7 +169,7 @@ template <class Pixel, class OneWindow, class Fixed>
                                         Pixel* to) {
   const D32 d;
   constexpr bool kByMask = kHasMask && sizeof(Pixel) == sizeof(int32_t);
-  const V32 texels = window.texels(lanes);
+  const V32 texels = window.template texels<Fixed::kFraction>(lanes);
   const V32 changed_by_all = hn::Or(changed, fixed.changes(lanes));
   if (!kByMask && HWY_LIKELY(count_px >= kLanes)) {
     store_pixels(texels, kLanes, to);
