@@ -22,7 +22,7 @@ HWY_NOINLINE void draw_affine_as(const AffineSpans& spans, const Surface& surfac
   if (in_one == InOneWindow::kDrawn) return;
   const WindowShape shape = window_shape(spans.field.step_x, surface.texture);
   if (in_one == InOneWindow::kManyNearTies) {
-    if (spans.batch.widest_px <= kLanes && draw_near_ties<Pixel>(spans, surface)) return;
+    if (draw_near_ties<Pixel>(spans, surface)) return;
     if (has_quotients(spans)) return draw_exactly<Pixel, Address>(spans, surface, 0, shape.rows);
   }
   if (is_narrow(spans.batch)) {

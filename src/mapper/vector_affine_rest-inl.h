@@ -52,11 +52,7 @@ class RestDraw {
   // on are drawn, and false is returned.
   HWY_INLINE bool draw(const Left& left, int32_t first_index, int32_t of_vectors) {
     if (are_many(left.count, of_vectors)) {
-      // Of such rows all vectors are known at once: this draws the whole batch.
-      if (in_window_ && spans_.batch.widest_px <= kLanes &&
-          draw_near_ties<Pixel>(spans_, surface_)) {
-        return false;
-      }
+      if (in_window_ && draw_near_ties<Pixel>(spans_, surface_)) return false;
       if (has_quotients(spans_)) {
         draw_exactly<Pixel, Address>(spans_, surface_, first_index, window_rows_);
         return false;

@@ -18,16 +18,16 @@ template <class Pixel, class Window, class Batch>
 HWY_NOINLINE void draw_decided(const Window& window, const Batch& lanes, const AffineSpans& spans,
                                const Surface& surface) {
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
-    const Span span = spans.batch.span(i);
-    if (span.empty()) continue;
-    const Lane anchor = lanes.anchor(spans.field.at(span.left_px, span.row));
-    window.draw(window.offset_px(span), lanes.lanes_from(anchor), span.width_px(),
-                reinterpret_cast<Pixel*>(first_pixel(surface, span)));
+    for (Span rest = spans.batch.span(i); !rest.empty(); rest.left_px += kLanes) {
+      const Lane anchor = lanes.anchor(spans.field.at(rest.left_px, rest.row));
+      window.draw(window.offset_px(rest), lanes.lanes_from(anchor), rest.width_px(),
+                  reinterpret_cast<Pixel*>(first_pixel(surface, rest)));
+    }
   }
 }
 
 // Draws a batch of rows of a plane that was drawn from one window in vain, if that lies within the
-// texture. Of rows longer than a vector exact quotients cost less.
+// texture.
 template <class Pixel>
 [[nodiscard]] HWY_NOINLINE bool draw_near_ties(const AffineSpans& spans, const Surface& surface) {
   static_assert(kPlaneAreaBits + kTexelFraction - kLeastSpareBits < 62, "one limb is enough");
