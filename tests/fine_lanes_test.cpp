@@ -1,5 +1,5 @@
 // Lanes of 8.24 in the rows of one window: they are as low as the steps from the first column and
-// row make them, which ties find out.
+// row make them, which ties find out, and tell texels near the window alone.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -39,17 +39,53 @@ using spec::kTexel_fx16;
   return c;
 }
 
+void expect_all_draw_the_same(const spec::Case& c, uint64_t seed) {
+  const spec::Canvas right = drawing_of(c, SELVAGE_KERNEL_SCALAR);
+  for (const selvage_kernel kernel : usable_kernels()) {
+    ASSERT_TRUE(drawing_of(c, kernel) == right) << "kernel " << kernel << ", seed " << seed << "\n"
+                                                << spec::print(c);
+  }
+}
+
 TEST(FineLanes, OfRowsThatLeanFarShowTheTexelsOfTies) {
   for (uint64_t seed = 1; seed <= 200; ++seed) {
     spec::Random random(seed);
     const int32_t lean_px = 1 + 3 * random.in(-20, 21);
-    const spec::Case c = any_leaning(random, lean_px);
-    const spec::Canvas right = drawing_of(c, SELVAGE_KERNEL_SCALAR);
-    for (const selvage_kernel kernel : usable_kernels()) {
-      ASSERT_TRUE(drawing_of(c, kernel) == right)
-          << "kernel " << kernel << ", seed " << seed << ", " << lean_px << " px a row\n"
-          << spec::print(c);
-    }
+    expect_all_draw_the_same(any_leaning(random, lean_px), seed);
+  }
+}
+
+// A few texels on both sides of the texture's border, next to it or as far from it as there are
+// any.
+[[nodiscard]] spec::Case any_far(spec::Random& random) {
+  constexpr int32_t kMost_texel = (1 << 15) - 4;
+  spec::Case c;
+  c.format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
+  c.address = random.percent(75) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP;
+  c.texture_width_texel = random.in(16, 40);
+  c.texture_height_texel = random.in(16, 40);
+  c.target_width_px = random.in(4, 64);
+  c.target_height_px = random.in(2, 40);
+  const auto corner = [&](int32_t size_texel) {
+    const int32_t beyond = random.pick({0, 3, 64, 100, 128, 129, 200, 256, 300, 4096});
+    const int32_t texel = random.percent(50) ? -beyond : size_texel + beyond;
+    const int32_t far = random.percent(10) ? (texel < 0 ? -kMost_texel : kMost_texel) : texel;
+    return far * kTexel_fx16 + random.in(-2 * kTexel_fx16, 2 * kTexel_fx16);
+  };
+  const int32_t u_fx16 = corner(c.texture_width_texel), v_fx16 = corner(c.texture_height_texel);
+  const auto near = [&](int32_t fx16) { return fx16 + random.in(0, 2 * kTexel_fx16); };
+  const int32_t right_fx8 = c.target_width_px * kPixel_fx8,
+                bottom_fx8 = c.target_height_px * kPixel_fx8;
+  c.vertices = {{0, 0, near(u_fx16), near(v_fx16), 1},
+                {right_fx8, random.in(0, bottom_fx8), near(u_fx16), near(v_fx16), 1},
+                {random.in(0, right_fx8), bottom_fx8, near(u_fx16), near(v_fx16), 1}};
+  return c;
+}
+
+TEST(FineLanes, OfTexelsBeyondTheTextureAreTheirBorders) {
+  for (uint64_t seed = 1; seed <= 3000; ++seed) {
+    spec::Random random(seed);
+    expect_all_draw_the_same(any_far(random), seed);
   }
 }
 

@@ -39,6 +39,7 @@ TEST(Polygon, RefusesWhatIsOutOfRange) {
   EXPECT_EQ(status(vertex(SELVAGE_X_MIN - 1, 5)), SELVAGE_ERROR_VERTEX_POSITION);
   EXPECT_EQ(status(vertex(5, SELVAGE_X_END)), SELVAGE_ERROR_VERTEX_POSITION);
   EXPECT_EQ(status(vertex(5, 5, 0)), SELVAGE_ERROR_VERTEX_Q);
+  EXPECT_EQ(status(vertex(SELVAGE_X_MIN, SELVAGE_X_END - 1, 0)), SELVAGE_ERROR_VERTEX_Q);
   EXPECT_EQ(status(vertex(5, 5, SELVAGE_Q_MAX)), SELVAGE_OK);
   EXPECT_EQ(status(vertex(5, 5, SELVAGE_Q_MAX + 1)), SELVAGE_ERROR_VERTEX_Q);
   EXPECT_EQ(examine(std::vector{vertex(0, 0), vertex(9, 9)}, &polygon), SELVAGE_ERROR_VERTEX_COUNT);

@@ -292,6 +292,8 @@ TEST(PreparedMemory, LiesApartFromTheTarget) {
   const ptrdiff_t end = 2 * 192 + 6 * padded_pitch(6 * 16);
   EXPECT_EQ(check_pair(target_at(end - 4), summed), SELVAGE_ERROR_OVERLAP);
   EXPECT_EQ(check_pair(target_at(end), summed), SELVAGE_OK);
+  EXPECT_EQ(check_pair(target_at(2 * 192), summed), SELVAGE_ERROR_OVERLAP);
+  EXPECT_EQ(check_pair(target_at(192 + 2 * 64), summed), SELVAGE_OK);  // between texels and sums
   EXPECT_EQ(check_pair(target_at(end - 4), tiles), SELVAGE_OK);
 }
 
