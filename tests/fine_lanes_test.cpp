@@ -39,6 +39,7 @@ using spec::kTexel_fx16;
   return c;
 }
 
+// `seed`: 0 for cases that are written down.
 void expect_all_draw_the_same(const spec::Case& c, uint64_t seed) {
   const spec::Canvas right = drawing_of(c, SELVAGE_KERNEL_SCALAR);
   for (const selvage_kernel kernel : usable_kernels()) {
@@ -53,6 +54,42 @@ TEST(FineLanes, OfRowsThatLeanFarShowTheTexelsOfTies) {
     const int32_t lean_px = 1 + 3 * random.in(-20, 21);
     expect_all_draw_the_same(any_leaning(random, lean_px), seed);
   }
+}
+
+// The row that leans farthest is not the first one, rows count among the steps, and half of the
+// steps are not enough: ties of the other rows are no near-ties then.
+TEST(FineLanes, OfTheFarthestRowShowTheTexelsOfTies) {
+  spec::Case rows;
+  rows.format = SELVAGE_RGB565;
+  rows.texture_width_texel = 17;
+  rows.texture_height_texel = 12;
+  rows.target_width_px = 203;
+  rows.target_height_px = 56;
+  rows.vertices = {{-683520, 768, 524288, 426231, 7},
+                   {-676864, 768, 851968, 426231, 7},
+                   {615680, 26112, 851968, 426231, 7},
+                   {609024, 26112, 524288, 426231, 7}};
+  spec::Case last;
+  last.flip_texture = true;
+  last.texture_width_texel = 11;
+  last.texture_height_texel = 10;
+  last.target_width_px = 2277;
+  last.target_height_px = 33;
+  last.vertices = {{1968640, 30464, 524288, 65536, 7},
+                   {1981952, 30464, 851968, 65536, 7},
+                   {-153856, 4096, 851968, 65536, 7},
+                   {-167168, 4096, 524288, 65536, 7}};
+  spec::Case half;
+  half.format = SELVAGE_RGB565;
+  half.texture_width_texel = 18;
+  half.texture_height_texel = 17;
+  half.target_width_px = 2462;
+  half.target_height_px = 11;
+  half.vertices = {{168960, -14592, 720896, 1076024, 7},
+                   {173568, -14592, 589824, 1076024, 7},
+                   {968448, 14848, 589824, 1076024, 7},
+                   {963840, 14848, 720896, 1076024, 7}};
+  for (const spec::Case& c : {rows, last, half}) expect_all_draw_the_same(c, 0);
 }
 
 // A few texels on both sides of the texture's border, next to it or as far from it as there are

@@ -76,7 +76,8 @@ namespace selvage::mapper {
 [[nodiscard]] inline selvage_status check_pair(const selvage_image& target,
                                                const selvage_texture& texture) {
   if (target.format != texture.format) return SELVAGE_ERROR_FORMAT_MISMATCH;
-  const bool may_meet = memory_of(target).meets(memory_of(texture));
+  const Memory texels = memory_of_rows(texture.texels, rows_of_bytes(texture), texture.pitch);
+  const bool may_meet = memory_of(target).meets(texels) || texture.prepared != nullptr;
   return may_meet && share_bytes(target, texture) ? SELVAGE_ERROR_OVERLAP : SELVAGE_OK;
 }
 

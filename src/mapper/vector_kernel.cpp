@@ -78,8 +78,8 @@ namespace {
 #endif
 
 // Every call looks for the fastest: in one piece, without a call for each that it tries.
-[[nodiscard]] inline const Kernels* kernels_of([[maybe_unused]] selvage_kernel kernel,
-                                               [[maybe_unused]] selvage_filter filter) {
+[[nodiscard]] inline const Kernels* table_of([[maybe_unused]] selvage_kernel kernel,
+                                             [[maybe_unused]] selvage_filter filter) {
 #if HWY_TARGETS & HWY_SSE4
   if (kernel == SELVAGE_KERNEL_SSE4 && has_sse4()) return &N_SSE4::kernels(filter);
 #endif
@@ -98,12 +98,12 @@ namespace {
 }  // namespace
 
 const Kernels* vector_kernels(selvage_kernel kernel, selvage_filter filter) {
-  return kernels_of(kernel, filter);
+  return table_of(kernel, filter);
 }
 
 const Kernels* first_vector_kernels(std::span<const selvage_kernel> order, selvage_filter filter) {
   for (const selvage_kernel each : order) {
-    const Kernels* const kernels = kernels_of(each, filter);
+    const Kernels* const kernels = table_of(each, filter);
     if (kernels != nullptr || each == SELVAGE_KERNEL_SCALAR) return kernels;
   }
   return nullptr;
