@@ -27,8 +27,8 @@ namespace selvage::mapper {
   if (__builtin_mul_overflow(stride, static_cast<uintptr_t>(size.rows - 1), &to_last_row)) {
     return false;
   }
-  constexpr uintptr_t kMost = PTRDIFF_MAX;
-  return to_last_row <= kMost && row <= kMost - to_last_row;
+  constexpr uintptr_t kMostBytes = PTRDIFF_MAX;
+  return to_last_row <= kMostBytes && row <= kMostBytes - to_last_row;
 }
 
 [[nodiscard]] inline bool format_is_known(selvage_format format) {
