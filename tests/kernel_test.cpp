@@ -249,5 +249,16 @@ TEST(Kernel, OnlyTheFastestAndTheScalarOneAreEverywhere) {
   EXPECT_FALSE(is_usable(-1));
 }
 
+// The scalar kernel runs everywhere: none that follows it is looked for.
+TEST(KernelOrder, EndsAtTheScalarKernel) {
+  constexpr selvage_filter kNearest = SELVAGE_FILTER_NEAREST;
+  for (const selvage_kernel each : usable_kernels()) {
+    const KernelOrder order{each, SELVAGE_KERNEL_SCALAR, SELVAGE_KERNEL_SSE4, SELVAGE_KERNEL_AVX2,
+                            SELVAGE_KERNEL_NEON};
+    EXPECT_EQ(first_vector_kernels(order, kNearest), vector_kernels(each, kNearest)) << each;
+  }
+  EXPECT_EQ(first_vector_kernels({}, kNearest), nullptr);
+}
+
 }  // namespace
 }  // namespace selvage::mapper
