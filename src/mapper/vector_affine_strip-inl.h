@@ -120,16 +120,19 @@ HWY_INLINE void find_strip(const SpanBatch& batch, const RowBlock& rows, int32_t
 template <class Pixel, class AnyStrip, class By>
 HWY_INLINE void draw_strip(const AnyStrip& strip, const RowBlock& rows, const SpanBatch& batch,
                            const selvage_image& target, By* by, Left* left) {
-  char* row = static_cast<char*>(target.pixels) + (batch.first_row + rows.first) * target.pitch;
+  char* const pixels = static_cast<char*>(target.pixels);
+  // Modulo 2^64: a pitch below the last row there may be no address.
+  const auto pitch = static_cast<size_t>(target.pitch);
+  size_t row = static_cast<size_t>(batch.first_row + rows.first) * pitch;
   int32_t left_count = 0;
   for (int32_t i = rows.first; i < rows.end; ++i) {
     const int32_t from_px = strip.from_px[i], count_px = strip.count_px[i];
-    Pixel* const to = reinterpret_cast<Pixel*>(row) + from_px;
+    Pixel* const to = reinterpret_cast<Pixel*>(pixels + static_cast<ptrdiff_t>(row)) + from_px;
     if (HWY_UNLIKELY(!by->draw(strip, i, count_px, to)) && count_px > 0) {
       left->rest[static_cast<size_t>(left_count++)] = {batch.first_row + i, from_px,
                                                        from_px + count_px};
     }
-    row += target.pitch;
+    row += pitch;
   }
   left->count = left_count;
 }

@@ -20,8 +20,10 @@ template <class Pixel, class Fixed, class OneWindow>
                                         const AnchoredVectors& vectors, const SpanBatch& batch,
                                         const selvage_image& target, const RowBlock& block,
                                         int32_t right_by_px) {
-  const ptrdiff_t pitch = target.pitch;
-  char* row = static_cast<char*>(target.pixels) + (batch.first_row + block.first) * pitch;
+  char* const pixels = static_cast<char*>(target.pixels);
+  // Modulo 2^64: a pitch below the last row there may be no address.
+  const auto pitch = static_cast<size_t>(target.pitch);
+  size_t row = static_cast<size_t>(batch.first_row + block.first) * pitch;
   V32 changed = hn::Zero(D32());
   const PieceLanes lanes_of;
   Pieces pieces;
@@ -34,7 +36,8 @@ template <class Pixel, class Fixed, class OneWindow>
     }
     for (int32_t k = 0; k < pieces.count; ++k) {
       int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
-      Pixel* to = reinterpret_cast<Pixel*>(row) + pieces.left_px[k];
+      Pixel* to =
+          reinterpret_cast<Pixel*>(pixels + static_cast<ptrdiff_t>(row)) + pieces.left_px[k];
       for (int32_t at = 0; at < kVectorsPerPiece && (at == 0 || count_px > 0); ++at) {
         const LaneVectors lanes = lanes_of.lanes(anchors, k, at);
         changed = draw_first(window, fixed, lanes, count_px, changed, to);
