@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "spec/random.h"
 #include "spec/vertex_units.h"
@@ -56,39 +58,40 @@ TEST(FineLanes, OfRowsThatLeanFarShowTheTexelsOfTies) {
   }
 }
 
+struct Size {
+  int32_t width, height;
+};
+[[nodiscard]] spec::Case case_of(selvage_format format, const Size& texture_texel,
+                                 const Size& target_px, std::vector<selvage_vertex> vertices) {
+  spec::Case c;
+  c.format = format;
+  c.texture_width_texel = texture_texel.width;
+  c.texture_height_texel = texture_texel.height;
+  c.target_width_px = target_px.width;
+  c.target_height_px = target_px.height;
+  c.vertices = std::move(vertices);
+  return c;
+}
+
 // The row that leans farthest is not the first one, rows count among the steps, and half of the
 // steps are not enough: ties of the other rows are no near-ties then.
 TEST(FineLanes, OfTheFarthestRowShowTheTexelsOfTies) {
-  spec::Case rows;
-  rows.format = SELVAGE_RGB565;
-  rows.texture_width_texel = 17;
-  rows.texture_height_texel = 12;
-  rows.target_width_px = 203;
-  rows.target_height_px = 56;
-  rows.vertices = {{-683520, 768, 524288, 426231, 7},
-                   {-676864, 768, 851968, 426231, 7},
-                   {615680, 26112, 851968, 426231, 7},
-                   {609024, 26112, 524288, 426231, 7}};
-  spec::Case last;
+  const spec::Case rows = case_of(SELVAGE_RGB565, {17, 12}, {203, 56},
+                                  {{-683520, 768, 524288, 426231, 7},
+                                   {-676864, 768, 851968, 426231, 7},
+                                   {615680, 26112, 851968, 426231, 7},
+                                   {609024, 26112, 524288, 426231, 7}});
+  spec::Case last = case_of(SELVAGE_RGBA8888, {11, 10}, {2277, 33},
+                            {{1968640, 30464, 524288, 65536, 7},
+                             {1981952, 30464, 851968, 65536, 7},
+                             {-153856, 4096, 851968, 65536, 7},
+                             {-167168, 4096, 524288, 65536, 7}});
   last.flip_texture = true;
-  last.texture_width_texel = 11;
-  last.texture_height_texel = 10;
-  last.target_width_px = 2277;
-  last.target_height_px = 33;
-  last.vertices = {{1968640, 30464, 524288, 65536, 7},
-                   {1981952, 30464, 851968, 65536, 7},
-                   {-153856, 4096, 851968, 65536, 7},
-                   {-167168, 4096, 524288, 65536, 7}};
-  spec::Case half;
-  half.format = SELVAGE_RGB565;
-  half.texture_width_texel = 18;
-  half.texture_height_texel = 17;
-  half.target_width_px = 2462;
-  half.target_height_px = 11;
-  half.vertices = {{168960, -14592, 720896, 1076024, 7},
-                   {173568, -14592, 589824, 1076024, 7},
-                   {968448, 14848, 589824, 1076024, 7},
-                   {963840, 14848, 720896, 1076024, 7}};
+  const spec::Case half = case_of(SELVAGE_RGB565, {18, 17}, {2462, 11},
+                                  {{168960, -14592, 720896, 1076024, 7},
+                                   {173568, -14592, 589824, 1076024, 7},
+                                   {968448, 14848, 589824, 1076024, 7},
+                                   {963840, 14848, 720896, 1076024, 7}});
   for (const spec::Case& c : {rows, last, half}) expect_all_draw_the_same(c, 0);
 }
 

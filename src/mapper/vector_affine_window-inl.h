@@ -125,9 +125,10 @@ struct FineStrip : Strip {
   }
 };
 
+static_assert(kPlaneErrorPerStep_fx32 == 1, "a plane's margin counts its steps");
+
 // How many steps right and down there are to a pixel of the batch from the field's first column in
 // its first row, at most. Those of the whole field, a plane's, are enough where they are few.
-static_assert(kPlaneErrorPerStep_fx32 == 1, "a plane's margin counts its steps");
 [[nodiscard]] HWY_INLINE int32_t steps_within(const AffineSpans& spans) {
   constexpr uint32_t kFew = 256;
   if (HWY_LIKELY(spans.field.margin_fx32 <= kFew)) {

@@ -21,7 +21,7 @@ namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
 [[nodiscard]] HWY_INLINE int32_t lack_fx24(const AffineField& field) {
-  return kVectorTruncations_fx24 + static_cast<int32_t>(field.margin_fx32 >> kWindowShift) + 1;
+  return fine_lack_fx24(0, field.margin_fx32);
 }
 inline constexpr int32_t kMostLack_fx24 = 1 << 9;  // with more, near-ties are many
 

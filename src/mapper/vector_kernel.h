@@ -36,8 +36,9 @@ inline constexpr int kWindowFraction = 24;
 inline constexpr int kWindowShift = kLaneFraction - kWindowFraction;
 inline constexpr int32_t kVectorTruncations_fx24 = kVectorTruncations_fx16;
 
-// In the rows of one window they walk from a pixel to each anchor by floors of steps in 8.24, of
-// which each loses less than a unit (spec/proofs/fine_lanes.g).
+// What a true value is above such a lane, at most. In the rows of one window they walk from a pixel
+// to each anchor by so many floors of steps in 8.24, of which each loses less than a unit
+// (spec/proofs/fine_lanes.g); elsewhere by none (spec/proofs/vector_lanes.g).
 [[nodiscard]] constexpr int32_t fine_lack_fx24(int32_t steps, uint32_t margin_fx32) {
   return kVectorTruncations_fx24 + steps + static_cast<int32_t>(margin_fx32 >> kWindowShift) + 1;
 }
