@@ -110,11 +110,13 @@ TEST(Image, OfOneColumnUpwardsBeginsAtItsLastRow) {
   EXPECT_EQ(check_pair(upwards, texture(94, 1, 1, 1, SELVAGE_INDEX8)), SELVAGE_ERROR_OVERLAP);
 }
 
-// As many values as no memory holds: up to the last whole one, and not around its end.
+// As many values as no memory holds: up to its end, and not around it.
 TEST(Image, OfTooManyValuesEndsWithTheMemory) {
   const auto begin = reinterpret_cast<uintptr_t>(pixel_memory.data());
   EXPECT_EQ(memory_of(pixel_memory.data(), SIZE_MAX, 1).end, UINTPTR_MAX);
-  EXPECT_EQ(memory_of(pixel_memory.data(), SIZE_MAX, 20).end,
+  EXPECT_EQ(memory_of(pixel_memory.data(), SIZE_MAX, 20).end, UINTPTR_MAX);
+  EXPECT_EQ(memory_of(pixel_memory.data(), (UINTPTR_MAX - begin) / 20 + 1, 20).end, UINTPTR_MAX);
+  EXPECT_EQ(memory_of(pixel_memory.data(), (UINTPTR_MAX - begin) / 20, 20).end,
             begin + (UINTPTR_MAX - begin) / 20 * 20);
   EXPECT_EQ(memory_of(pixel_memory.data(), 7, 20).end, begin + 140);
 }

@@ -28,8 +28,10 @@ struct Memory {
 // Of so many values; where they would reach beyond the last address, up to there.
 [[nodiscard]] inline Memory memory_of(const void* values, size_t count, size_t bytes_per_value) {
   const auto begin = reinterpret_cast<uintptr_t>(values);
-  const uintptr_t most = (UINTPTR_MAX - begin) / bytes_per_value;
-  return {begin, begin + std::min(uintptr_t{count}, most) * bytes_per_value};
+  uintptr_t bytes, end;
+  const bool reaches_beyond = __builtin_mul_overflow(count, bytes_per_value, &bytes) ||
+                              __builtin_add_overflow(begin, bytes, &end);
+  return {begin, reaches_beyond ? UINTPTR_MAX : end};
 }
 
 inline constexpr int kTileBits = 2;

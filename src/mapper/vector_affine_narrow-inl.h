@@ -17,6 +17,8 @@ namespace {
 // A load for each pixel.
 template <class Pixel, class Address, class Fetch>
 struct LoadStripDraw {
+  static constexpr bool kTellsWhole = false;
+
   AffineBatch<Address> batch;
   Fetch* fetch;
 

@@ -7,6 +7,8 @@
 #define SELVAGE_VECTOR_AFFINE_STRIP_INL_H
 #endif
 
+#include <type_traits>
+
 #include "mapper/vector_affine_lanes-inl.h"
 #include "mapper/vector_one_window-inl.h"
 
@@ -104,20 +106,36 @@ struct AnchoredStrip : Strip {
 };
 
 // Calls strip->put(row, ends, anchors) for kLanes rows at a time, maybe with some beyond the last
-// one.
+// one. Returns whether the vectors of all rows are whole.
 template <class AnyStrip, class Anchors>
-HWY_INLINE void find_strip(const SpanBatch& batch, const RowBlock& rows, int32_t right_by_px,
+HWY_INLINE bool find_strip(const SpanBatch& batch, const RowBlock& rows, int32_t right_by_px,
                            const Anchors& anchors, AnyStrip* strip) {
+  const D32 d;
+  V32 least_px = hn::Set(d, kLanes);
   auto lines = anchors.from(rows.first);
   for (int32_t row = rows.first; row < rows.end; row += kLanes) {
     const StripEnds ends = strip_ends<kLanes>(batch, row, right_by_px);
     strip->put(row, ends, lines.next(ends.from_px));
+    const auto is_row = hn::Lt(hn::Iota(d, row), hn::Set(d, rows.end));
+    least_px = hn::Min(least_px, hn::IfThenElse(is_row, ends.count_px, least_px));
+  }
+  return hn::AllTrue(d, hn::Eq(least_px, hn::Set(d, kLanes)));
+}
+
+using WholeVector = std::integral_constant<int32_t, kLanes>;
+
+template <bool kWhole>
+[[nodiscard]] HWY_INLINE auto count_for(int32_t count_px) {
+  if constexpr (kWhole) {
+    return WholeVector();
+  } else {
+    return count_px;
   }
 }
 
 // Calls by->draw(strip, row, count_px, to) for the vectors of a strip, and puts those down for
-// which it returns false.
-template <class Pixel, class AnyStrip, class By>
+// which it returns false. `kWhole`: all are whole, and count_px is a WholeVector.
+template <class Pixel, bool kWhole, class AnyStrip, class By>
 HWY_INLINE void draw_strip(const AnyStrip& strip, const RowBlock& rows, const SpanBatch& batch,
                            const selvage_image& target, By* by, Left* left) {
   char* const pixels = static_cast<char*>(target.pixels);
@@ -128,7 +146,7 @@ HWY_INLINE void draw_strip(const AnyStrip& strip, const RowBlock& rows, const Sp
   for (int32_t i = rows.first; i < rows.end; ++i) {
     const int32_t from_px = strip.from_px[i], count_px = strip.count_px[i];
     Pixel* const to = reinterpret_cast<Pixel*>(pixels + static_cast<ptrdiff_t>(row)) + from_px;
-    if (HWY_UNLIKELY(!by->draw(strip, i, count_px, to)) && count_px > 0) {
+    if (HWY_UNLIKELY(!by->draw(strip, i, count_for<kWhole>(count_px), to)) && count_px > 0) {
       left->rest[static_cast<size_t>(left_count++)] = {batch.first_row + i, from_px,
                                                        from_px + count_px};
     }
@@ -137,10 +155,10 @@ HWY_INLINE void draw_strip(const AnyStrip& strip, const RowBlock& rows, const Sp
   left->count = left_count;
 }
 
-// Draws a batch by strips. Where some vectors of one are left, calls rest->draw(left, first_index,
-// of_vectors) with the row of the batch above which all is drawn, and how many vectors the strip
-// has; ends where that returns false. Returns what it was drawn by, a copy, which stays in
-// registers, for no store can change it.
+// Draws a batch by strips, whole ones apart where By::kTellsWhole. Where some vectors of one are
+// left, calls rest->draw(left, first_index, of_vectors) with the row of the batch above which all
+// is drawn, and how many vectors the strip has; ends where that returns false. Returns what it was
+// drawn by, a copy, which stays in registers, for no store can change it.
 template <class Pixel, class AnyStrip, class Anchors, class By, class Rest>
 HWY_INLINE By draw_strips(By by, AnyStrip* strip, Anchors anchors, const SpanBatch& batch,
                           const Surface& surface, Rest* rest) {
@@ -149,8 +167,12 @@ HWY_INLINE By draw_strips(By by, AnyStrip* strip, Anchors anchors, const SpanBat
   const auto draw_block = [&](const RowBlock& block) HWY_ATTR __attribute__((always_inline)) {
     for (int32_t px = 0; px < block.widest_px; px += kLanes) {
       const RowBlock rows = px == 0 ? block : rows_with(batch, block, px);
-      find_strip(batch, rows, px, anchors, strip);
-      draw_strip<Pixel>(*strip, rows, batch, surface.target, &by, &left);
+      const bool is_whole = find_strip(batch, rows, px, anchors, strip);
+      if (By::kTellsWhole && is_whole) {
+        draw_strip<Pixel, By::kTellsWhole>(*strip, rows, batch, surface.target, &by, &left);
+      } else {
+        draw_strip<Pixel, false>(*strip, rows, batch, surface.target, &by, &left);
+      }
       if (HWY_UNLIKELY(left.count != 0) && !rest->draw(left, rows.first, rows.end - rows.first)) {
         return false;
       }

@@ -144,14 +144,24 @@ static_assert(kPlaneErrorPerStep_fx32 == 1, "a plane's margin counts its steps")
 // Draws vectors from one window, and keeps what the lanes of pixels lack changes in them.
 template <class Pixel, class OneWindow>
 struct WindowPainter {
+  static constexpr bool kTellsWhole = !kHasMask;
+
   OneWindow window;
   FineLanes lanes;
   V32 changed = hn::Zero(D32());
 
   HWY_INLINE bool draw(const FineStrip& strip, int32_t row, int32_t count_px, Pixel* to) {
-    changed = draw_first(window, lanes, lanes.lanes_from(strip.u_fx24[row], strip.v_fx24[row]),
-                         count_px, changed, to);
+    changed = draw_some(window, lanes, lanes_of(strip, row), count_px, changed, to);
     return true;
+  }
+  HWY_INLINE bool draw(const FineStrip& strip, int32_t row, WholeVector /*count_px*/, Pixel* to) {
+    changed = draw_whole(window, lanes, lanes_of(strip, row), changed, to);
+    return true;
+  }
+
+ private:
+  HWY_INLINE LaneVectors lanes_of(const FineStrip& strip, int32_t row) const {
+    return lanes.lanes_from(strip.u_fx24[row], strip.v_fx24[row]);
   }
 };
 

@@ -30,6 +30,8 @@ struct WindowStrip : Strip {
 // Draws them.
 template <class Pixel, class Window>
 struct WindowStripDraw {
+  static constexpr bool kTellsWhole = false;
+
   Window window;
 
   template <class AnyStrip>

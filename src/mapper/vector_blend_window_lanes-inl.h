@@ -7,6 +7,7 @@
 #endif
 
 #include "mapper/vector_blend_window-inl.h"
+#include "mapper/vector_store-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {

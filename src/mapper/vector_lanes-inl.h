@@ -10,6 +10,7 @@
 #include <bit>
 
 #include "mapper/vector_near_ties-inl.h"
+#include "mapper/vector_store-inl.h"
 #include "mapper/vector_window-inl.h"
 
 HWY_BEFORE_NAMESPACE();

@@ -160,28 +160,38 @@ class Window {
   Lane origin_;
 };
 
-// Draws the first pixels of a vector from a window, maybe none, and returns what the lanes of
-// pixels lack changes in them, beside what that changed before. With a mask no branch is taken,
-// which would seldom be foreseen where vectors are seldom whole.
+// Each draws pixels of a vector from a window, and returns what the lanes of pixels lack changes in
+// them, beside what that changed before: all,
+template <class Pixel, class OneWindow, class Fixed>
+[[nodiscard]] HWY_INLINE V32 draw_whole(const OneWindow& window, const Fixed& fixed,
+                                        const LaneVectors& lanes, V32 changed, Pixel* to) {
+  store_pixels(window.template texels<Fixed::kFraction>(lanes), kLanes, to);
+  return hn::Or(changed, fixed.changes(lanes));
+}
+// the first ones, maybe none or all, without a branch,
+template <class Pixel, class OneWindow, class Fixed>
+[[nodiscard]] HWY_INLINE V32 draw_some(const OneWindow& window, const Fixed& fixed,
+                                       const LaneVectors& lanes, int32_t count_px, V32 changed,
+                                       Pixel* to) {
+  const D32 d;
+  const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
+  const V32 texels = window.template texels<Fixed::kFraction>(lanes);
+  if constexpr (kHasMask && sizeof(Pixel) == sizeof(int32_t)) {
+    hn::BlendedStore(texels, is_pixel, d, reinterpret_cast<int32_t*>(to));
+  } else {
+    store_first(texels, count_px, to);
+  }
+  return hn::IfThenElse(is_pixel, hn::Or(changed, fixed.changes(lanes)), changed);
+}
+// and the first ones where most vectors are whole. With a mask there is no need to ask.
 template <class Pixel, class OneWindow, class Fixed>
 [[nodiscard]] HWY_INLINE V32 draw_first(const OneWindow& window, const Fixed& fixed,
                                         const LaneVectors& lanes, int32_t count_px, V32 changed,
                                         Pixel* to) {
-  const D32 d;
   constexpr bool kByMask = kHasMask && sizeof(Pixel) == sizeof(int32_t);
-  const V32 texels = window.template texels<Fixed::kFraction>(lanes);
-  const V32 changed_by_all = hn::Or(changed, fixed.changes(lanes));
-  if (!kByMask && HWY_LIKELY(count_px >= kLanes)) {
-    store_pixels(texels, kLanes, to);
-    return changed_by_all;
-  }
-  const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
-  if constexpr (kByMask) {
-    hn::BlendedStore(texels, is_pixel, d, reinterpret_cast<int32_t*>(to));
-  } else {
-    store_pixels(texels, count_px, to);
-  }
-  return hn::IfThenElse(is_pixel, changed_by_all, changed);
+  return !kByMask && HWY_LIKELY(count_px >= kLanes)
+             ? draw_whole(window, fixed, lanes, changed, to)
+             : draw_some(window, fixed, lanes, count_px, changed, to);
 }
 
 // Calls draw(window) with a window of so many vectors, or of fewer.
