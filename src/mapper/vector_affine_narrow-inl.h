@@ -18,6 +18,7 @@ namespace {
 template <class Pixel, class Address, class Fetch>
 struct LoadStripDraw {
   static constexpr bool kTellsWhole = false;
+  static HWY_INLINE bool is_in_vain() { return false; }
 
   AffineBatch<Address> batch;
   Fetch* fetch;

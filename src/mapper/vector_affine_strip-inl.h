@@ -157,8 +157,9 @@ HWY_INLINE void draw_strip(const AnyStrip& strip, const RowBlock& rows, const Sp
 
 // Draws a batch by strips, whole ones apart where By::kTellsWhole. Where some vectors of one are
 // left, calls rest->draw(left, first_index, of_vectors) with the row of the batch above which all
-// is drawn, and how many vectors the strip has; ends where that returns false. Returns what it was
-// drawn by, a copy, which stays in registers, for no store can change it.
+// is drawn, and how many vectors the strip has. Ends where that returns false, or behind the first
+// strip where by.is_in_vain(). Returns what it was drawn by, a copy, which stays in registers, for
+// no store can change it.
 template <class Pixel, class AnyStrip, class Anchors, class By, class Rest>
 HWY_INLINE By draw_strips(By by, AnyStrip* strip, Anchors anchors, const SpanBatch& batch,
                           const Surface& surface, Rest* rest) {
@@ -173,6 +174,7 @@ HWY_INLINE By draw_strips(By by, AnyStrip* strip, Anchors anchors, const SpanBat
       } else {
         draw_strip<Pixel, false>(*strip, rows, batch, surface.target, &by, &left);
       }
+      if (HWY_UNLIKELY(by.is_in_vain())) return false;
       if (HWY_UNLIKELY(left.count != 0) && !rest->draw(left, rows.first, rows.end - rows.first)) {
         return false;
       }

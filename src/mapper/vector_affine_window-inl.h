@@ -158,6 +158,10 @@ struct WindowPainter {
     changed = draw_whole(window, lanes, lanes_of(strip, row), changed, to);
     return true;
   }
+  // Whether there is a near-tie: all are drawn once more then.
+  [[nodiscard]] HWY_INLINE bool is_in_vain() const {
+    return any_bits(changed, ~0 << kWindowFraction);
+  }
 
  private:
   HWY_INLINE LaneVectors lanes_of(const FineStrip& strip, int32_t row) const {

@@ -31,6 +31,7 @@ struct WindowStrip : Strip {
 template <class Pixel, class Window>
 struct WindowStripDraw {
   static constexpr bool kTellsWhole = false;
+  static HWY_INLINE bool is_in_vain() { return false; }
 
   Window window;
 
