@@ -17,9 +17,9 @@ using spec::kPixel_fx8;
 using spec::kTexel_fx16;
 
 // A parallelogram that leans by `lean_px` a row, 1 more than a multiple of 3: u is a twelfth of
-// what x is right of its left edge, so that every twelfth sample of a row lies on a boundary. A
-// step of 2^24 / 12 loses a third of a unit, and there are up to some thousand of them.
-[[nodiscard]] spec::Case any_leaning(spec::Random& random, int32_t lean_px) {
+// what x is right of its left edge, so that every twelfth sample of a row lies on a boundary, or
+// past one. A step of 2^24 / 12 loses a third of a unit, and there are up to some thousand of them.
+[[nodiscard]] spec::Case any_leaning(spec::Random& random, int32_t lean_px, int32_t past_fx16) {
   constexpr int32_t kWidth_texel = 5, kWidth_px = 12 * kWidth_texel;
   spec::Case c;
   c.format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
@@ -28,7 +28,7 @@ using spec::kTexel_fx16;
   const int32_t leant_px = lean_px * c.target_height_px;
   c.target_width_px = kWidth_px + (leant_px < 0 ? -leant_px : leant_px);
   const int32_t top_px = leant_px < 0 ? -leant_px : 0, bottom_px = top_px + leant_px;
-  const int32_t left_fx16 = kTexel_fx16 + (lean_px - 1) * kTexel_fx16 / 24;
+  const int32_t left_fx16 = kTexel_fx16 + (lean_px - 1) * kTexel_fx16 / 24 + past_fx16;
   const int32_t u_fx16 = (left_fx16 & (kTexel_fx16 - 1)) + random.in(1, 8) * kTexel_fx16;
   const int32_t v_fx16 = random.in(0, 16 * kTexel_fx16);
   const auto corner = [&](int32_t x_px, int32_t y_px, int32_t right_texel) {
@@ -54,7 +54,16 @@ TEST(FineLanes, OfRowsThatLeanFarShowTheTexelsOfTies) {
   for (uint64_t seed = 1; seed <= 200; ++seed) {
     spec::Random random(seed);
     const int32_t lean_px = 1 + 3 * random.in(-20, 21);
-    expect_all_draw_the_same(any_leaning(random, lean_px), seed);
+    expect_all_draw_the_same(any_leaning(random, lean_px, 0), seed);
+  }
+}
+
+// What they lack changes a lane there, and no texel: all of a row is drawn.
+TEST(FineLanes, OfRowsThatLeanFarAreWholeWhereSamplesAreOnHalfATexel) {
+  for (uint64_t seed = 1; seed <= 50; ++seed) {
+    spec::Random random(seed);
+    const int32_t lean_px = 1 + 3 * random.in(-20, 21);
+    expect_all_draw_the_same(any_leaning(random, lean_px, kTexel_fx16 / 2), seed);
   }
 }
 

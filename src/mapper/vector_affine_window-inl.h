@@ -160,7 +160,7 @@ struct WindowPainter {
   }
   // Whether there is a near-tie: all are drawn once more then.
   [[nodiscard]] HWY_INLINE bool is_in_vain() const {
-    return any_bits(changed, ~0 << kWindowFraction);
+    return changes_texels<kWindowFraction>(changed);
   }
 
  private:
@@ -177,7 +177,7 @@ struct NoRest {
   }
 };
 
-// Returns, in the high bits of each lane, whether one of its pixels is a near-tie.
+// Returns what the lanes of pixels lack changes in them, those that were drawn up to a near-tie.
 template <class Pixel, class OneWindow>
 [[nodiscard]] HWY_INLINE V32 draw_from(const OneWindow& window, const AffineSpans& spans,
                                        const Surface& surface) {
@@ -188,9 +188,7 @@ template <class Pixel, class OneWindow>
   FineStrip strip;
   NoRest none;
   const WindowPainter<Pixel, OneWindow> painter{window, lanes};
-  const V32 changed =
-      draw_strips<Pixel>(painter, &strip, anchors, spans.batch, surface, &none).changed;
-  return hn::ShiftRight<kWindowFraction - kTexelFraction>(changed);
+  return draw_strips<Pixel>(painter, &strip, anchors, spans.batch, surface, &none).changed;
 }
 
 // Whether lanes of 8.24 tell the texels: those of a window that was clamped may be far from it.
@@ -229,7 +227,7 @@ template <class Pixel, class Address>
                                        AffineFromWindow<Pixel>{spans, surface, &changed})) {
     return InOneWindow::kNotInOne;
   }
-  return in_one_window(changed, spans.batch.widest_px);
+  return in_one_window<kWindowFraction>(changed, spans.batch.widest_px);
 }
 
 }  // namespace

@@ -24,13 +24,20 @@ namespace {
 // What became of a batch: drawn, or not, for no window holds it or for it has near-ties.
 enum class InOneWindow { kDrawn, kNotInOne, kFewNearTies, kManyNearTies };
 
-// Of a batch that was drawn, by what the lanes of its pixels lack changes in them: near-ties are
-// many where they lie in many lanes, or in all of the widest row. How many vectors hold them is not
-// known, as are_many() asks.
+// Whether what lanes of so many bits of fraction lack changes a texel.
+template <int kFraction>
+[[nodiscard]] HWY_INLINE bool changes_texels(V32 changed) {
+  return any_bits(changed, ~0 << kFraction);
+}
+
+// Of a batch that was drawn, or given up at a near-tie, by what the lanes of the pixels that were
+// drawn lack changes in them: near-ties are many where they lie in many lanes, or in all of the
+// widest row. How many vectors hold them is not known, as are_many() asks.
+template <int kFraction>
 [[nodiscard]] HWY_INLINE InOneWindow in_one_window(V32 changed, int32_t widest_px) {
   const int32_t many = HWY_MIN(4, widest_px);
-  if (!any_bits(changed, ~0xFFFF)) return InOneWindow::kDrawn;
-  const auto near = hn::Ne(hn::ShiftRight<kTexelFraction>(changed), hn::Zero(D32()));
+  if (!changes_texels<kFraction>(changed)) return InOneWindow::kDrawn;
+  const auto near = hn::Ne(hn::ShiftRight<kFraction>(changed), hn::Zero(D32()));
   const auto count = static_cast<int32_t>(hn::CountTrue(D32(), near));
   return count < many ? InOneWindow::kFewNearTies : InOneWindow::kManyNearTies;
 }

@@ -70,7 +70,7 @@ struct ProjectiveFromWindow {
         changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
                                                     surface.target, rows, px));
       }
-      return !any_bits(changed, ~0xFFFF);
+      return !changes_texels<kTexelFraction>(changed);
     };
     // few rows at once, for behind a near-tie all were drawn in vain
     for_each_block(spans.batch, kPiece_px, kLeastBlockRows, draw_block);
@@ -91,7 +91,7 @@ template <class Pixel, class Address>
           ProjectiveFromWindow<Pixel>{spans, surface, vectors, &changed})) {
     return InOneWindow::kNotInOne;
   }
-  return in_one_window(changed, spans.batch.widest_px);
+  return in_one_window<kTexelFraction>(changed, spans.batch.widest_px);
 }
 
 }  // namespace

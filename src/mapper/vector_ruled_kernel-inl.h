@@ -185,7 +185,7 @@ HWY_NOINLINE void draw_ruled_as(const RuledSpans& spans, const Surface& surface)
   if (pays_one_window(spans.batch) &&
       with_one_window<Pixel, Address>(spans.texels, surface.texture,
                                       RuledFromWindow<Pixel>{spans, surface, &changed})) {
-    const InOneWindow in_one = in_one_window(changed, spans.batch.widest_px);
+    const InOneWindow in_one = in_one_window<kTexelFraction>(changed, spans.batch.widest_px);
     if (in_one == InOneWindow::kDrawn) return;
     if (in_one == InOneWindow::kManyNearTies && draw_near_ties<Pixel>(spans, surface)) return;
   }

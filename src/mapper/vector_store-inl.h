@@ -49,7 +49,7 @@ class PiecePlaces {
   int64_t count_;
 };
 
-// The last ones of the first pixels of a vector; any pixels where there are fewer.
+// The last four and the last one of the first pixels of a vector; where it has fewer, any pixels.
 template <class Pixel>
 struct LastPixels {
   hn::Vec<hn::CappedTag<Pixel, 4>> four;
@@ -91,8 +91,8 @@ HWY_INLINE void store_pieces(Pixels<Pixel> pixels, int32_t count, Pixel* to) {
   places.of(1)[count - 1] = last.one;
 }
 
-// Stores a vector of pixels, or the first ones, maybe none: where it is foreseen no better than
-// any other whether it is whole.
+// Stores the first pixels of a vector: so many, none or more, and all where it has fewer. For
+// vectors that are now whole and now not.
 template <class Pixel>
 HWY_INLINE void store_first(V32 texels, int32_t count, Pixel* to) {
   const auto pixels = as_pixels<Pixel>(texels);
@@ -104,7 +104,7 @@ HWY_INLINE void store_first(V32 texels, int32_t count, Pixel* to) {
   }
 }
 
-// The same, where most are whole.
+// The same, for vectors that are whole but for a few.
 template <class Pixel>
 HWY_INLINE void store_pixels(V32 texels, int32_t count, Pixel* to) {
   if (HWY_LIKELY(count >= kLanes)) {
