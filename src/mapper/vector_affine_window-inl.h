@@ -144,7 +144,7 @@ static_assert(kPlaneErrorPerStep_fx32 == 1, "a plane's margin counts its steps")
 // Draws vectors from one window, and keeps what the lanes of pixels lack changes in them.
 template <class Pixel, class OneWindow>
 struct WindowPainter {
-  static constexpr bool kTellsWhole = !kHasMask;
+  static constexpr bool kTellsWhole = !kHasMask;  // by a mask a part costs no more than all
 
   OneWindow window;
   FineLanes lanes;

@@ -72,7 +72,7 @@ template <class Pixel>
   return {hn::LoadU(d4, row + HWY_MAX(count - 4, 0)), row[(count - 1) & (kLanes - 1)]};
 }
 
-// Stores the first pixels of a vector, at most all, maybe none, by pieces that may meet.
+// Stores the first pixels of a vector, 0 to kLanes of them, by pieces that may meet.
 template <class Pixel>
 HWY_INLINE void store_pieces(Pixels<Pixel> pixels, int32_t count, Pixel* to) {
   const hn::CappedTag<Pixel, 4> d4;
@@ -91,8 +91,8 @@ HWY_INLINE void store_pieces(Pixels<Pixel> pixels, int32_t count, Pixel* to) {
   places.of(1)[count - 1] = last.one;
 }
 
-// Stores the first pixels of a vector: so many, none or more, and all where it has fewer. For
-// vectors that are now whole and now not.
+// Stores the first `count` pixels of a vector, 0 or more, and all where it has fewer. For vectors
+// that are now whole and now not.
 template <class Pixel>
 HWY_INLINE void store_first(V32 texels, int32_t count, Pixel* to) {
   const auto pixels = as_pixels<Pixel>(texels);
