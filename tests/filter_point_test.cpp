@@ -28,23 +28,30 @@ void expect_exact_points(std::span<const selvage_vertex> vertices, const SpanMap
   }
 }
 
+void expect_exact_points_of_generated_spans(int cases) {
+  for_each_generated_span(cases, [&](const spec::Case& c, const Polygon& polygon,
+                                     const SpanMap& map, const Span& span) {
+    if (testing::Test::HasFatalFailure()) return;
+    if (polygon.affine) {
+      expect_exact_points(c.vertices, map, span, AffineLanes(map, span).field(span));
+    }
+    expect_exact_points(c.vertices, map, span, ProjectiveLanes(map, span));
+    ASSERT_FALSE(testing::Test::HasFatalFailure()) << spec::print(c);
+  });
+}
+
 TEST(FilterPoint, IsTheFloorOnAGridOfATexelsFractions) {
-  for_each_generated_span(
-      2500, [&](const spec::Case& c, const Polygon& polygon, const SpanMap& map, const Span& span) {
-        if (testing::Test::HasFatalFailure()) return;
-        if (polygon.affine) {
-          expect_exact_points(c.vertices, map, span, AffineLanes(map, span).field(span));
-        }
-        expect_exact_points(c.vertices, map, span, ProjectiveLanes(map, span));
-        ASSERT_FALSE(testing::Test::HasFatalFailure()) << spec::print(c);
-      });
+  expect_exact_points_of_generated_spans(250);
+}
+TEST(FilterPointAtLength, IsTheFloorOnAGridOfATexelsFractions) {
+  expect_exact_points_of_generated_spans(2500);
 }
 
 // With q in such a ratio lanes are low by more than a step of the grid.
-TEST(FilterPoint, IsExactWhereLanesTellNothing) {
+void expect_exact_points_of_wide_ratios(int triangles) {
   spec::Random random(3);
   const auto texel = [&] { return random.pick({INT32_MIN, INT32_MAX, 0, 65536, -65537}); };
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < triangles; ++i) {
     std::vector<selvage_vertex> vertices;
     for (const auto& [x, y] :
          {std::pair(0, 0), std::pair(40 * 256, 77), std::pair(300, 20 * 256)}) {
@@ -57,9 +64,12 @@ TEST(FilterPoint, IsExactWhereLanesTellNothing) {
       const SpanMap map(left.at(span.row), right.at(span.row));
       expect_exact_points(vertices, map, span, ProjectiveLanes(map, span));
     });
-    ASSERT_FALSE(HasFatalFailure());
+    ASSERT_FALSE(testing::Test::HasFatalFailure());
   }
 }
+
+TEST(FilterPoint, IsExactWhereLanesTellNothing) { expect_exact_points_of_wide_ratios(30); }
+TEST(FilterPointAtLength, IsExactWhereLanesTellNothing) { expect_exact_points_of_wide_ratios(300); }
 
 // The least coordinate and the greatest, from one too low by a step and from their own.
 TEST(FilterPoint, IsDecidedAtTheEndsOfTheRange) {
