@@ -9,6 +9,7 @@
 #endif
 
 #include "mapper/vector_affine_lanes-inl.h"
+#include "mapper/vector_left-inl.h"
 #include "mapper/vector_quotients-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -79,16 +80,15 @@ HWY_NOINLINE void draw_exactly(const AffineSpans& spans, const Surface& surface,
   const auto divisor = static_cast<uint64_t>(first.d.start);
   ExactCoordinate exact_u(first.u, below.u.start, divisor, field.step_x.u_fx32);
   ExactCoordinate exact_v(first.v, below.v.start, divisor, field.step_x.v_fx32);
-  const FixedLanes<Address> fixed(surface.texture, 0);
+  const TexelDraw<Address> draw(surface);
   for (int32_t i = first_index; i < spans.batch.rows; ++i) {
     Span rest = spans.batch.span(i);
     const Lane lane = field.at(rest.left_px, rest.row);
     Quotients u = exact_u.from(rest.left_px - field.first_px, lane.u_fx32);
     Quotients v = exact_v.from(rest.left_px - field.first_px, lane.v_fx32);
     for (; !rest.empty(); rest.left_px += kLanes) {
-      fixed.template draw_texels<Pixel>(
-          rest, surface, {u.whole, v.whole},
-          {exact_u.least_texel(u), exact_v.least_texel(v), window_rows});
+      draw.template draw<Pixel>(rest, {u.whole, v.whole},
+                                {exact_u.least_texel(u), exact_v.least_texel(v), window_rows});
       u = exact_u.next_vector(u);
       v = exact_v.next_vector(v);
     }

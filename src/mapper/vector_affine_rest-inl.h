@@ -10,23 +10,33 @@
 #include "mapper/vector_affine_exact-inl.h"
 #include "mapper/vector_affine_ties-inl.h"
 #include "mapper/vector_batch_ties-inl.h"
+#include "mapper/vector_left-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-template <class Pixel, class Address, class Ties>
-HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Surface& surface,
-                            int32_t window_rows, Ties* ties) {
-  const AffineBatch<Address> batch(spans, surface);
+template <class Ties>
+HWY_NOINLINE void decide_left(const Left& left, const AffineSpans& spans, const Surface& surface,
+                              int32_t window_rows, Ties* ties, LeftTexels* texels) {
+  const AffineBatch<Addressed<InsideVector>> batch(spans, surface);  // for its lanes alone
   for (int32_t i = 0; i < left.count; ++i) {
-    const Span& rest = left.rest[static_cast<size_t>(i)];
+    const Span& rest = left.at(i);
     if (rest.row != ties->span().row) ties->go_to(rest);
     const Lane anchor = batch.anchor(spans.field.at(rest.left_px, rest.row));
-    batch.template draw<Pixel>(
-        rest, surface, *ties, batch.lanes_from(anchor),
-        {floor_texel(anchor.u_fx32), floor_texel(anchor.v_fx32), window_rows});
+    const int32_t offset_px = rest.left_px - ties->span().left_px;
+    texels->put(i, batch.decided(*ties, offset_px, batch.lanes_from(anchor)),
+                {floor_texel(anchor.u_fx32), floor_texel(anchor.v_fx32), window_rows});
   }
+}
+
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Surface& surface,
+                            int32_t window_rows, BatchTies* batch_ties) {
+  LeftTexels texels;
+  batch_ties->with_ties(
+      [&](auto* ties) { decide_left(left, spans, surface, window_rows, ties, &texels); });
+  draw_left<Pixel, Address>(left, texels, surface);
 }
 
 // Of a small polygon, which has finer lanes than vectors, a pixel at a time costs less, too.
@@ -62,8 +72,7 @@ class RestDraw {
         return false;
       }
     }
-    batch_ties_.with_ties(
-        [&](auto* ties) { draw_left<Pixel, Address>(left, spans_, surface_, window_rows_, ties); });
+    draw_left<Pixel, Address>(left, spans_, surface_, window_rows_, &batch_ties_);
     return true;
   }
 

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "mapper/vector_affine_lanes-inl.h"
+#include "mapper/vector_left-inl.h"
 #include "mapper/vector_one_window-inl.h"
 
 HWY_BEFORE_NAMESPACE();

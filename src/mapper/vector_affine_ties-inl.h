@@ -14,13 +14,16 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-template <class Pixel, class Window, class Batch>
+template <class Pixel, class Window, class Batch, class Ties>
 HWY_NOINLINE void draw_decided(const Window& window, const Batch& lanes, const AffineSpans& spans,
-                               const Surface& surface) {
+                               const Surface& surface, Ties* ties) {
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
-    for (Span rest = spans.batch.span(i); !rest.empty(); rest.left_px += kLanes) {
+    const Span span = spans.batch.span(i);
+    ties->go_to(span);
+    for (Span rest = span; !rest.empty(); rest.left_px += kLanes) {
       const Lane anchor = lanes.anchor(spans.field.at(rest.left_px, rest.row));
-      window.draw(window.offset_px(rest), lanes.lanes_from(anchor), rest.width_px(),
+      const int32_t offset_px = rest.left_px - span.left_px;
+      window.draw(lanes.decided(*ties, offset_px, lanes.lanes_from(anchor)), rest.width_px(),
                   reinterpret_cast<Pixel*>(first_pixel(surface, rest)));
     }
   }
@@ -36,8 +39,8 @@ template <class Pixel>
   const AffineBatch<Addressed<InsideVector>> lanes(spans, surface);
   const Span first = spans.batch.span(0);
   PlaneTies<OneLimb> ties(spans.exact.rows_from(first.left_px, first.row), first);
-  with_decided_window<Pixel>(texels, surface, lanes.lack_fx16(), &ties, [&](const auto& window) {
-    draw_decided<Pixel>(window, lanes, spans, surface);
+  with_decided_window<Pixel>(texels, surface.texture, [&](const auto& window) {
+    draw_decided<Pixel>(window, lanes, spans, surface, &ties);
   });
   return true;
 }

@@ -8,6 +8,7 @@
 #endif
 
 #include "mapper/vector_affine_windows-inl.h"
+#include "mapper/vector_left-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {

@@ -8,6 +8,7 @@
 
 #include "mapper/vector_affine_lanes-inl.h"
 #include "mapper/vector_coarse_lanes-inl.h"
+#include "mapper/vector_store-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {

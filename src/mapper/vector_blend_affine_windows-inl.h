@@ -15,6 +15,7 @@
 
 #include "mapper/vector_affine_wide-inl.h"
 #include "mapper/vector_blend_window_lanes-inl.h"
+#include "mapper/vector_left-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {

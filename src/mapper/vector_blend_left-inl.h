@@ -22,7 +22,7 @@ HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Su
   const AffineSteps steps(spans);
   RowOfTies ties(spans.exact, left.rest[0], kGridBits, 0);
   for (int32_t i = 0; i < left.count; ++i) {
-    const Span& rest = left.rest[static_cast<size_t>(i)];
+    const Span& rest = left.at(i);
     if (rest.row != ties.span().row) ties.go_to(rest);
     const AffinePoints points(steps, rest.left_px, rest.row, &ties);
     store_pixels(anywhere(points.points()), rest.width_px(),
@@ -34,12 +34,12 @@ template <class BlendAnywhere>
 HWY_NOINLINE void draw_left(const Left& left, const ProjectiveSpans& spans, const Surface& surface,
                             const BlendAnywhere& anywhere) {
   for (int32_t i = 0; i < left.count;) {
-    const int32_t row = left.rest[static_cast<size_t>(i)].row;
+    const int32_t row = left.at(i).row;
     const Span span = spans.batch.span(row - spans.batch.first_row);
     RowOfTies ties(spans.exact, span, kGridBits, 0);
     const ProjectiveSteps steps(spans, span);
-    for (; i < left.count && left.rest[static_cast<size_t>(i)].row == row; ++i) {
-      const Span& rest = left.rest[static_cast<size_t>(i)];
+    for (; i < left.count && left.at(i).row == row; ++i) {
+      const Span& rest = left.at(i);
       const ProjectivePoints points(steps, rest.left_px, row, &ties);
       store_pixels(anywhere(points.points()), rest.width_px(),
                    reinterpret_cast<uint32_t*>(first_pixel(surface, rest)));

@@ -11,6 +11,7 @@
 
 #include "mapper/vector_lanes-inl.h"
 #include "mapper/vector_row_blocks-inl.h"
+#include "mapper/vector_store-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {

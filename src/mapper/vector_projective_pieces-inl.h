@@ -10,10 +10,12 @@
 #include "mapper/vector_batch_ties-inl.h"
 #include "mapper/vector_entries-inl.h"
 #include "mapper/vector_fetch-inl.h"
+#include "mapper/vector_left-inl.h"
 #include "mapper/vector_piece_queue-inl.h"
 #include "mapper/vector_projective_ties-inl.h"
 #include "mapper/vector_projective_wide-inl.h"
 #include "mapper/vector_projective_window-inl.h"
+#include "mapper/vector_store-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -42,15 +44,23 @@ struct LeftOfPieces : Left {
   }
 };
 
-template <class Pixel, class Address, class Ties>
-HWY_NOINLINE void draw_left(const LeftOfPieces& left, const Surface& surface, int32_t lack_fx16,
-                            Ties* ties) {
-  const FixedLanes<Address> fixed(surface.texture, lack_fx16);
+template <class Ties>
+HWY_NOINLINE void decide_left(const LeftOfPieces& left, const LowLanes& low, Ties* ties,
+                              LeftTexels* texels) {
   for (int32_t i = 0; i < left.count; ++i) {
-    const Span& rest = left.rest[static_cast<size_t>(i)];
+    const Span& rest = left.at(i);
     if (rest.row != ties->span().row) ties->go_to(rest);
-    fixed.template draw<Pixel>(rest, surface, *ties, left.lanes(i), left.low_window(i));
+    const int32_t offset_px = rest.left_px - ties->span().left_px;
+    texels->put(i, low.decided(*ties, offset_px, left.lanes(i)), left.low_window(i));
   }
+}
+
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_left(const LeftOfPieces& left, const Surface& surface, const LowLanes& low,
+                            ProjectiveTies* batch_ties) {
+  LeftTexels texels;
+  batch_ties->with_ties([&](auto* ties) { decide_left(left, low, ties, &texels); });
+  draw_left<Pixel, Address>(left, texels, surface);
 }
 
 // What vectors of pieces are drawn with.
@@ -173,8 +183,7 @@ HWY_NOINLINE void draw_all_pieces(const ProjectiveSpans& spans, const Surface& s
                                                              &left);
     }
     if (left.count == 0) continue;
-    batch_ties.with_ties(
-        [&](auto* ties) { draw_left<Pixel, Address>(left, surface, vectors.lack_fx16(), ties); });
+    draw_left<Pixel, Address>(left, surface, LowLanes(vectors.lack_fx16()), &batch_ties);
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include "mapper/vector_batch_ties-inl.h"
 #include "mapper/vector_decided_window-inl.h"
+#include "mapper/vector_left-inl.h"
 #include "mapper/vector_projective_anchors-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -42,47 +43,63 @@ class ProjectiveTies {
   std::optional<RuledBatchTies> ruled_;
 };
 
-template <class Pixel, class Window>
-HWY_NOINLINE void draw_decided(const Window& window, const SpanBatch& batch,
-                               const selvage_image& target, const AnchoredVectors& vectors) {
-  const PieceLanes lanes = vectors.lanes();
-  char* const pixels = static_cast<char*>(target.pixels);
-  PieceWalk walk(batch, PieceOrder::kSpanBySpan);  // ties go to another row at some cost
-  Pieces pieces;
-  Anchors anchors;
-  for (walk.next(&pieces); pieces.count != 0; walk.next(&pieces)) {
-    for (int32_t k = 0; k < pieces.count; k += kLanes) vectors.find_lanes(pieces, k, &anchors);
-    for (int32_t k = 0; k < pieces.count; ++k) {
-      const Span piece = pieces.rest(k, 0);
-      int32_t count_px = piece.width_px();
-      Pixel* to = reinterpret_cast<Pixel*>(pixels + piece.row * target.pitch) + piece.left_px;
-      for (int32_t at = 0; at < kVectorsPerPiece && count_px > 0; ++at) {
-        window.draw(window.offset_px(piece) + at * kLanes, lanes.lanes(anchors, k, at), count_px,
-                    to);
-        count_px -= kLanes;
-        to += kLanes;
-      }
+static_assert(kMostPieces * kVectorsPerPiece <= Left::kMost);
+
+// The texels of all vectors of some pieces.
+template <class Ties>
+HWY_NOINLINE void decide_pieces(const Pieces& pieces, const PieceLanes& lanes,
+                                const Anchors& anchors, const LowLanes& low, Ties* ties,
+                                DecidedTexels* texels) {
+  for (int32_t k = 0; k < pieces.count; ++k) {
+    const Span piece = pieces.rest(k, 0);
+    if (piece.empty()) continue;
+    if (piece.row != ties->span().row) ties->go_to(piece);
+    const int32_t offset_px = piece.left_px - ties->span().left_px;
+    for (int32_t at = 0; at < kVectorsPerPiece; ++at) {
+      if (at * kLanes >= piece.width_px()) break;
+      texels->put(k * kVectorsPerPiece + at,
+                  low.decided(*ties, offset_px + at * kLanes, lanes.lanes(anchors, k, at)));
     }
   }
 }
 
-template <class Pixel, class Ties>
-HWY_INLINE void draw_near_ties_by(Ties* ties, const ProjectiveSpans& spans, const Surface& surface,
-                                  const AnchoredVectors& vectors) {
-  with_decided_window<Pixel>(TexelRanges(spans.texels), surface, vectors.lack_fx16(), ties,
-                             [&](const auto& window) {
-                               draw_decided<Pixel>(window, spans.batch, surface.target, vectors);
-                             });
+template <class Pixel, class Window>
+HWY_NOINLINE void draw_decided(const Window& window, const Pieces& pieces,
+                               const DecidedTexels& texels, const selvage_image& target) {
+  char* const pixels = static_cast<char*>(target.pixels);
+  for (int32_t k = 0; k < pieces.count; ++k) {
+    const Span piece = pieces.rest(k, 0);
+    int32_t count_px = piece.width_px();
+    Pixel* to = reinterpret_cast<Pixel*>(pixels + piece.row * target.pitch) + piece.left_px;
+    for (int32_t at = 0; at < kVectorsPerPiece && count_px > 0; ++at) {
+      window.draw(texels.at(k * kVectorsPerPiece + at), count_px, to);
+      count_px -= kLanes;
+      to += kLanes;
+    }
+  }
 }
 
 // Draws a batch that was drawn from one window in vain, if that lies within the texture.
 template <class Pixel>
 [[nodiscard]] HWY_NOINLINE bool draw_near_ties(const ProjectiveSpans& spans, const Surface& surface,
                                                const AnchoredVectors& vectors) {
-  if (!TexelRanges(spans.texels).within(surface.texture)) return false;
-  ProjectiveTies(spans, vectors).with_ties([&](auto* by) {
-    draw_near_ties_by<Pixel>(by, spans, surface, vectors);
-  });
+  const TexelRanges ranges(spans.texels);
+  if (!ranges.within(surface.texture)) return false;
+  ProjectiveTies batch_ties(spans, vectors);
+  const LowLanes low(vectors.lack_fx16());
+  const PieceLanes lanes = vectors.lanes();
+  PieceWalk walk(spans.batch, PieceOrder::kSpanBySpan);  // ties go to another row at some cost
+  Pieces pieces;
+  Anchors anchors;
+  DecidedTexels texels;
+  for (walk.next(&pieces); pieces.count != 0; walk.next(&pieces)) {
+    for (int32_t k = 0; k < pieces.count; k += kLanes) vectors.find_lanes(pieces, k, &anchors);
+    batch_ties.with_ties(
+        [&](auto* ties) { decide_pieces(pieces, lanes, anchors, low, ties, &texels); });
+    with_decided_window<Pixel>(ranges, surface.texture, [&](const auto& window) {
+      draw_decided<Pixel>(window, pieces, texels, surface.target);
+    });
+  }
   return true;
 }
 

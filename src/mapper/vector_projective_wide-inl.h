@@ -8,7 +8,7 @@
 
 #include "mapper/steepness.h"
 #include "mapper/vector_fetch-inl.h"
-#include "mapper/vector_lanes-inl.h"
+#include "mapper/vector_left-inl.h"
 #include "mapper/vector_projective_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -145,16 +145,21 @@ HWY_NOINLINE void draw_loads(const DividedSpan& of, const Surface& surface, Fetc
       });
 }
 
+HWY_NOINLINE void decide_left(const Left& left, const DividedSpan& of, LeftTexels* texels) {
+  const LowLanes low(DividedVectors::lack_fx16(of.lanes));
+  const DividedVectors vectors(of.lanes);
+  RowOfTies ties(of.exact, of.span, 0, low.spare_bits());
+  for (int32_t i = 0; i < left.count; ++i) {
+    const int32_t offset_px = left.at(i).left_px - of.span.left_px;
+    texels->put(i, low.decided(ties, offset_px, vectors.lanes_from(offset_px)), {0, 0, 0});
+  }
+}
+
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_left(const Left& left, const DividedSpan& of, const Surface& surface) {
-  const FixedLanes<Address> fixed(surface.texture, DividedVectors::lack_fx16(of.lanes));
-  const DividedVectors vectors(of.lanes);
-  RowOfTies ties(of.exact, of.span, 0, fixed.spare_bits());
-  for (int32_t i = 0; i < left.count; ++i) {
-    const Span& rest = left.rest[static_cast<size_t>(i)];
-    fixed.template draw<Pixel>(rest, surface, ties,
-                               vectors.lanes_from(rest.left_px - of.span.left_px), {});
-  }
+  LeftTexels texels;
+  decide_left(left, of, &texels);
+  draw_left<Pixel, Address>(left, texels, surface);
 }
 
 template <class Pixel, class Address, class Fetch>

@@ -61,13 +61,12 @@ struct ProjectiveFromWindow {
   // In vain from the first near-ties on.
   template <class OneWindow>
   [[nodiscard]] HWY_INLINE bool operator()(const OneWindow& window) const {
-    // for what its lanes lack alone
-    const FixedLanes<Addressed<InsideVector>> fixed(surface.texture, vectors.lack_fx16());
+    const LowLanes low(vectors.lack_fx16());
     V32 changed = hn::Zero(D32());
     const auto draw_block = [&](const RowBlock& block) HWY_ATTR {
       for (int32_t px = 0; px < block.widest_px; px += kPiece_px) {
         const RowBlock rows = px == 0 ? block : rows_with(spans.batch, block, px);
-        changed = hn::Or(changed, draw_strip<Pixel>(window, fixed, vectors, spans.batch,
+        changed = hn::Or(changed, draw_strip<Pixel>(window, low, vectors, spans.batch,
                                                     surface.target, rows, px));
       }
       return !changes_texels<kTexelFraction>(changed);

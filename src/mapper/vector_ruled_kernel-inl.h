@@ -8,6 +8,7 @@
 
 #include "mapper/vector_affine_kernel-inl.h"
 #include "mapper/vector_entries-inl.h"
+#include "mapper/vector_left-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -65,15 +66,14 @@ struct RuledFromWindow {
 
   template <class OneWindow>
   [[nodiscard]] HWY_INLINE bool operator()(const OneWindow& window) const {
-    const FixedLanes<Addressed<InsideVector>> fixed(  // for what its lanes lack alone
-        surface.texture, lack_fx16(spans.rows.margin_fx32));
+    const LowLanes low(lack_fx16(spans.rows.margin_fx32));
     V32 changed = hn::Zero(D32());
     for (int32_t i = 0; i < spans.batch.rows; ++i) {
       const Span span = spans.batch.span(i);
       const RuledRow row(spans.rows, i, window.origin());
       auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
       for_each_vector_of(span, [&](int32_t px, int32_t count_px) HWY_ATTR {
-        changed = draw_first(window, fixed, row.lanes(px), count_px, changed, to + px);
+        changed = draw_first(window, low, row.lanes(px), count_px, changed, to + px);
       });
     }
     *changed_by_near = changed;
@@ -81,25 +81,19 @@ struct RuledFromWindow {
   }
 };
 
-template <class Pixel, class Window>
+template <class Pixel, class Window, class Ties>
 HWY_NOINLINE void draw_decided(const Window& window, const RuledSpans& spans,
-                               const Surface& surface) {
+                               const Surface& surface, Ties* ties) {
+  const LowLanes low(lack_fx16(spans.rows.margin_fx32));
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
     const RuledRow row(spans.rows, i);
+    ties->go_to(span);
     auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
     for_each_vector_of(span, [&](int32_t px, int32_t count_px) HWY_ATTR {
-      window.draw(window.offset_px(span) + px, row.lanes(px), count_px, to + px);
+      window.draw(low.decided(*ties, px, row.lanes(px)), count_px, to + px);
     });
   }
-}
-
-template <class Pixel, class Ties>
-HWY_INLINE void draw_near_ties_by(Ties* ties, const TexelRanges& texels, const RuledSpans& spans,
-                                  const Surface& surface) {
-  with_decided_window<Pixel>(
-      texels, surface, lack_fx16(spans.rows.margin_fx32), ties,
-      [&](const auto& window) { draw_decided<Pixel>(window, spans, surface); });
 }
 
 [[nodiscard]] HWY_INLINE RuledBatchTies ties_of(const RuledSpans& spans) {
@@ -112,8 +106,10 @@ template <class Pixel>
 [[nodiscard]] HWY_INLINE bool draw_near_ties(const RuledSpans& spans, const Surface& surface) {
   const TexelRanges texels(spans.texels);
   if (!texels.within(surface.texture)) return false;
-  ties_of(spans).with_ties(
-      [&](auto* ties) { draw_near_ties_by<Pixel>(ties, texels, spans, surface); });
+  with_decided_window<Pixel>(texels, surface.texture, [&](const auto& window) {
+    ties_of(spans).with_ties(
+        [&](auto* ties) { draw_decided<Pixel>(window, spans, surface, ties); });
+  });
   return true;
 }
 
@@ -146,21 +142,27 @@ HWY_NOINLINE int32_t draw_ruled_loads(const RuledSpans& spans, const Surface& su
   return i;
 }
 
-template <class Pixel, class Address, class Ties>
-HWY_NOINLINE void draw_left(const Left& left, const RuledSpans& spans, const Surface& surface,
-                            Ties* ties) {
-  const FixedLanes<Address> fixed(surface.texture, lack_fx16(spans.rows.margin_fx32));
+template <class Ties>
+HWY_NOINLINE void decide_left(const Left& left, const RuledSpans& spans, Ties* ties,
+                              LeftTexels* texels) {
+  const LowLanes low(lack_fx16(spans.rows.margin_fx32));
   for (int32_t k = 0; k < left.count;) {
-    const int32_t row_px = left.rest[static_cast<size_t>(k)].row;
+    const int32_t row_px = left.at(k).row;
     const Span span = spans.batch.span(row_px - spans.batch.first_row);
     const RuledRow row(spans.rows, row_px - spans.batch.first_row);
     ties->go_to(span);
-    for (; k < left.count && left.rest[static_cast<size_t>(k)].row == row_px; ++k) {
-      const Span& rest = left.rest[static_cast<size_t>(k)];
-      const LaneVectors lanes = row.lanes(rest.left_px - span.left_px);
-      fixed.template draw<Pixel>(rest, surface, *ties, lanes, {0, 0, 0});
+    for (; k < left.count && left.at(k).row == row_px; ++k) {
+      const int32_t offset_px = left.at(k).left_px - span.left_px;
+      texels->put(k, low.decided(*ties, offset_px, row.lanes(offset_px)), {0, 0, 0});
     }
   }
+}
+
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_left(const Left& left, const RuledSpans& spans, const Surface& surface) {
+  LeftTexels texels;
+  ties_of(spans).with_ties([&](auto* ties) { decide_left(left, spans, ties, &texels); });
+  draw_left<Pixel, Address>(left, texels, surface);
 }
 
 template <class Pixel, class Address>
@@ -173,9 +175,7 @@ void draw_narrow_ruled(const RuledSpans& spans, const Surface& surface) {
     i = ahead    ? draw_ruled_loads<Pixel, Address, FetchAhead<Pixel>>(spans, surface, i, &left)
         : inside ? draw_ruled_loads<Pixel, Inside, FetchAtOnce<Pixel>>(spans, surface, i, &left)
                  : draw_ruled_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, i, &left);
-    if (left.count == 0) continue;
-    ties_of(spans).with_ties(
-        [&](auto* ties) { draw_left<Pixel, Address>(left, spans, surface, ties); });
+    if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface);
   }
 }
 

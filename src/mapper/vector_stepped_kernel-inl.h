@@ -10,6 +10,7 @@
 
 #include "mapper/vector_entries-inl.h"
 #include "mapper/vector_stepped_segments-inl.h"
+#include "mapper/vector_store-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {

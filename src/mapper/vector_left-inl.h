@@ -1,0 +1,119 @@
+// Vectors of pixels that hot loops leave to others, from their texels, of which no more is in
+// doubt. Included once for each SIMD target.
+#if defined(SELVAGE_VECTOR_LEFT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_LEFT_INL_H
+#undef SELVAGE_VECTOR_LEFT_INL_H
+#else
+#define SELVAGE_VECTOR_LEFT_INL_H
+#endif
+
+#include <array>
+
+#include "mapper/vector_lanes-inl.h"
+#include "mapper/vector_store-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+// Vectors of pixels that a hot loop leaves to others, so that it has no calls and keeps all it
+// needs in registers: what is left of their span from there on.
+struct Left {
+  static constexpr int32_t kMost = 64;
+  int32_t count = 0;
+  std::array<Span, kMost> rest;
+
+  [[nodiscard]] HWY_INLINE const Span& at(int32_t i) const { return rest[static_cast<size_t>(i)]; }
+};
+
+// A window for a vector by its lanes: the least texels, and its rows, 0 where there is none. What
+// near-ties are raised to may lie beyond it.
+struct LowWindow {
+  int32_t s, t, rows;
+};
+
+// The texels of some vectors: what decides near-ties need not know how pixels are made of them.
+struct DecidedTexels {
+  HWY_ALIGN int32_t s[Left::kMost * kLanes], t[Left::kMost * kLanes];
+
+  HWY_INLINE void put(int32_t i, const TexelVectors& texels) {
+    hn::Store(texels.s, D32(), s + i * kLanes);
+    hn::Store(texels.t, D32(), t + i * kLanes);
+  }
+  [[nodiscard]] HWY_INLINE TexelVectors at(int32_t i) const {
+    return {hn::Load(D32(), s + i * kLanes), hn::Load(D32(), t + i * kLanes)};
+  }
+};
+
+// Of those that are left, and their windows.
+struct LeftTexels : DecidedTexels {
+  LowWindow low[Left::kMost];
+
+  HWY_INLINE void put(int32_t i, const TexelVectors& texels, const LowWindow& window) {
+    DecidedTexels::put(i, texels);
+    low[i] = window;
+  }
+};
+
+// Draws vectors of right texels.
+template <class Address>
+class TexelDraw {
+ public:
+  explicit HWY_INLINE TexelDraw(const Surface& surface)
+      : surface_(surface), extent_(extent_of(surface.texture)) {}
+
+  // A vector, or what there is left of one at a row's end: from a window, or, where there is none,
+  // by a load for each pixel.
+  template <class Pixel>
+  HWY_INLINE void draw(const Span& rest, const TexelVectors& texels, const LowWindow& low) const {
+    const auto* const from = static_cast<const Pixel*>(surface_.texture.texels);
+    char* const to = first_pixel(surface_, rest);
+    if (kHasWindows && low.rows != 0 &&
+        draw_window(texels, low, from, rest.width_px(), reinterpret_cast<Pixel*>(to))) {
+      return;
+    }
+    HWY_ALIGN int32_t place[kLanes];
+    hn::Store(Address::place(texels.s, texels.t, extent_), D32(), place);
+    fetch_vector<Pixel>(from, place, rest.width_px(), to);
+  }
+
+ private:
+  // False where the window does not hold them.
+  template <class Pixel>
+  HWY_INLINE bool draw_window(const TexelVectors& texels, const LowWindow& low, const Pixel* from,
+                              int32_t count_px, Pixel* to) const {
+    const D32 d;
+    const int32_t last_column = extent_.width_texel - kLanes;
+    const int32_t last_row = extent_.height_texel - low.rows;
+    const Origin s = Address::origin(low.s, last_column, extent_.width_texel);
+    const Origin t = Address::origin(low.t, last_row, extent_.height_texel);
+    const V32 column =
+        hn::Sub(Address::window_texel(texels.s, extent_.width_texel), hn::Set(d, s.texel));
+    const V32 row =
+        hn::Sub(Address::window_texel(texels.t, extent_.height_texel), hn::Set(d, t.texel));
+    const auto beyond =
+        hn::Or(hn::Gt(column, hn::Set(d, kLanes - 1)), hn::Gt(row, hn::Set(d, low.rows - 1)));
+    if (s.index > last_column || t.index > last_row || !hn::AllFalse(d, beyond)) return false;
+    const Pixel* const window = from + t.index * ptrdiff_t{extent_.pitch_texel} + s.index;
+    store_pixels(pick<kWindowColumnBits>(window, extent_.pitch_texel, low.rows,
+                                         hn::Add(hn::ShiftLeft<kWindowColumnBits>(row), column)),
+                 count_px, to);
+    return true;
+  }
+
+  const Surface& surface_;
+  Extent extent_;
+};
+
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_left(const Left& left, const LeftTexels& texels, const Surface& surface) {
+  const TexelDraw<Address> draw(surface);
+  for (int32_t i = 0; i < left.count; ++i) {
+    draw.template draw<Pixel>(left.at(i), texels.at(i), texels.low[i]);
+  }
+}
+
+}  // namespace
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
