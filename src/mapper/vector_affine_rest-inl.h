@@ -32,7 +32,7 @@ HWY_NOINLINE void decide_left(const Left& left, const AffineSpans& spans, const 
 
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Surface& surface,
-                            int32_t window_rows, BatchTies* batch_ties) {
+                            int32_t window_rows, AffineBatchTies* batch_ties) {
   LeftTexels texels;
   batch_ties->with_ties(
       [&](auto* ties) { decide_left(left, spans, surface, window_rows, ties, &texels); });
@@ -81,7 +81,7 @@ class RestDraw {
   const Surface& surface_;
   int32_t window_rows_;
   bool in_window_;
-  BatchTies batch_ties_;
+  AffineBatchTies batch_ties_;
 };
 
 }  // namespace

@@ -38,7 +38,7 @@ template <class Pixel>
   if (!texels.within(surface.texture)) return false;
   const AffineBatch<Addressed<InsideVector>> lanes(spans, surface);
   const Span first = spans.batch.span(0);
-  PlaneTies<OneLimb> ties(spans.exact.rows_from(first.left_px, first.row), first);
+  PlaneTies<OneLimb, ConstantWalk> ties(spans.exact.rows_from(first.left_px, first.row), first);
   with_decided_window<Pixel>(texels, surface.texture, [&](const auto& window) {
     draw_decided<Pixel>(window, lanes, spans, surface, &ties);
   });

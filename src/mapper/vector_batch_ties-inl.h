@@ -17,12 +17,13 @@ namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
 // What decides those of rows of one map, or of one row, from the first one on.
+template <template <class> class DivisorWalk>
 class BatchTies {
  public:
   HWY_INLINE BatchTies(const ExactMap& map, const SpanBatch& batch, int spare_bits)
       : map_(map), batch_(batch), spare_bits_(spare_bits) {}
 
-  // Calls decide(ties) with PlaneTies.
+  // Calls decide(ties) with Ties.
   template <class Decide>
   HWY_INLINE void with_ties(const Decide& decide) {
     if (!short_ && !upper_ && !long_) find();
@@ -32,6 +33,9 @@ class BatchTies {
   }
 
  private:
+  template <class Number>
+  using Ties = PlaneTies<Number, DivisorWalk>;
+
   HWY_NOINLINE void find() {
     const Span first = batch_.span(0);
     const ExactRows rows = map_.rows_from(first.left_px, first.row);
@@ -50,10 +54,12 @@ class BatchTies {
   const SpanBatch& batch_;
   int spare_bits_;
   // One of them, once there are any:
-  std::optional<PlaneTies<OneLimb>> short_;
-  std::optional<PlaneTies<UpperLimb>> upper_;
-  std::optional<PlaneTies<TwoLimbs>> long_;
+  std::optional<Ties<OneLimb>> short_;
+  std::optional<Ties<UpperLimb>> upper_;
+  std::optional<Ties<TwoLimbs>> long_;
 };
+using AffineBatchTies = BatchTies<ConstantWalk>;
+using PlaneBatchTies = BatchTies<PlaneWalk>;
 
 // What decides those of rows that each have a map of their own.
 class RuledBatchTies {

@@ -70,6 +70,24 @@ class PlaneWalk : public RowWalk<Walk> {
   typename Walk::Scalar first_, down_;
 };
 
+// A number that is the same at all pixels.
+template <class Walk>
+class ConstantWalk {
+ public:
+  HWY_INLINE ConstantWalk(const ExactLine& row, const ExactLine& /*below*/)
+      : number_(number(row.start)) {}
+  HWY_INLINE void go_to_row(int32_t /*down_px*/) {}
+  [[nodiscard]] HWY_INLINE const auto& from(int32_t /*right_px*/) const { return number_; }
+
+ private:
+  static HWY_INLINE auto number(uint128 value) {
+    Walk walk;
+    walk.set_step(Walk::scalar(0));
+    return walk.from(Walk::scalar(value));
+  }
+  decltype(number(0)) number_;
+};
+
 // Which near-ties of a vector reach the next whole number, by numbers at its pixels.
 template <class Number>
 struct Decision {
@@ -77,7 +95,7 @@ struct Decision {
   static HWY_INLINE void decide(const Numerator& u, const Numerator& v, const Divisor& d,
                                 int32_t right_px, const NearTies& near, V32* HWY_RESTRICT s,
                                 V32* HWY_RESTRICT t) {
-    const auto divisor = d.from(right_px);
+    const auto& divisor = d.from(right_px);
     if (!hn::AllFalse(D32(), near.u)) *s = raised(u.from(right_px), divisor, near.u, *s);
     if (!hn::AllFalse(D32(), near.v)) *t = raised(v.from(right_px), divisor, near.v, *t);
   }
@@ -92,8 +110,9 @@ struct Decision {
   }
 };
 
-// As RowOfTies, in units of a texel, of anchored lanes.
-template <class Number>
+// As RowOfTies, in units of a texel, of anchored lanes. Divisors are linear or, of affine maps,
+// constant.
+template <class Number, template <class> class DivisorWalk>
 class PlaneTies {
  public:
   // From the rows of the span's first pixel.
@@ -123,7 +142,7 @@ class PlaneTies {
   int32_t first_px_, first_row_;
   Span span_;
   PlaneWalk<typename Number::Numerator> u_, v_;
-  PlaneWalk<typename Number::Divisor> d_;
+  DivisorWalk<typename Number::Divisor> d_;
 };
 
 // The same of rows in no plane.

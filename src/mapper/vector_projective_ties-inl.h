@@ -39,7 +39,7 @@ class ProjectiveTies {
  private:
   const ProjectiveSpans& spans_;
   int spare_bits_;
-  BatchTies of_one_map_;
+  PlaneBatchTies of_one_map_;
   std::optional<RuledBatchTies> ruled_;
 };
 
