@@ -31,8 +31,9 @@ struct LoadStripDraw {
   }
 };
 
-template <class Pixel, class Address, class Fetch, class Rest>
-HWY_NOINLINE void draw_load_strips(const AffineSpans& spans, const Surface& surface, Rest* rest) {
+template <class Pixel, class Address, class Fetch>
+HWY_NOINLINE void draw_load_strips(const AffineSpans& spans, const Surface& surface,
+                                   RestDraw* rest) {
   Fetch fetch(surface.texture.texels);
   const LoadStripDraw<Pixel, Address, Fetch> by{AffineBatch<Address>(spans, surface), &fetch};
   const Lane first = spans.field.at(0, spans.batch.first_row);
@@ -46,7 +47,7 @@ HWY_NOINLINE void draw_load_strips(const AffineSpans& spans, const Surface& surf
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_narrow(const AffineSpans& spans, const Surface& surface,
                               const WindowShape& shape, bool in_window) {
-  RestDraw<Pixel, Address> rest(spans, surface, shape.rows, in_window);
+  RestDraw rest(spans, surface, shape.rows, in_window, RestDraw::draw_as<Pixel, Address>);
   const bool inside = TexelRanges(spans.texels).within(surface.texture);
   if (kHasWindows && shape.rows != 0) {
     with_window_shape<Pixel>(surface, shape, inside, WindowStrips{spans, surface, inside, &rest});

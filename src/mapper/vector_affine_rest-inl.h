@@ -45,34 +45,43 @@ HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Su
   return field.margin_fx32 <= kSmall_fx32;
 }
 
-template <class Pixel, class Address>
+// Draws what is left of a batch. Who leaves it need not know by which address mode.
 class RestDraw {
  public:
   // in_window: it is known that one window holds the batch.
   HWY_INLINE RestDraw(const AffineSpans& spans, const Surface& surface, int32_t window_rows,
-                      bool in_window)
+                      bool in_window, bool (*draw_as)(RestDraw*, const Left&, int32_t, bool))
       : spans_(spans),
         surface_(surface),
         window_rows_(window_rows),
         in_window_(in_window),
+        draw_as_(draw_as),
         batch_ties_(spans.exact, spans.batch, spare_bits_fx16(lack_fx16(spans.field.margin_fx32))) {
   }
 
   // The vectors that are left of so many. Where they are many, all rows from an index in the batch
   // on are drawn, and false is returned.
   HWY_INLINE bool draw(const Left& left, int32_t first_index, int32_t of_vectors) {
-    if (are_many(left.count, of_vectors)) {
-      if (in_window_ && draw_near_ties<Pixel>(spans_, surface_)) return false;
-      if (has_quotients(spans_)) {
-        draw_exactly<Pixel, Address>(spans_, surface_, first_index, window_rows_);
+    return draw_as_(this, left, first_index, are_many(left.count, of_vectors));
+  }
+
+  template <class Pixel, class Address>
+  static HWY_NOINLINE bool draw_as(RestDraw* rest, const Left& left, int32_t first_index,
+                                   bool many) {
+    const AffineSpans& spans = rest->spans_;
+    const Surface& surface = rest->surface_;
+    if (many) {
+      if (rest->in_window_ && draw_near_ties<Pixel>(spans, surface)) return false;
+      if (has_quotients(spans)) {
+        draw_exactly<Pixel, Address>(spans, surface, first_index, rest->window_rows_);
         return false;
       }
-      if (is_small(spans_.field)) {
-        scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(spans_, surface_);
+      if (is_small(spans.field)) {
+        scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(spans, surface);
         return false;
       }
     }
-    draw_left<Pixel, Address>(left, spans_, surface_, window_rows_, &batch_ties_);
+    draw_left<Pixel, Address>(left, spans, surface, rest->window_rows_, &rest->batch_ties_);
     return true;
   }
 
@@ -81,6 +90,7 @@ class RestDraw {
   const Surface& surface_;
   int32_t window_rows_;
   bool in_window_;
+  bool (*draw_as_)(RestDraw*, const Left&, int32_t, bool);
   AffineBatchTies batch_ties_;
 };
 

@@ -83,7 +83,7 @@ void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowSha
   const bool inside =
       pays_to_ask_inside(spans.batch) && is_inside(spans.batch, spans.field, surface.texture);
   const bool ahead = shape.rows == 0 && !is_cached(surface.texture);
-  RestDraw<Pixel, Address> rest(spans, surface, shape.rows, false);
+  RestDraw rest(spans, surface, shape.rows, false, RestDraw::draw_as<Pixel, Address>);
   Resume at;
   Left left;
   do {

@@ -7,6 +7,7 @@
 #define SELVAGE_VECTOR_AFFINE_WINDOW_STRIPS_INL_H
 #endif
 
+#include "mapper/vector_affine_rest-inl.h"
 #include "mapper/vector_affine_strip-inl.h"
 #include "mapper/vector_affine_windows-inl.h"
 
@@ -42,12 +43,11 @@ struct WindowStripDraw {
 };
 
 // Draws a batch by windows of one shape, and what does not lie in one by rest->draw().
-template <class Rest>
 struct WindowStrips {
   const AffineSpans& spans;
   const Surface& surface;
   bool inside;
-  Rest* rest;
+  RestDraw* rest;
 
   template <class Pixel, class InWindow, int kColumnBits, int32_t kRows>
   HWY_NOINLINE void draw(const WindowShape& shape) const {
