@@ -216,25 +216,33 @@ template <class Pixel, class Address, int kColumnBits, int32_t kVectors = kMostW
   return draw(Window<Pixel, Address, kColumnBits, kVectors>(texture, place));
 }
 
-// A window in the texture is the same whatever the address mode: one function for all of them.
+// A window in the texture is the same whatever the address mode, and so is one that repeats: one
+// function for all of them.
 template <class Pixel, int kColumnBits, class Draw>
 [[nodiscard]] HWY_NOINLINE bool with_window_inside(const selvage_texture& texture,
                                                    const WindowPlace& place, const Draw& draw) {
   return with_window<Pixel, Addressed<InsideVector>, kColumnBits>(texture, place, draw);
 }
+// One that clamps is seldom: one size is enough.
+template <class Pixel, int kColumnBits, class Draw>
+[[nodiscard]] HWY_NOINLINE bool with_window_clamped(const selvage_texture& texture,
+                                                    const WindowPlace& place, const Draw& draw) {
+  return draw(
+      Window<Pixel, Addressed<ClampVector>, kColumnBits, kMostWindowVectors>(texture, place));
+}
 
-// Others are seldom: one size is enough.
-template <class Pixel, class Address, class Draw>
-[[nodiscard]] HWY_NOINLINE bool with_large_window(const TexelRanges& texels,
-                                                  const selvage_texture& texture,
-                                                  const Draw& draw) {
-  const auto half = place_of<Address, kHalfColumnBits>(texels, texture);
-  if (half.vectors != 0) {
-    return draw(Window<Pixel, Address, kHalfColumnBits, kMostWindowVectors>(texture, half));
+// What draw(window) returns, or false where no window of so many columns holds texels some of which
+// are outside the texture.
+template <class Pixel, class Address, int kColumnBits, class Draw>
+[[nodiscard]] HWY_INLINE bool with_large_window(const TexelRanges& texels,
+                                                const selvage_texture& texture, const Draw& draw) {
+  const auto place = place_of<Address, kColumnBits>(texels, texture);
+  if (place.vectors == 0) return false;
+  if constexpr (Address::kClampsWindows) {
+    return with_window_clamped<Pixel, kColumnBits>(texture, place, draw);
+  } else {
+    return with_window_inside<Pixel, kColumnBits>(texture, place, draw);
   }
-  const auto whole = place_of<Address, kWindowColumnBits>(texels, texture);
-  return whole.vectors != 0 &&
-         draw(Window<Pixel, Address, kWindowColumnBits, kMostWindowVectors>(texture, whole));
 }
 
 // What draw(window) returns, or false where there is no such window.
@@ -243,7 +251,10 @@ template <class Pixel, class Address, class Draw>
                                               const Draw& draw) {
   if (!kHasWindows || texture.layout != SELVAGE_LAYOUT_ROWS) return false;
   const TexelRanges texels(box);
-  if (!texels.within(texture)) return with_large_window<Pixel, Address>(texels, texture, draw);
+  if (!texels.within(texture)) {
+    return with_large_window<Pixel, Address, kHalfColumnBits>(texels, texture, draw) ||
+           with_large_window<Pixel, Address, kWindowColumnBits>(texels, texture, draw);
+  }
   const auto half = place_inside<kHalfColumnBits>(texels, texture);
   if (half.vectors != 0) return with_window_inside<Pixel, kHalfColumnBits>(texture, half, draw);
   const auto whole = place_inside<kWindowColumnBits>(texels, texture);

@@ -48,7 +48,8 @@ class PieceQueue {
   static constexpr uint32_t kBlocks = 4;
 
   HWY_INLINE void find_pieces(uint32_t at) { walk_.next(&blocks_[at % kBlocks].pieces); }
-  HWY_INLINE void find_anchors(uint32_t at) {
+  // Not in line, for what draws is compiled for each kind of pixel, address mode and way to fetch.
+  HWY_NOINLINE void find_anchors(uint32_t at) {
     PieceBlock& block = blocks_[at % kBlocks];
     for (int32_t k = 0; k < block.pieces.count; k += kLanes) {
       vectors_.find_lanes(block.pieces, k, &block.anchors);
