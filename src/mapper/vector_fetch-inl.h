@@ -7,11 +7,75 @@
 #define SELVAGE_VECTOR_FETCH_INL_H
 #endif
 
+#include <cstring>
+
 #include "mapper/vector_kernel-inl.h"
+#include "mapper/vector_store-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
+
+template <class Pixel>
+[[nodiscard]] HWY_INLINE Pixel texel_at(const void* texels, int32_t place) {
+  Pixel texel;
+  std::memcpy(&texel, static_cast<const Pixel*>(texels) + place, sizeof(Pixel));
+  return texel;
+}
+
+// By scalar loads: gathers were slower where both were measured (AMD Zen).
+template <class Pixel>
+HWY_INLINE void fetch_as(const void* texels, const int32_t* HWY_RESTRICT place, int32_t count,
+                         char* HWY_RESTRICT pixel) {
+#pragma GCC unroll 4
+  for (int32_t i = 0; i < count; ++i) {
+    const Pixel texel = texel_at<Pixel>(texels, place[i]);
+    std::memcpy(pixel + i * ptrdiff_t{sizeof(Pixel)}, &texel, sizeof(Pixel));
+  }
+}
+
+// The same, of a whole vector.
+template <class Pixel, int32_t kCount>
+HWY_INLINE void fetch_as(const void* texels, const int32_t* HWY_RESTRICT place,
+                         char* HWY_RESTRICT pixel) {
+#pragma GCC unroll 16
+  for (int32_t i = 0; i < kCount; ++i) {
+    const Pixel texel = texel_at<Pixel>(texels, place[i]);
+    std::memcpy(pixel + i * ptrdiff_t{sizeof(Pixel)}, &texel, sizeof(Pixel));
+  }
+}
+
+// The first pixels of a vector, 0 or more. How many there are a processor seldom foresees: so there
+// is no branch for it where vectors are made of scalars at little cost. Places of others may mean
+// nothing.
+template <class Pixel>
+HWY_INLINE void fetch_first(const void* texels, V32 places, int32_t count, char* pixel) {
+  const D32 d;
+  HWY_ALIGN int32_t place[kLanes];
+  hn::Store(hn::IfThenElseZero(hn::Lt(hn::Iota(d, 0), hn::Set(d, count)), places), d, place);
+#if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4
+  const auto at = [&](int32_t i) HWY_ATTR __attribute__((always_inline)) {
+    return static_cast<int32_t>(texel_at<Pixel>(texels, place[i]));
+  };
+#if HWY_TARGET == HWY_AVX2
+  const V32 first{_mm256_setr_epi32(at(0), at(1), at(2), at(3), at(4), at(5), at(6), at(7))};
+#else
+  const V32 first{_mm_setr_epi32(at(0), at(1), at(2), at(3))};
+#endif
+  store_first(first, count, reinterpret_cast<Pixel*>(pixel));
+#else
+  fetch_as<Pixel>(texels, place, count, pixel);
+#endif
+}
+
+// Of a vector, or of the first ones.
+template <class Pixel>
+HWY_INLINE void fetch_vector(const void* texels, V32 places, int32_t count, char* pixel) {
+  if (HWY_UNLIKELY(count < kLanes)) return fetch_first<Pixel>(texels, places, count, pixel);
+  HWY_ALIGN int32_t place[kLanes];
+  hn::Store(places, D32(), place);
+  fetch_as<Pixel, kLanes>(texels, place, pixel);
+}
 
 // Texels are asked for so many pixels before they are fetched: what a processor draws in some
 // hundred ns, which memory takes to answer. In lines of their own they fill 16 KB, half of a small
@@ -25,9 +89,7 @@ class FetchAtOnce {
 
   // Pixels are the first ones.
   HWY_INLINE void add(V32 places, int32_t count_px, char* pixels) {
-    HWY_ALIGN int32_t place[kLanes];
-    hn::Store(places, D32(), place);
-    fetch_vector<Pixel>(texels_, place, count_px, pixels);
+    fetch_vector<Pixel>(texels_, places, count_px, pixels);
   }
   HWY_INLINE void finish() {}
 
@@ -64,7 +126,12 @@ class FetchAhead {
   HWY_INLINE size_t fetch_oldest() {
     const size_t slot = oldest_;
     oldest_ = (slot + 1) % kSlots;
-    fetch_vector<Pixel>(texels_, place_[slot], count_px_[slot], pixels_[slot]);
+    const int32_t count_px = count_px_[slot];
+    if (HWY_LIKELY(count_px >= kLanes)) {
+      fetch_as<Pixel, kLanes>(texels_, place_[slot], pixels_[slot]);
+    } else if (count_px > 0) {
+      fetch_first<Pixel>(texels_, hn::Load(D32(), place_[slot]), count_px, pixels_[slot]);
+    }
     return slot;
   }
 

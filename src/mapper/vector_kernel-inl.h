@@ -9,8 +9,6 @@
 
 #include <hwy/highway.h>
 
-#include <cstring>
-
 #include "mapper/address.h"
 #include "mapper/exact_row.h"
 #include "mapper/kernel.h"
@@ -230,38 +228,6 @@ HWY_INLINE void with_pixel(selvage_format format, const Draw& draw) {
 [[nodiscard]] HWY_INLINE char* first_pixel(const Surface& surface, const Span& span) {
   return static_cast<char*>(surface.target.pixels) + span.row * surface.target.pitch +
          span.left_px * bytes_per_pixel(surface.target.format);
-}
-
-// By scalar loads: gathers were slower where both were measured (AMD Zen).
-template <class Pixel>
-HWY_INLINE void fetch_as(const void* texels, const int32_t* HWY_RESTRICT place, int32_t count,
-                         char* HWY_RESTRICT pixel) {
-#pragma GCC unroll 4
-  for (int32_t i = 0; i < count; ++i) {
-    std::memcpy(pixel + i * ptrdiff_t{sizeof(Pixel)},
-                static_cast<const char*>(texels) + place[i] * ptrdiff_t{sizeof(Pixel)},
-                sizeof(Pixel));
-  }
-}
-
-// The same, of a whole vector.
-template <class Pixel, int32_t kCount>
-HWY_INLINE void fetch_as(const void* texels, const int32_t* HWY_RESTRICT place,
-                         char* HWY_RESTRICT pixel) {
-#pragma GCC unroll 16
-  for (int32_t i = 0; i < kCount; ++i) {
-    std::memcpy(pixel + i * ptrdiff_t{sizeof(Pixel)},
-                static_cast<const char*>(texels) + place[i] * ptrdiff_t{sizeof(Pixel)},
-                sizeof(Pixel));
-  }
-}
-
-// Of a vector, or of the first ones.
-template <class Pixel>
-HWY_INLINE void fetch_vector(const void* texels, const int32_t* HWY_RESTRICT place, int32_t count,
-                             char* HWY_RESTRICT pixel) {
-  if (HWY_LIKELY(count >= kLanes)) return fetch_as<Pixel, kLanes>(texels, place, pixel);
-  fetch_as<Pixel>(texels, place, count, pixel);
 }
 
 }  // namespace

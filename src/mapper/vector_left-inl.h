@@ -9,6 +9,7 @@
 
 #include <array>
 
+#include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_lanes-inl.h"
 #include "mapper/vector_store-inl.h"
 
@@ -72,9 +73,7 @@ class TexelDraw {
         draw_window(texels, low, from, rest.width_px(), reinterpret_cast<Pixel*>(to))) {
       return;
     }
-    HWY_ALIGN int32_t place[kLanes];
-    hn::Store(Address::place(texels.s, texels.t, extent_), D32(), place);
-    fetch_vector<Pixel>(from, place, rest.width_px(), to);
+    fetch_vector<Pixel>(from, Address::place(texels.s, texels.t, extent_), rest.width_px(), to);
   }
 
  private:

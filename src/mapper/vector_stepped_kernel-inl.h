@@ -9,6 +9,7 @@
 #endif
 
 #include "mapper/vector_entries-inl.h"
+#include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_stepped_segments-inl.h"
 #include "mapper/vector_store-inl.h"
 
