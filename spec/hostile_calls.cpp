@@ -73,7 +73,7 @@ void spoil_image(Calls* calls, const ImageErrors& errors, selvage_format format,
     image.height = kInt32Max;
     image.pitch = std::numeric_limits<ptrdiff_t>::max() / 4 / pixel * pixel;
   });
-  add("a second row beyond the last address", errors.pitch, [=](auto& image) {
+  add("a second row that ends beyond the last address", errors.pitch, [=](auto& image) {
     image.height = 2;
     image.pitch = std::numeric_limits<ptrdiff_t>::max() / pixel * pixel;
   });

@@ -150,6 +150,54 @@ struct Legs {
   return c;
 }
 
+// A quad that no plane holds, of which a row's centres lie below the top edge by a hair: along that
+// row coordinates change by less than a unit of 2^-32 texel a pixel, and lanes, whose steps are
+// lowered by half a unit, may fall where they rise.
+[[nodiscard]] spec::Case any_case_of_least_slopes(spec::Random& random) {
+  spec::Case c;
+  c.format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
+  c.address = random.pick({SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP});
+  c.target_width_px = random.in(60, 140);
+  c.target_height_px = random.in(1, 4);
+  c.texture_width_texel = random.pick({8, 13, 32});
+  c.texture_height_texel = random.pick({3, 8, 32});
+  const int32_t right = c.target_width_px * SELVAGE_SUBPIXELS - random.in(0, 256);
+  const int32_t top = kHalfPixel - random.in(1, 4);
+  const int32_t bottom = random.in(4, 40) * SELVAGE_SUBPIXELS;
+  const int32_t u = random.in(-2, 10) * kTexel_fx16, v = random.in(-2, 10) * kTexel_fx16;
+  const auto beside = [&](int32_t whole_fx16) { return whole_fx16 + random.in(-1, 2); };
+  c.vertices = {{0, top, u, v, 1}, {right, top, u, v, 1}};
+  for (const int32_t x : {right, 0}) {
+    const int32_t bottom_u = beside(u), bottom_v = beside(v);
+    c.vertices.push_back({x, bottom, bottom_u, bottom_v, 1});
+  }
+  return c;
+}
+
+TEST(ExactQuotients, StepUpWhereLanesStepDown) {
+  for (uint64_t seed = 1; seed <= 3000; ++seed) {
+    spec::Random random(seed);
+    expect_drawn_alike(any_case_of_least_slopes(random), seed);
+    ASSERT_FALSE(HasFatalFailure());
+  }
+}
+
+// The same, by hand: v reaches a whole texel beyond the last pixel.
+TEST(ExactQuotients, StepUpToTheEdgeOfATexel) {
+  spec::Case c;
+  c.format = SELVAGE_INDEX8;
+  c.address = SELVAGE_ADDRESS_CLAMP;
+  c.target_width_px = 65;
+  c.target_height_px = 1;
+  c.texture_width_texel = 8;
+  c.texture_height_texel = 3;
+  c.vertices = {{0, 127, 0, 65536, 1},
+                {16640, 127, 0, 65536, 1},
+                {16640, 4223, 0, 65536, 1},
+                {0, 4223, 0, 65535, 1}};
+  expect_drawn_alike(c, 0);
+}
+
 // A block of seeds.
 class ExactQuotientsOf : public testing::TestWithParam<uint64_t> {};
 

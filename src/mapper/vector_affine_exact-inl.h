@@ -31,8 +31,8 @@ inline constexpr int32_t kLeastNear = 4;
 // A coordinate over the rows of a batch: n / d texels, n linear.
 class ExactCoordinate {
  public:
-  // From the numerators at some pixel and at the one below it. The lanes' step is the floor of that
-  // of n over d, in 2^-32 texel.
+  // From the numerators at some pixel and at the one below it. The lanes' step is that of n over d,
+  // in 2^-32 texel, rounded down, or lowered by some units: it may fall where n rises.
   HWY_INLINE ExactCoordinate(const ExactLine& n, uint128 below, uint64_t divisor, int64_t step_fx32)
       : n_(n),
         down_(below - n.start),
@@ -40,7 +40,7 @@ class ExactCoordinate {
         step_(quotient_from(n.step, divisor, floor_texel(step_fx32))),
         walk_(walk_by(&step_, divisor)),
         by_vector_(step_, divisor),
-        anchor_lane_(anchor_lane(step_fx32)) {}
+        least_lane_(static_cast<int128>(n.step) < 0 ? kLanes - 1 : 0) {}
 
   HWY_INLINE void go_down() { n_.start += down_; }
 
@@ -56,7 +56,7 @@ class ExactCoordinate {
   [[nodiscard]] HWY_INLINE int32_t least_texel(const Quotients& at) const {
     HWY_ALIGN int32_t texel[kLanes];
     hn::Store(at.whole, D32(), texel);
-    return texel[anchor_lane_];
+    return texel[least_lane_];
   }
 
  private:
@@ -66,7 +66,7 @@ class ExactCoordinate {
   Quotient step_;  // of a vector
   Quotients walk_;
   QuotientSum by_vector_;
-  int32_t anchor_lane_;
+  int32_t least_lane_;
 };
 
 // The rows from an index in the batch on, by windows of so many rows, or, where there are none, by

@@ -45,12 +45,15 @@ HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Su
   return field.margin_fx32 <= kSmall_fx32;
 }
 
-// Draws what is left of a batch. Who leaves it need not know by which address mode.
+// Draws what is left of a batch. Who leaves it need not know by which address mode, so that there
+// is one of each for all of them.
 class RestDraw {
  public:
+  using DrawAs = bool (*)(RestDraw* rest, const Left& left, int32_t first_index, bool many);
+
   // in_window: it is known that one window holds the batch.
   HWY_INLINE RestDraw(const AffineSpans& spans, const Surface& surface, int32_t window_rows,
-                      bool in_window, bool (*draw_as)(RestDraw*, const Left&, int32_t, bool))
+                      bool in_window, DrawAs draw_as)
       : spans_(spans),
         surface_(surface),
         window_rows_(window_rows),
@@ -71,7 +74,7 @@ class RestDraw {
     const AffineSpans& spans = rest->spans_;
     const Surface& surface = rest->surface_;
     if (many) {
-      if (rest->in_window_ && draw_near_ties<Pixel>(spans, surface)) return false;
+      if (kHasWindows && rest->in_window_ && draw_near_ties<Pixel>(spans, surface)) return false;
       if (has_quotients(spans)) {
         draw_exactly<Pixel, Address>(spans, surface, first_index, rest->window_rows_);
         return false;
@@ -90,7 +93,7 @@ class RestDraw {
   const Surface& surface_;
   int32_t window_rows_;
   bool in_window_;
-  bool (*draw_as_)(RestDraw*, const Left&, int32_t, bool);
+  DrawAs draw_as_;
   AffineBatchTies batch_ties_;
 };
 

@@ -9,6 +9,7 @@
 
 #include "mapper/vector_affine_lanes-inl.h"
 #include "mapper/vector_decided_window-inl.h"
+#include "mapper/vector_plane_ties-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -19,6 +20,7 @@ HWY_NOINLINE void draw_decided(const Window& window, const Batch& lanes, const A
                                const Surface& surface, Ties* ties) {
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
+    if (span.empty()) continue;
     ties->go_to(span);
     for (Span rest = span; !rest.empty(); rest.left_px += kLanes) {
       const Lane anchor = lanes.anchor(spans.field.at(rest.left_px, rest.row));

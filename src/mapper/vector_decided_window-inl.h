@@ -8,7 +8,6 @@
 #endif
 
 #include "mapper/vector_one_window-inl.h"
-#include "mapper/vector_plane_ties-inl.h"
 #include "mapper/vector_store-inl.h"
 
 HWY_BEFORE_NAMESPACE();

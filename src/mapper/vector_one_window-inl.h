@@ -170,36 +170,36 @@ class Window {
 
 // Each draws pixels of a vector from a window, and returns what the lanes of pixels lack changes in
 // them, beside what that changed before: all,
-template <class Pixel, class OneWindow, class Fixed>
-[[nodiscard]] HWY_INLINE V32 draw_whole(const OneWindow& window, const Fixed& fixed,
+template <class Pixel, class OneWindow, class Low>
+[[nodiscard]] HWY_INLINE V32 draw_whole(const OneWindow& window, const Low& low,
                                         const LaneVectors& lanes, V32 changed, Pixel* to) {
-  store_pixels(window.template texels<Fixed::kFraction>(lanes), kLanes, to);
-  return hn::Or(changed, fixed.changes(lanes));
+  store_pixels(window.template texels<Low::kFraction>(lanes), kLanes, to);
+  return hn::Or(changed, low.changes(lanes));
 }
 // the first ones, maybe none or all, without a branch,
-template <class Pixel, class OneWindow, class Fixed>
-[[nodiscard]] HWY_INLINE V32 draw_some(const OneWindow& window, const Fixed& fixed,
+template <class Pixel, class OneWindow, class Low>
+[[nodiscard]] HWY_INLINE V32 draw_some(const OneWindow& window, const Low& low,
                                        const LaneVectors& lanes, int32_t count_px, V32 changed,
                                        Pixel* to) {
   const D32 d;
   const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
-  const V32 texels = window.template texels<Fixed::kFraction>(lanes);
+  const V32 texels = window.template texels<Low::kFraction>(lanes);
   if constexpr (kHasMask && sizeof(Pixel) == sizeof(int32_t)) {
     hn::BlendedStore(texels, is_pixel, d, reinterpret_cast<int32_t*>(to));
   } else {
     store_first(texels, count_px, to);
   }
-  return hn::IfThenElse(is_pixel, hn::Or(changed, fixed.changes(lanes)), changed);
+  return hn::IfThenElse(is_pixel, hn::Or(changed, low.changes(lanes)), changed);
 }
 // and the first ones where most vectors are whole. With a mask there is no need to ask.
-template <class Pixel, class OneWindow, class Fixed>
-[[nodiscard]] HWY_INLINE V32 draw_first(const OneWindow& window, const Fixed& fixed,
+template <class Pixel, class OneWindow, class Low>
+[[nodiscard]] HWY_INLINE V32 draw_first(const OneWindow& window, const Low& low,
                                         const LaneVectors& lanes, int32_t count_px, V32 changed,
                                         Pixel* to) {
   constexpr bool kByMask = kHasMask && sizeof(Pixel) == sizeof(int32_t);
   return !kByMask && HWY_LIKELY(count_px >= kLanes)
-             ? draw_whole(window, fixed, lanes, changed, to)
-             : draw_some(window, fixed, lanes, count_px, changed, to);
+             ? draw_whole(window, low, lanes, changed, to)
+             : draw_some(window, low, lanes, count_px, changed, to);
 }
 
 // Calls draw(window) with a window of so many vectors, or of fewer.
@@ -216,14 +216,15 @@ template <class Pixel, class Address, int kColumnBits, int32_t kVectors = kMostW
   return draw(Window<Pixel, Address, kColumnBits, kVectors>(texture, place));
 }
 
-// A window in the texture is the same whatever the address mode, and so is one that repeats: one
-// function for all of them.
+// A window whose texels need no clamping is the same whatever the address mode: one function for
+// all of them.
 template <class Pixel, int kColumnBits, class Draw>
 [[nodiscard]] HWY_NOINLINE bool with_window_inside(const selvage_texture& texture,
                                                    const WindowPlace& place, const Draw& draw) {
   return with_window<Pixel, Addressed<InsideVector>, kColumnBits>(texture, place, draw);
 }
-// One that clamps is seldom: one size is enough.
+
+// Others are seldom: one size is enough.
 template <class Pixel, int kColumnBits, class Draw>
 [[nodiscard]] HWY_NOINLINE bool with_window_clamped(const selvage_texture& texture,
                                                     const WindowPlace& place, const Draw& draw) {
@@ -231,10 +232,10 @@ template <class Pixel, int kColumnBits, class Draw>
       Window<Pixel, Addressed<ClampVector>, kColumnBits, kMostWindowVectors>(texture, place));
 }
 
-// What draw(window) returns, or false where no window of so many columns holds texels some of which
-// are outside the texture.
+// Of texels some of which are outside the texture: what draw(window) returns, or false where no
+// window of so many columns holds them.
 template <class Pixel, class Address, int kColumnBits, class Draw>
-[[nodiscard]] HWY_INLINE bool with_large_window(const TexelRanges& texels,
+[[nodiscard]] HWY_INLINE bool with_outer_window(const TexelRanges& texels,
                                                 const selvage_texture& texture, const Draw& draw) {
   const auto place = place_of<Address, kColumnBits>(texels, texture);
   if (place.vectors == 0) return false;
@@ -245,15 +246,16 @@ template <class Pixel, class Address, int kColumnBits, class Draw>
   }
 }
 
-// What draw(window) returns, or false where there is no such window.
+// What draw(window) returns, or false where there is no such window. Where it returns false it has
+// drawn nothing, and may be called with another.
 template <class Pixel, class Address, class Draw>
 [[nodiscard]] HWY_INLINE bool with_one_window(const TexelBox& box, const selvage_texture& texture,
                                               const Draw& draw) {
   if (!kHasWindows || texture.layout != SELVAGE_LAYOUT_ROWS) return false;
   const TexelRanges texels(box);
   if (!texels.within(texture)) {
-    return with_large_window<Pixel, Address, kHalfColumnBits>(texels, texture, draw) ||
-           with_large_window<Pixel, Address, kWindowColumnBits>(texels, texture, draw);
+    return with_outer_window<Pixel, Address, kHalfColumnBits>(texels, texture, draw) ||
+           with_outer_window<Pixel, Address, kWindowColumnBits>(texels, texture, draw);
   }
   const auto half = place_inside<kHalfColumnBits>(texels, texture);
   if (half.vectors != 0) return with_window_inside<Pixel, kHalfColumnBits>(texture, half, draw);

@@ -7,7 +7,6 @@
 #endif
 
 #include "mapper/interior.h"
-#include "mapper/vector_batch_ties-inl.h"
 #include "mapper/vector_entries-inl.h"
 #include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_left-inl.h"

@@ -15,8 +15,8 @@ namespace {
 
 // A strip of a block: of its rows, a piece each, from so many pixels right of their first ones on,
 // maybe of no pixels. Returns what the lanes of pixels lack changes in them.
-template <class Pixel, class Fixed, class OneWindow>
-[[nodiscard]] HWY_INLINE V32 draw_strip(const OneWindow& window, const Fixed& fixed,
+template <class Pixel, class Low, class OneWindow>
+[[nodiscard]] HWY_INLINE V32 draw_strip(const OneWindow& window, const Low& low,
                                         const AnchoredVectors& vectors, const SpanBatch& batch,
                                         const selvage_image& target, const RowBlock& block,
                                         int32_t right_by_px) {
@@ -40,7 +40,7 @@ template <class Pixel, class Fixed, class OneWindow>
           reinterpret_cast<Pixel*>(pixels + static_cast<ptrdiff_t>(row)) + pieces.left_px[k];
       for (int32_t at = 0; at < kVectorsPerPiece && (at == 0 || count_px > 0); ++at) {
         const LaneVectors lanes = lanes_of.lanes(anchors, k, at);
-        changed = draw_first(window, fixed, lanes, count_px, changed, to);
+        changed = draw_first(window, low, lanes, count_px, changed, to);
         count_px -= kLanes;
         to += kLanes;
       }

@@ -87,6 +87,7 @@ HWY_NOINLINE void draw_decided(const Window& window, const RuledSpans& spans,
   const LowLanes low(lack_fx16(spans.rows.margin_fx32));
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
+    if (span.empty()) continue;
     const RuledRow row(spans.rows, i);
     ties->go_to(span);
     auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
