@@ -62,6 +62,11 @@ constexpr HardFamily kHardFamilies[] = {
      "u and v a whole number at every centre: the least error downward, or a rounding where a "
      "floor belongs, shows the neighbour.",
      make_texel_boundaries},
+    {"least-slopes",
+     "A quadrilateral that no plane holds, and a row of it that changes by less than a millionth "
+     "of "
+     "a texel from end to end, beside a border: a slope rounded to the other sign walks over it.",
+     make_least_slopes},
     {"repeated-vertices",
      "Each vertex several times: edges without length divide by 0, or a twin is taken for the "
      "other end of the next edge.",

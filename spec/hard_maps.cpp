@@ -1,5 +1,6 @@
 // Hard for the mapping: ties on texel boundaries, and q.
 #include <algorithm>
+#include <array>
 
 #include "spec/hard_makers.h"
 #include "spec/hard_tools.h"
@@ -15,6 +16,31 @@ Case make_texel_boundaries(uint64_t seed) {
       draft.random.pick<Slope>({{2, 0, 1}, {1, 1, 1}, {-1, 1, 1}, {-2, 0, 1}, {0, 1, 1}});
   const Slope v = draft.random.pick<Slope>({{0, 1, 1}, {1, -1, 1}, {1, 0, 1}, {0, -1, 1}});
   map_on_boundaries(&c, u, v);
+  return c;
+}
+
+// Along the top edge all is a whole texel, and the row of centres next to it takes little of what
+// the bottom's corners are off: u and v change by less than 2^-32 texel a pixel there.
+Case make_least_slopes(uint64_t seed) {
+  Draft draft(seed);
+  Random& random = draft.random;
+  const Frame frame{random.in(66, 128), draft.small ? random.in(2, 9) : random.in(9, 60)};
+  Case c = start(draft, frame, {16, 16});
+  const int64_t right = int64_t{frame.width_px} * kPixel_fx8;
+  const int64_t top = draft.whole_px ? 0 : kPixel_fx8 / 2 - 1;
+  const int64_t bottom = draft.whole_px ? draft.place_fx8(1200, 4000) : draft.place_fx8(12, 60);
+  set_outline(&c, {{0, top}, {right, top}, {right, bottom}, {0, bottom}});
+  const auto tilt = [&](int32_t selvage_vertex::*coordinate) {
+    const int32_t whole = random.in(1, 16) * kTexel_fx16;
+    const int32_t left = random.in(-1, 1);
+    const std::array<int32_t, 4> off = {0, 0, left + 1, left};
+    const bool falls = random.percent(50);
+    for (size_t k = 0; k < off.size(); ++k) {
+      c.vertices[k].*coordinate = whole + (falls ? -off[k] : off[k]);
+    }
+  };
+  tilt(&selvage_vertex::u);
+  tilt(&selvage_vertex::v);
   return c;
 }
 

@@ -132,6 +132,18 @@ namespace {
          share(c, [](const Sample& p) { return is_whole(p.u) && is_whole(p.v); }) == 1;
 }
 
+// Along the first row, which lies beside a border of both.
+[[nodiscard]] bool has_least_slopes(const Case& c) {
+  const auto first = sample(c.vertices, 0, 0), second = sample(c.vertices, 1, 0);
+  if (!first || !second) return false;
+  const auto is_least = [](const Rational& from, const Rational& to) {
+    const Rational half(1, 2), unit_of_lanes(1, int64_t{1} << 32);
+    const Rational off = from - floor(from + half);
+    return from != to && abs(to - from) < unit_of_lanes && abs(off) * SELVAGE_SUBTEXELS < 1;
+  };
+  return is_least(first->u, second->u) && is_least(first->v, second->v);
+}
+
 [[nodiscard]] bool has_repeated_vertices(const Case& c) {
   return c.vertices.size() >= 6 &&
          2 * count_edges(c, [](const Edge& e) { return e.from == e.to; }) >=
@@ -193,6 +205,7 @@ const std::map<std::string_view, Property> kProperties = {
     {"magnified-4096", is_magnified},
     {"minified-4096", is_minified},
     {"texel-boundaries", [](const Case& c) { return all_on_boundaries(c) && !is_one_to_one(c); }},
+    {"least-slopes", has_least_slopes},
     {"repeated-vertices", has_repeated_vertices},
     {"collinear-runs", has_collinear_runs},
     {"flat-topped", is_flat_topped},
