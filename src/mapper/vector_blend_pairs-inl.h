@@ -10,6 +10,7 @@
 #endif
 
 #include <bit>
+#include <cstring>
 
 #include "mapper/vector_kernel-inl.h"
 
