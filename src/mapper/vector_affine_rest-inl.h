@@ -53,12 +53,12 @@ class RestDraw {
 
   // in_window: it is known that one window holds the batch.
   HWY_INLINE RestDraw(const AffineSpans& spans, const Surface& surface, int32_t window_rows,
-                      bool in_window, DrawAs draw_as)
+                      bool in_window, DrawAs by)
       : spans_(spans),
         surface_(surface),
         window_rows_(window_rows),
         in_window_(in_window),
-        draw_as_(draw_as),
+        draw_as_(by),
         batch_ties_(spans.exact, spans.batch, spare_bits_fx16(lack_fx16(spans.field.margin_fx32))) {
   }
 
