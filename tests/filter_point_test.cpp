@@ -28,7 +28,7 @@ void expect_exact_points(std::span<const selvage_vertex> vertices, const SpanMap
   }
 }
 
-void expect_exact_points_of_generated_spans(int cases) {
+void expect_exact_points_of_generated_spans(uint64_t cases) {
   for_each_generated_span(cases, [&](const spec::Case& c, const Polygon& polygon,
                                      const SpanMap& map, const Span& span) {
     if (testing::Test::HasFatalFailure()) return;

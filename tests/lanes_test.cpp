@@ -40,16 +40,17 @@ void expect_lawful_lanes(const spec::Case& c, const SpanMap& map, const Span& sp
 
 void expect_lawful_lanes_of_generated_spans(int cases) {
   int affine = 0, projective = 0;
-  for_each_generated_span(cases, [&](const spec::Case& c, const Polygon& polygon,
-                                     const SpanMap& map, const Span& span) {
-    if (polygon.affine) {
-      expect_lawful_lanes<AffineLanes>(c, map, span);
-      ++affine;
-    }
-    // The projective lanes must hold on affine spans too: a ratio of 1 is an ordinary ratio.
-    expect_lawful_lanes<ProjectiveLanes>(c, map, span);
-    ++projective;
-  });
+  for_each_generated_span(
+      static_cast<uint64_t>(cases),
+      [&](const spec::Case& c, const Polygon& polygon, const SpanMap& map, const Span& span) {
+        if (polygon.affine) {
+          expect_lawful_lanes<AffineLanes>(c, map, span);
+          ++affine;
+        }
+        // The projective lanes must hold on affine spans too: a ratio of 1 is an ordinary ratio.
+        expect_lawful_lanes<ProjectiveLanes>(c, map, span);
+        ++projective;
+      });
   EXPECT_GT(affine, cases * 3 / 4);
   EXPECT_GT(projective, affine + cases / 4);
 }
