@@ -64,8 +64,8 @@ constexpr HardFamily kHardFamilies[] = {
      make_texel_boundaries},
     {"least-slopes",
      "A quadrilateral that no plane holds, and a row of it that changes by less than a millionth "
-     "of "
-     "a texel from end to end, beside a border: a slope rounded to the other sign walks over it.",
+     "of a texel from end to end, beside a border: a slope rounded to the other sign walks over "
+     "it.",
      make_least_slopes},
     {"repeated-vertices",
      "Each vertex several times: edges without length divide by 0, or a twin is taken for the "
