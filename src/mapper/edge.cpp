@@ -51,7 +51,7 @@ const Edge& Chain::at_row(int32_t row) {
   if (row < edge_.bottom_row() && row == row_ + 1) {
     edge_.step();
   } else {
-    while (row >= edge_.bottom_row()) next_edge();
+    static_cast<void>(crossing(row));
     edge_.seek(row);
   }
   row_ = row;

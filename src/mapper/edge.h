@@ -123,15 +123,20 @@ class Chain {
   // The edge that crosses `row`, at that row. Rows must rise from call to call and stay within the
   // polygon's; they may jump.
   [[nodiscard]] const Edge& at_row(int32_t row);
+  // The same edge, at any row: who asks for it steps nowhere.
+  [[nodiscard]] const Edge& crossing(int32_t row) {
+    while (row >= edge_.bottom_row()) next_edge();
+    return edge_;
+  }
 
   // Calls find(line, rows, first) for each edge that crosses some of the rows [row, end_row), the
   // line from its first one there, which is `first` rows below `row`. Under the same rule.
   template <class Find>
   void for_each_line(int32_t row, int32_t end_row, const Find& find) {
     for (int32_t next = row; next < end_row;) {
-      while (next >= edge_.bottom_row()) next_edge();
-      const int32_t stop = std::min(end_row, edge_.bottom_row());
-      find(edge_.line_from(next), stop - next, next - row);
+      const Edge& edge = crossing(next);
+      const int32_t stop = std::min(end_row, edge.bottom_row());
+      find(edge.line_from(next), stop - next, next - row);
       next = stop;
     }
   }

@@ -16,8 +16,9 @@ bool Plane::passes_through(const selvage_vertex& vertex) const {
 }
 
 bool Plane::holds(std::span<const selvage_vertex> vertices) const {
-  return std::ranges::all_of(vertices.subspan(1),
-                             [&](const selvage_vertex& vertex) { return passes_through(vertex); });
+  return std::ranges::all_of(vertices.subspan(1), [&](const selvage_vertex& vertex) {
+    return &vertex == &frame_.second() || &vertex == &frame_.third() || passes_through(vertex);
+  });
 }
 
 }  // namespace selvage::mapper
