@@ -77,6 +77,54 @@ TEST(ExactSlab, AreThoseOfTheMapBetweenEdgesThatCross) {
   EXPECT_GT(std::min(before, behind), 500);
 }
 
+// Rows of some quads, in any order and from any of their pixels.
+TEST(ShortRuledRows, AreTheLowBitsOfTheMaps) {
+  int rows = 0, not_served = 0;
+  for (uint64_t seed = 1; seed <= 1500; ++seed) {
+    spec::Random random(seed);
+    const std::vector<selvage_vertex> vertices = any_quad(random, random.percent(70));
+    Polygon polygon;
+    if (examine(vertices, &polygon) != SELVAGE_OK) continue;
+    const selvage_rect part = part_of(polygon, kEverywhere);
+    RuledMap map;
+    SlabWalk slabs(polygon, part);
+    while (const auto slab = slabs.next()) ASSERT_TRUE(map.add(*slab));
+    if (!ShortRuledRowFinder::serves(map)) {
+      ++not_served;
+      continue;
+    }
+    ShortRuledRowFinder found(map);
+    SpanWalk walk(polygon, {-40000, part.top, 40000, std::min(part.bottom, part.top + 200)});
+    std::vector<Span> spans;
+    while (walk.next()) spans.push_back(walk.span());
+    if (random.percent(30)) std::ranges::reverse(spans);
+    for (const Span& span : spans) {
+      if (random.percent(30)) continue;
+      const int32_t px = random.in(span.left_px, span.right_px);
+      const ExactRow row = found.row_from(px, span.row),
+                     whole = ExactMap(map).row_from(px, span.row);
+      for (ExactLine ExactRow::*const of : {&ExactRow::u, &ExactRow::v, &ExactRow::d}) {
+        ASSERT_EQ(static_cast<uint64_t>((row.*of).start), static_cast<uint64_t>((whole.*of).start))
+            << "seed " << seed << ", pixel " << px << ", " << span.row;
+        ASSERT_EQ(static_cast<uint64_t>((row.*of).step), static_cast<uint64_t>((whole.*of).step));
+      }
+      ++rows;
+    }
+  }
+  EXPECT_GT(rows, 50000);
+  EXPECT_LT(not_served, 500);
+}
+
+// Edges that change sides between rows have no one sign.
+TEST(ShortRuledRows, AreNotOfEdgesThatCross) {
+  const std::vector<selvage_vertex> v = {
+      {0, 0, 0, 0, 1}, {25600, 25600, 9, 9, 1}, {25600, 0, 9, 0, 1}, {0, 25600, 0, 9, 1}};
+  const Edge down(v[0], v[1]), up(v[2], v[3]), side(v[0], v[3]);
+  EXPECT_FALSE(ShortRuledRowFinder::serves(RuledMap(Slab{down, up, 0, 100})));
+  EXPECT_TRUE(ShortRuledRowFinder::serves(RuledMap(Slab{up, down, 0, 50})));
+  EXPECT_TRUE(ShortRuledRowFinder::serves(RuledMap(Slab{side, down, 1, 100})));
+}
+
 TEST(ExactSlab, AreOfTheSlabsRowsAlone) {
   const selvage_vertex v[] = {
       {0, 0, 0, 0, 1}, {0, 50000, 0, 0, 1}, {900, 0, 9, 0, 1}, {900, 50000, 99, 0, 1}};

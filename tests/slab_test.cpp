@@ -8,6 +8,7 @@
 #include "mapper/span_walk.h"
 #include "spec/generate.h"
 #include "spec/random.h"
+#include "tests/slab_support.h"
 
 namespace selvage::mapper {
 namespace {
@@ -55,6 +56,24 @@ TEST(Slabs, TileTheVisibleRows) {
   }
   EXPECT_GT(clipped, 500);
   EXPECT_GT(several, 1000);
+}
+
+TEST(Slabs, KnowTheMostThatTheirDenominatorsAre) {
+  int rows = 0;
+  double most_share = 0;
+  for_each_slab(2000, true, [&](const auto&, const Polygon& polygon, const Slab& slab) {
+    const RuledMap map(slab);
+    SpanWalk walk(polygon, {-40000, slab.first_row, 40000, slab.end_row});
+    const double most = map.most_denominator() * (1 + 0x1p-40);
+    for (int32_t i = 0; i < 200 && walk.next(); ++i) {
+      const auto d = static_cast<double>(map.at(walk.span().row).denominator(walk.span().left_px));
+      ASSERT_LE(d, most);
+      most_share = std::max(most_share, d / most);
+      ++rows;
+    }
+  });
+  EXPECT_GT(rows, 50000);
+  EXPECT_GT(most_share, 0.9);
 }
 
 // The rows of a slab's outline are those of the polygon.

@@ -27,6 +27,10 @@ namespace {
   return static_cast<int64_t>(lowered) - (lowered < 0 ? 1 : 0);  // of a whole one, one less
 }
 
+[[nodiscard]] uint32_t margin_of(const SpanBatch& batch) {
+  return kRuledErrorPerPixel_fx32 * static_cast<uint32_t>(batch.widest_px);
+}
+
 }  // namespace
 
 // The spec's numbers for q = 1 (8.2). Both weights have the same sign at a pixel, whichever edge is
@@ -67,7 +71,12 @@ void find_lanes(std::span<const Slab> slabs, const SpanBatch& batch, RuledRows* 
     const int32_t end = std::min(slab.end_row, end_row);  // before the first one: no row
     AffineSlab(slab).find_lanes(batch, first - batch.first_row, end - batch.first_row, rows);
   }
-  rows->margin_fx32 = kRuledErrorPerPixel_fx32 * static_cast<uint32_t>(batch.widest_px);
+  rows->margin_fx32 = margin_of(batch);
+}
+
+void find_lanes_of(const Slab& slab, const SpanBatch& batch, int32_t index, RuledRows* rows) {
+  AffineSlab(slab).find_lanes(batch, index, index + 1, rows);
+  rows->margin_fx32 = margin_of(batch);
 }
 
 }  // namespace selvage::mapper

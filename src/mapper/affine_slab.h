@@ -74,5 +74,7 @@ class AffineSlab {
 
 // Of a batch of the slabs' rows.
 void find_lanes(std::span<const Slab> slabs, const SpanBatch& batch, RuledRows* rows);
+// Of a row of it, beside those that were found before.
+void find_lanes_of(const Slab& slab, const SpanBatch& batch, int32_t index, RuledRows* rows);
 
 }  // namespace selvage::mapper

@@ -6,6 +6,7 @@
 #include "mapper/copy_row.h"
 #include "mapper/image.h"
 #include "mapper/kernel_choice.h"
+#include "mapper/near_plane.h"
 #include "mapper/perspective_draw.h"
 #include "mapper/plane.h"
 #include "mapper/projective_plane.h"
@@ -96,16 +97,44 @@ void draw_slabs(const Polygon& polygon, const selvage_rect& part, const Surface&
   }
 }
 
+// The exact map of each row of a polygon, where its slabs are few.
+[[nodiscard]] bool find_map(const Polygon& polygon, const selvage_rect& part, RuledMap* map) {
+  SlabWalk slabs(polygon, part);
+  while (const std::optional<Slab> slab = slabs.next()) {
+    if (!map->add(*slab)) return false;
+  }
+  return true;
+}
+
+// A polygon in no plane by one that is near, if there is one. Of more vertices there are mostly too
+// many slabs.
+[[nodiscard]] bool draw_near_plane(const Polygon& polygon, const selvage_rect& part,
+                                   const Surface& surface, const Kernels& kernels) {
+  if (kernels.draw_near_plane == nullptr || polygon.vertices.size() > RuledMap::kMostSlabs + 1) {
+    return false;
+  }
+  const std::optional<AffineField> lanes = near_plane(polygon, part);
+  RuledMap map;
+  if (!lanes || !kernels.pays_near_plane(*lanes, polygon.texels, surface) ||
+      !find_map(polygon, part, &map)) {
+    return false;
+  }
+  BatchWalk walk(polygon, part, kernels.find_spans);
+  SpanBatch batch;
+  while (walk.next(&batch)) {
+    kernels.draw_near_plane({batch, *lanes, polygon.texels, ExactMap(map)}, surface);
+  }
+  return true;
+}
+
 // All of a small affine polygon of few slabs at once: a plane for each would cost more than its
 // rows do.
 [[nodiscard]] bool draw_small(const Polygon& polygon, const selvage_rect& part,
                               const Surface& surface, const Kernels& kernels) {
   constexpr int32_t kMostRows = 32;
-  if (!polygon.affine || part.bottom - part.top > kMostRows) return false;
   RuledMap map;
-  SlabWalk slabs(polygon, part);
-  while (const std::optional<Slab> slab = slabs.next()) {
-    if (!map.add(*slab)) return false;
+  if (!polygon.affine || part.bottom - part.top > kMostRows || !find_map(polygon, part, &map)) {
+    return false;
   }
   draw_ruled_affine(map, polygon, part, surface, kernels);
   return true;
@@ -132,6 +161,7 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
     return draw_tolerantly(surface, part, polygon, kernels, options.tolerance);
   }
   if (draw_plane(polygon, part, surface, kernels)) return;
+  if (draw_near_plane(polygon, part, surface, kernels)) return;
   if (draw_small(polygon, part, surface, kernels)) return;
   draw_slabs(polygon, part, surface, kernels);
 }

@@ -1,6 +1,7 @@
 // A slab's exact rows, by differences from its first three.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -10,10 +11,11 @@
 namespace selvage::mapper {
 
 // A number that is linear along each row; at a column it is quadratic in the row, and its step is
-// linear. Modulo 2^128.
+// linear. Modulo 2^128, or 2^64.
+template <class Unsigned>
 struct SlabLine {
-  uint128 start, down, bend;  // at the column: at first, to the next row, and how much more then
-  uint128 step, turn;         // to the next pixel: in the first row, and how much more a row
+  Unsigned start, down, bend;  // at the column: at first, to the next row, and how much more then
+  Unsigned step, turn;         // to the next pixel: in the first row, and how much more a row
 
   SlabLine() = default;
   // From a row and the two below it, all from the same column on.
@@ -23,23 +25,54 @@ struct SlabLine {
         bend(next.start - below.start - down),
         step(row.step),
         turn(below.step - row.step) {}
+  // The low bits of one.
+  template <class Wider>
+  explicit SlabLine(const SlabLine<Wider>& line)
+      : start(static_cast<Unsigned>(line.start)),
+        down(static_cast<Unsigned>(line.down)),
+        bend(static_cast<Unsigned>(line.bend)),
+        step(static_cast<Unsigned>(line.step)),
+        turn(static_cast<Unsigned>(line.turn)) {}
 
   // So many rows below the first one, from so many pixels right of the column on: rows >= 0.
   [[nodiscard]] ExactLine row(int32_t rows, int32_t right_px) const {
     const auto n = static_cast<uint32_t>(rows);
     const uint64_t pairs = uint64_t{n} * (n - 1) / 2;
-    const uint128 row_step = step + n * turn;
-    const uint128 right = static_cast<uint128>(int128{right_px}) * row_step;
+    const Unsigned row_step = step + n * turn;
+    const Unsigned right = static_cast<Unsigned>(int64_t{right_px}) * row_step;
     return {start + n * down + pairs * bend + right, row_step};
   }
 
+  // The first one.
+  [[nodiscard]] ExactLine first_row(int32_t right_px) const {
+    return {start + static_cast<Unsigned>(int64_t{right_px}) * step, step};
+  }
+
+  // Begins with the next row, or with one so many below the first one or, below 0, above it.
+  void go_down() {
+    start += down;
+    down += bend;
+    step += turn;
+  }
+  void go_down(int32_t rows) {
+    const int64_t n = rows;
+    const auto signed_sum = [](Unsigned to, int64_t times, Unsigned by) {
+      return to + static_cast<Unsigned>(times) * by;
+    };
+    start = signed_sum(signed_sum(start, n, down), n * (n - 1) / 2, bend);
+    down = signed_sum(down, n, bend);
+    step = signed_sum(step, n, turn);
+  }
+
   void negate() {
-    for (uint128* const number : {&start, &down, &bend, &step, &turn}) *number = 0 - *number;
+    for (Unsigned* const number : {&start, &down, &bend, &step, &turn}) *number = 0 - *number;
   }
 };
 
 class ExactSlab {
  public:
+  using Line = SlabLine<uint128>;
+
   // Of no row.
   ExactSlab() = default;
   // By differences at a column, whichever.
@@ -54,7 +87,7 @@ class ExactSlab {
       rows[static_cast<size_t>(i)] = row_by(SpanMap(slab.a.at(row), slab.b.at(row)), first_px);
     }
     const auto line = [&](ExactLine ExactRow::*of) {
-      return SlabLine(rows[0].*of, rows[1].*of, rows[2].*of);
+      return Line(rows[0].*of, rows[1].*of, rows[2].*of);
     };
     u_ = line(&ExactRow::u);
     v_ = line(&ExactRow::v);
@@ -62,9 +95,9 @@ class ExactSlab {
   }
 
   // Numerators and denominator from the first row and the column on.
-  [[nodiscard]] const SlabLine& u() const { return u_; }
-  [[nodiscard]] const SlabLine& v() const { return v_; }
-  [[nodiscard]] const SlabLine& d() const { return d_; }
+  [[nodiscard]] const Line& u() const { return u_; }
+  [[nodiscard]] const Line& v() const { return v_; }
+  [[nodiscard]] const Line& d() const { return d_; }
 
   [[nodiscard]] bool has(int32_t row) const { return row >= first_row_ && row < end_row_; }
 
@@ -73,14 +106,14 @@ class ExactSlab {
   [[nodiscard, gnu::always_inline]] inline ExactRow row_from(int32_t px, int32_t row) {
     const int32_t down = row - first_row_, right_px = px - first_px_;
     if (static_cast<int128>(d_.row(down, right_px).start) < 0) {
-      for (SlabLine* const line : {&u_, &v_, &d_}) line->negate();
+      for (Line* const line : {&u_, &v_, &d_}) line->negate();
     }
     return {u_.row(down, right_px), v_.row(down, right_px), d_.row(down, right_px)};
   }
 
  private:
   int32_t first_px_ = 0, first_row_ = 0, end_row_ = 0;
-  SlabLine u_, v_, d_;
+  Line u_, v_, d_;
 };
 
 // The rows of a ruled map, which it refers to, slab by slab.
@@ -97,6 +130,52 @@ class RuledRowFinder {
  private:
   const RuledMap* map_;
   mutable ExactSlab rows_;  // of the slab that was last asked of
+};
+
+// The low 64 bits of the same numbers, where no two edges change sides.
+class ShortRuledRowFinder {
+ public:
+  explicit ShortRuledRowFinder(const RuledMap& map) : map_(&map) {}
+
+  [[nodiscard]] static bool serves(const RuledMap& map) {
+    return std::ranges::all_of(map.slabs(), [](const Slab& slab) {
+      return slab.rows() == 0 || from_left_to_right(slab).has_value();
+    });
+  }
+
+  // As RuledRowFinder.
+  [[nodiscard]] ExactRow row_from(int32_t px, int32_t row) {
+    if (row < first_row_ || row >= end_row_) find(px, row);
+    if (row == row_ + 1) {  // mostly
+      u_.go_down();
+      v_.go_down();
+      d_.go_down();
+    } else {
+      for (Line* const line : {&u_, &v_, &d_}) line->go_down(row - row_);
+    }
+    row_ = row;
+    const int32_t right_px = px - first_px_;
+    return {u_.first_row(right_px), v_.first_row(right_px), d_.first_row(right_px)};
+  }
+
+ private:
+  void find(int32_t px, int32_t row) {
+    const Slab& slab = map_->slab_of(row);
+    ExactSlab rows(slab, px);
+    static_cast<void>(rows.row_from(px, row));  // so that signs are those of a pixel
+    u_ = Line(rows.u());
+    v_ = Line(rows.v());
+    d_ = Line(rows.d());
+    first_px_ = px;
+    row_ = first_row_ = slab.first_row;
+    end_row_ = slab.end_row;
+  }
+
+  using Line = SlabLine<uint64_t>;
+  const RuledMap* map_;
+  int32_t first_px_ = 0, first_row_ = 0, end_row_ = 0;
+  int32_t row_ = 0;  // that the lines begin with
+  Line u_, v_, d_;
 };
 
 }  // namespace selvage::mapper

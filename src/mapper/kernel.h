@@ -29,7 +29,7 @@ struct Surface {
   selvage_address address;
 };
 
-// Spans of consecutive rows under one affine map.
+// Spans of consecutive rows under one affine map, or near one.
 struct AffineSpans {
   const SpanBatch& batch;
   const AffineField& field;
@@ -66,15 +66,19 @@ struct ProjectiveSpans {
 };
 
 // Each draw_... writes all pixels of the spans by its filter, exactly; draw_stepped, which only
-// nearest has, shows the texels of its lanes. Without draw_ruled, rows are drawn one by one. Those
-// of the area filter draw boxes of any sides, and its other two, which are the bilinear ones, the
-// least boxes.
+// nearest has, shows the texels of its lanes. Without draw_ruled, rows are drawn one by one;
+// draw_near_plane, which only nearest has, too, draws those whose exact map is a RuledMap, where
+// pays_near_plane says that this costs less than draw_ruled. Those of the area filter draw boxes of
+// any sides, and its other two, which are the bilinear ones, the least boxes.
 struct Kernels {
   FindSpans find_spans;
   FindLanes find_lanes;
   void (*draw_affine)(const AffineSpans& spans, const Surface& surface);
   void (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
   void (*draw_ruled)(const RuledSpans& spans, const Surface& surface) = nullptr;
+  bool (*pays_near_plane)(const AffineField& field, const TexelBox& texels,
+                          const Surface& surface) = nullptr;
+  void (*draw_near_plane)(const AffineSpans& spans, const Surface& surface) = nullptr;
   void (*draw_stepped)(const SteppedSpans& spans, const Surface& surface) = nullptr;
   void (*draw_boxes_affine)(const AffineSpans& spans, BoxSides sides,
                             const Surface& surface) = nullptr;

@@ -13,7 +13,7 @@ inline constexpr double kLaneUnit = 4294967296.0;  // 2^kLaneFraction
 inline constexpr double kMostTexel_fx32 = kLaneUnit * (1 << (kTexelBits - kTexelFraction));
 
 // n(y) = start + y down + y (y - 1) / 2 bend, and the steps. Twice a coefficient is whole.
-[[nodiscard]] ProjectiveField::Form form_of(const SlabLine& line, double unit) {
+[[nodiscard]] ProjectiveField::Form form_of(const ExactSlab::Line& line, double unit) {
   const auto times = [](uint128 n, double by) { return to_double(static_cast<int128>(n)) * by; };
   const double half = unit / 2;
   return {times(line.start, unit), times(line.step, unit), times(2 * line.down - line.bend, half),

@@ -98,11 +98,18 @@ void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
   }
 }
 
+[[nodiscard]] bool always_pays(const AffineField& /*field*/, const TexelBox& /*texels*/,
+                               const Surface& /*surface*/) {
+  return true;
+}
+
 constexpr Kernels kScalar = {
     .find_spans = find_spans_scalar,
     .find_lanes = find_lanes_scalar,
     .draw_affine = draw_affine,
     .draw_projective = draw_projective,
+    .pays_near_plane = always_pays,
+    .draw_near_plane = draw_affine,
     .draw_stepped = draw_stepped_scalar,
 };
 

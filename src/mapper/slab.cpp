@@ -1,5 +1,7 @@
 #include "mapper/slab.h"
 
+#include <algorithm>
+
 namespace selvage::mapper {
 namespace {
 
@@ -38,6 +40,26 @@ std::optional<Slab> from_left_to_right(const Slab& slab) {
   if (first > 0 && last > 0) return slab;
   if (first < 0 && last < 0) return Slab{slab.b, slab.a, slab.first_row, slab.end_row};
   return std::nullopt;
+}
+
+namespace {
+
+[[nodiscard]] double most_denominator(const Slab& slab) {
+  const auto [left, right] =
+      std::minmax({slab.a.top().x, slab.a.bottom().x, slab.b.top().x, slab.b.bottom().x});
+  const auto height = [](const Edge& edge) {
+    return static_cast<double>(int64_t{edge.bottom().y} - edge.top().y);
+  };
+  const double width = static_cast<double>(int64_t{right} - left);
+  return width * height(slab.a) * height(slab.b) * slab.a.top().q * (1 << kTexelFraction);
+}
+
+}  // namespace
+
+double RuledMap::most_denominator() const {
+  double most = 0;
+  for (const Slab& slab : slabs()) most = std::max(most, mapper::most_denominator(slab));
+  return most;
 }
 
 SpanMap RuledMap::at(int32_t row) const {

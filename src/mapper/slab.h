@@ -41,8 +41,8 @@ class SlabWalk {
   // Empty where no row is left.
   [[nodiscard]] std::optional<Slab> next() {
     if (row_ >= end_row_) return std::nullopt;
-    const Edge& a = forward_.at_row(row_);
-    const Edge& b = backward_.at_row(row_);
+    const Edge& a = forward_.crossing(row_);
+    const Edge& b = backward_.crossing(row_);
     const int32_t first_row = row_;
     row_ = std::min({a.bottom_row(), b.bottom_row(), end_row_});
     return Slab{a, b, first_row, row_};
@@ -93,6 +93,8 @@ class RuledMap {
     while (row >= slab->end_row) ++slab;
     return *slab;
   }
+  // Of an affine polygon: no row's denominator is greater, but for roundings.
+  [[nodiscard]] double most_denominator() const;
   // Of a row with pixels.
   [[nodiscard]] SpanMap at(int32_t row) const;
 

@@ -9,5 +9,5 @@
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 #include "mapper/vector_affine_kernel-inl.h"
-#include "mapper/vector_ruled_kernel-inl.h"
+#include "mapper/vector_near_plane-inl.h"
 #endif

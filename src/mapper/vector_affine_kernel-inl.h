@@ -17,6 +17,13 @@ namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
 template <class Pixel, class Address>
+HWY_INLINE void draw_by_vectors(const AffineSpans& spans, const Surface& surface,
+                                const WindowShape& shape, RestDraw* rest) {
+  if (is_narrow(spans.batch)) return draw_narrow<Pixel, Address>(spans, surface, shape, rest);
+  draw_wide<Pixel, Address>(spans, surface, shape, rest);
+}
+
+template <class Pixel, class Address>
 HWY_NOINLINE void draw_affine_as(const AffineSpans& spans, const Surface& surface) {
   const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface);
   if (in_one == InOneWindow::kDrawn) return;
@@ -25,11 +32,9 @@ HWY_NOINLINE void draw_affine_as(const AffineSpans& spans, const Surface& surfac
     if (draw_near_ties<Pixel>(spans, surface)) return;
     if (has_quotients(spans)) return draw_exactly<Pixel, Address>(spans, surface, 0, shape.rows);
   }
-  if (is_narrow(spans.batch)) {
-    const bool in_window = in_one == InOneWindow::kFewNearTies;
-    return draw_narrow<Pixel, Address>(spans, surface, shape, in_window);
-  }
-  draw_wide<Pixel, Address>(spans, surface, shape);
+  const bool in_window = in_one == InOneWindow::kFewNearTies;
+  auto rest = AffineRest::of<Pixel, Address>(spans, surface, shape.rows, in_window);
+  draw_by_vectors<Pixel, Address>(spans, surface, shape, &rest);
 }
 
 }  // namespace

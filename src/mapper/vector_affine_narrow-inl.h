@@ -46,17 +46,16 @@ HWY_NOINLINE void draw_load_strips(const AffineSpans& spans, const Surface& surf
 // By itself, so that small polygons, which one window holds, do without the room that this takes.
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_narrow(const AffineSpans& spans, const Surface& surface,
-                              const WindowShape& shape, bool in_window) {
-  RestDraw rest(spans, surface, shape.rows, in_window, RestDraw::draw_as<Pixel, Address>);
+                              const WindowShape& shape, RestDraw* rest) {
   const bool inside = TexelRanges(spans.texels).within(surface.texture);
   if (kHasWindows && shape.rows != 0) {
-    with_window_shape<Pixel>(surface, shape, inside, WindowStrips{spans, surface, inside, &rest});
+    with_window_shape<Pixel>(surface, shape, inside, WindowStrips{spans, surface, inside, rest});
   } else if (!is_cached(surface.texture)) {
-    draw_load_strips<Pixel, Address, FetchAhead<Pixel>>(spans, surface, &rest);
+    draw_load_strips<Pixel, Address, FetchAhead<Pixel>>(spans, surface, rest);
   } else if (inside) {
-    draw_load_strips<Pixel, Addressed<InsideVector>, FetchAtOnce<Pixel>>(spans, surface, &rest);
+    draw_load_strips<Pixel, Addressed<InsideVector>, FetchAtOnce<Pixel>>(spans, surface, rest);
   } else {
-    draw_load_strips<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, &rest);
+    draw_load_strips<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, rest);
   }
 }
 

@@ -45,35 +45,54 @@ HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Su
   return field.margin_fx32 <= kSmall_fx32;
 }
 
-// Draws what is left of a batch. Who leaves it need not know by which address mode, so that there
-// is one of each for all of them.
+// Draws what is left of a batch. Who leaves it need not know how, nor by which address mode, so
+// that there is one of each for all of them.
 class RestDraw {
  public:
-  using DrawAs = bool (*)(RestDraw* rest, const Left& left, int32_t first_index, bool many);
-
-  // in_window: it is known that one window holds the batch.
-  HWY_INLINE RestDraw(const AffineSpans& spans, const Surface& surface, int32_t window_rows,
-                      bool in_window, DrawAs by)
-      : spans_(spans),
-        surface_(surface),
-        window_rows_(window_rows),
-        in_window_(in_window),
-        draw_as_(by),
-        batch_ties_(spans.exact, spans.batch, spare_bits_fx16(lack_fx16(spans.field.margin_fx32))) {
-  }
-
   // The vectors that are left of so many. Where they are many, all rows from an index in the batch
   // on are drawn, and false is returned.
   HWY_INLINE bool draw(const Left& left, int32_t first_index, int32_t of_vectors) {
-    return draw_as_(this, left, first_index, are_many(left.count, of_vectors));
+    return draw_as_(this, left, first_index, of_vectors);
+  }
+
+ protected:
+  using DrawAs = bool (*)(RestDraw* rest, const Left& left, int32_t first_index,
+                          int32_t of_vectors);
+
+  explicit HWY_INLINE RestDraw(DrawAs by) : draw_as_(by) {}
+
+ private:
+  DrawAs draw_as_;
+};
+
+// Of spans under one map.
+class AffineRest : public RestDraw {
+ public:
+  // in_window: it is known that one window holds the batch.
+  template <class Pixel, class Address>
+  static HWY_INLINE AffineRest of(const AffineSpans& spans, const Surface& surface,
+                                  int32_t window_rows, bool in_window) {
+    return {spans, surface, window_rows, in_window, draw_as<Pixel, Address>};
+  }
+
+ private:
+  HWY_INLINE AffineRest(const AffineSpans& spans, const Surface& surface, int32_t window_rows,
+                        bool in_window, DrawAs by)
+      : RestDraw(by),
+        spans_(spans),
+        surface_(surface),
+        window_rows_(window_rows),
+        in_window_(in_window),
+        batch_ties_(spans.exact, spans.batch, spare_bits_fx16(lack_fx16(spans.field.margin_fx32))) {
   }
 
   template <class Pixel, class Address>
-  static HWY_NOINLINE bool draw_as(RestDraw* rest, const Left& left, int32_t first_index,
-                                   bool many) {
+  static HWY_NOINLINE bool draw_as(RestDraw* of, const Left& left, int32_t first_index,
+                                   int32_t of_vectors) {
+    auto* const rest = static_cast<AffineRest*>(of);
     const AffineSpans& spans = rest->spans_;
     const Surface& surface = rest->surface_;
-    if (many) {
+    if (are_many(left.count, of_vectors)) {
       if (kHasWindows && rest->in_window_ && draw_near_ties<Pixel>(spans, surface)) return false;
       if (has_quotients(spans)) {
         draw_exactly<Pixel, Address>(spans, surface, first_index, rest->window_rows_);
@@ -88,12 +107,10 @@ class RestDraw {
     return true;
   }
 
- private:
   const AffineSpans& spans_;
   const Surface& surface_;
   int32_t window_rows_;
   bool in_window_;
-  DrawAs draw_as_;
   AffineBatchTies batch_ties_;
 };
 

@@ -79,11 +79,11 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
 }
 
 template <class Pixel, class Address>
-void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowShape& shape) {
+void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowShape& shape,
+               RestDraw* rest) {
   const bool inside =
       pays_to_ask_inside(spans.batch) && is_inside(spans.batch, spans.field, surface.texture);
   const bool ahead = shape.rows == 0 && !is_cached(surface.texture);
-  RestDraw rest(spans, surface, shape.rows, false, RestDraw::draw_as<Pixel, Address>);
   Resume at;
   Left left;
   do {
@@ -98,7 +98,8 @@ void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowSha
     } else {
       draw_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, &at, &left);
     }
-    if (left.count != 0 && !rest.draw(left, first, vectors_between(first, at, spans.batch))) return;
+    if (left.count != 0 && !rest->draw(left, first, vectors_between(first, at, spans.batch)))
+      return;
   } while (at.row < spans.batch.rows);
 }
 

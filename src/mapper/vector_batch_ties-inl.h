@@ -64,8 +64,14 @@ using PlaneBatchTies = BatchTies<PlaneWalk>;
 // What decides those of rows that each have a map of their own.
 class RuledBatchTies {
  public:
-  RuledBatchTies(const RuledMap& map, double most_denominator, int spare_bits) {
-    if (are_enough(UpperLimb::kBits, most_denominator, spare_bits)) {
+  // How often: to find out whether one limb is enough costs as much as it saves in some rows.
+  enum class Asked { kSeldom, kOften };
+  RuledBatchTies(const RuledMap& map, double most_denominator, int spare_bits,
+                 Asked asked = Asked::kSeldom) {
+    if (asked == Asked::kOften && are_enough(OneLimb::kBits, most_denominator, spare_bits) &&
+        ShortRuledRowFinder::serves(map)) {
+      short_.emplace(map);
+    } else if (are_enough(UpperLimb::kBits, most_denominator, spare_bits)) {
       upper_.emplace(map);
     } else {
       long_.emplace(map);
@@ -75,12 +81,14 @@ class RuledBatchTies {
   // Calls decide(ties) with RuledTies.
   template <class Decide>
   HWY_INLINE void with_ties(const Decide& decide) {
+    if (short_) return decide(&*short_);
     if (upper_) return decide(&*upper_);
     decide(&*long_);
   }
 
  private:
   // One of them:
+  std::optional<RuledTies<OneLimb>> short_;
   std::optional<RuledTies<UpperLimb>> upper_;
   std::optional<RuledTies<TwoLimbs>> long_;
 };

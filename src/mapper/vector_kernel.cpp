@@ -20,6 +20,8 @@ constexpr Kernels kNearest = {
     .draw_affine = draw_affine,
     .draw_projective = draw_projective,
     .draw_ruled = draw_ruled,
+    .pays_near_plane = pays_near_plane,
+    .draw_near_plane = draw_near_plane,
     .draw_stepped = draw_stepped,
     .stepping = HWY_TARGET == HWY_AVX3 ? kWideStepping : kUsualStepping,
 };

@@ -10,6 +10,8 @@
 #define SELVAGE_VECTOR_PLANE_TIES_INL_H
 #endif
 
+#include <type_traits>
+
 #include "mapper/exact_slab.h"
 #include "mapper/span_batch.h"
 #include "mapper/vector_limbs-inl.h"
@@ -151,23 +153,32 @@ class RuledTies {
  public:
   explicit RuledTies(const RuledMap& map) : rows_(map) {}
 
-  HWY_NOINLINE void go_to(const Span& span) {
+  HWY_INLINE void go_to(const Span& span) {
     span_ = span;
-    const ExactRow row = rows_.row_from(span.left_px, span.row);
-    u_.set(biased(row.u, row.d));
-    v_.set(biased(row.v, row.d));
-    d_.set(row.d);
+    is_known_ = false;
   }
   // Before the first: of a row that there is not.
   [[nodiscard]] HWY_INLINE const Span& span() const { return span_; }
   HWY_INLINE void decide(int32_t offset_px, const NearTies& near, V32* HWY_RESTRICT s,
-                         V32* HWY_RESTRICT t) const {
+                         V32* HWY_RESTRICT t) {
+    if (hn::AllFalse(D32(), hn::Or(near.u, near.v))) return;
+    if (HWY_UNLIKELY(!is_known_)) find();
     Decision<Number>::decide(u_, v_, d_, offset_px, near, s, t);
   }
 
  private:
-  RuledRowFinder rows_;
+  HWY_NOINLINE void find() {
+    const ExactRow row = rows_.row_from(span_.left_px, span_.row);
+    u_.set(biased(row.u, row.d));
+    v_.set(biased(row.v, row.d));
+    d_.set(row.d);
+    is_known_ = true;
+  }
+
+  std::conditional_t<Number::kBits == OneLimb::kBits, ShortRuledRowFinder, RuledRowFinder> rows_;
   Span span_{INT32_MIN, 0, 0};
+  bool is_known_ = false;
+  // If known:
   RowWalk<typename Number::Numerator> u_, v_;
   RowWalk<typename Number::Divisor> d_;
 };

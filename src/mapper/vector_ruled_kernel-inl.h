@@ -97,9 +97,10 @@ HWY_NOINLINE void draw_decided(const Window& window, const RuledSpans& spans,
   }
 }
 
-[[nodiscard]] HWY_INLINE RuledBatchTies ties_of(const RuledSpans& spans) {
+[[nodiscard]] HWY_INLINE RuledBatchTies ties_of(const RuledSpans& spans,
+                                                RuledBatchTies::Asked asked) {
   return {spans.exact.ruled(), spans.rows.most_denominator,
-          spare_bits_fx16(lack_fx16(spans.rows.margin_fx32))};
+          spare_bits_fx16(lack_fx16(spans.rows.margin_fx32)), asked};
 }
 
 // Draws a batch that was drawn from one window in vain, if that lies within the texture.
@@ -108,8 +109,9 @@ template <class Pixel>
   const TexelRanges texels(spans.texels);
   if (!texels.within(surface.texture)) return false;
   with_decided_window<Pixel>(texels, surface.texture, [&](const auto& window) {
-    ties_of(spans).with_ties(
-        [&](auto* ties) { draw_decided<Pixel>(window, spans, surface, ties); });
+    ties_of(spans, RuledBatchTies::Asked::kOften).with_ties([&](auto* ties) {
+      draw_decided<Pixel>(window, spans, surface, ties);
+    });
   });
   return true;
 }
@@ -162,7 +164,9 @@ HWY_NOINLINE void decide_left(const Left& left, const RuledSpans& spans, Ties* t
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_left(const Left& left, const RuledSpans& spans, const Surface& surface) {
   LeftTexels texels;
-  ties_of(spans).with_ties([&](auto* ties) { decide_left(left, spans, ties, &texels); });
+  ties_of(spans, RuledBatchTies::Asked::kSeldom).with_ties([&](auto* ties) {
+    decide_left(left, spans, ties, &texels);
+  });
   draw_left<Pixel, Address>(left, texels, surface);
 }
 
