@@ -67,6 +67,11 @@ constexpr HardFamily kHardFamilies[] = {
      "of a texel from end to end, beside a border: a slope rounded to the other sign walks over "
      "it.",
      make_least_slopes},
+    {"near-planes",
+     "A quadrilateral that no plane holds, for one corner's u and v are some 65536ths of a texel "
+     "off a plane that has whole numbers at every centre: who takes that plane for the map, or "
+     "rounds by as much, shows the neighbour.",
+     make_near_planes},
     {"repeated-vertices",
      "Each vertex several times: edges without length divide by 0, or a twin is taken for the "
      "other end of the next edge.",

@@ -35,6 +35,7 @@ namespace selvage::spec {
 // hard_maps.cpp
 [[nodiscard]] Case make_texel_boundaries(uint64_t seed);
 [[nodiscard]] Case make_least_slopes(uint64_t seed);
+[[nodiscard]] Case make_near_planes(uint64_t seed);
 [[nodiscard]] Case make_q_ratio_2(uint64_t seed);
 [[nodiscard]] Case make_q_ratio_100(uint64_t seed);
 [[nodiscard]] Case make_q_ratio_million(uint64_t seed);

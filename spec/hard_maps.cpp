@@ -44,6 +44,24 @@ Case make_least_slopes(uint64_t seed) {
   return c;
 }
 
+Case make_near_planes(uint64_t seed) {
+  Draft draft(seed);
+  Random& random = draft.random;
+  const Frame frame = screen(draft);
+  Case c = start(draft, frame, screen_texture(draft));
+  set_outline(&c, quadrilateral(random, frame, draft.grid_fx8()));
+  const Slope u = random.pick<Slope>({{2, 0, 1}, {1, 1, 1}, {-1, 1, 1}, {-2, 0, 1}, {0, 1, 1}});
+  const Slope v = random.pick<Slope>({{0, 1, 1}, {1, -1, 1}, {1, 0, 1}, {0, -1, 1}});
+  map_on_boundaries(&c, u, v);
+  const size_t off = random.below(c.vertices.size());
+  for (int32_t selvage_vertex::*const coordinate : {&selvage_vertex::u, &selvage_vertex::v}) {
+    const int32_t all = random.in(-1, 2);
+    for (selvage_vertex& vertex : c.vertices) vertex.*coordinate += all;
+    c.vertices[off].*coordinate += random.pick({-3, -2, -1, 1, 2, 3});
+  }
+  return c;
+}
+
 // One texel to a pixel, and all q = 1.
 Case make_q_equal_one(uint64_t seed) {
   Draft draft(seed);

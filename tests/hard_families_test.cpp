@@ -144,6 +144,37 @@ namespace {
   return is_least(first->u, second->u) && is_least(first->v, second->v);
 }
 
+// One corner at least is off the plane of the other three, by 3/65536 texel at most, and all
+// samples are next to whole numbers.
+[[nodiscard]] bool is_near_a_plane(const Case& c) {
+  if (c.vertices.size() != 4) return false;
+  const Rational most_fx16(3);
+  const auto is_off = [&](size_t k) {
+    const auto at = [&](size_t i) { return c.vertices[(k + i) % 4]; };
+    const selvage_vertex a = at(1), b = at(2), d = at(3), p = at(0);
+    const int64_t x1 = b.x - a.x, y1 = b.y - a.y, x2 = d.x - a.x, y2 = d.y - a.y;
+    const int64_t x = p.x - a.x, y = p.y - a.y, area = x1 * y2 - x2 * y1;
+    if (area == 0) return false;
+    const Rational along_b = Rational(x * y2 - x2 * y) / Rational(area);
+    const Rational along_d = Rational(x1 * y - x * y1) / Rational(area);
+    const auto off = [&](int32_t selvage_vertex::*of) -> Rational {
+      const Rational change_b(b.*of - a.*of), change_d(d.*of - a.*of);
+      return abs(Rational(p.*of - a.*of) - along_b * change_b - along_d * change_d);
+    };
+    const Rational off_u = off(&selvage_vertex::u), off_v = off(&selvage_vertex::v);
+    return off_u != Rational(0) && off_v != Rational(0) && off_u <= most_fx16 && off_v <= most_fx16;
+  };
+  const auto is_next_to_whole = [](const Rational& u) {
+    return abs(u - floor(u + Rational(1, 2))) * SELVAGE_SUBTEXELS <= Rational(8);
+  };
+  const auto [least, most] = std::ranges::minmax(c.vertices, {}, &selvage_vertex::u);
+  return most.u - least.u >= 4 * SELVAGE_SUBTEXELS &&
+         (is_off(0) || is_off(1) || is_off(2) || is_off(3)) && covered_px(c) >= 16 &&
+         share(c, [&](const Sample& p) {
+           return is_next_to_whole(p.u) && is_next_to_whole(p.v);
+         }) == 1;
+}
+
 [[nodiscard]] bool has_repeated_vertices(const Case& c) {
   return c.vertices.size() >= 6 &&
          2 * count_edges(c, [](const Edge& e) { return e.from == e.to; }) >=
@@ -206,6 +237,7 @@ const std::map<std::string_view, Property> kProperties = {
     {"minified-4096", is_minified},
     {"texel-boundaries", [](const Case& c) { return all_on_boundaries(c) && !is_one_to_one(c); }},
     {"least-slopes", has_least_slopes},
+    {"near-planes", is_near_a_plane},
     {"repeated-vertices", has_repeated_vertices},
     {"collinear-runs", has_collinear_runs},
     {"flat-topped", is_flat_topped},
