@@ -20,6 +20,7 @@
 #include "mapper/filter_point.h"
 #include "mapper/footprint.h"
 #include "mapper/lanes.h"
+#include "mapper/near_plane.h"
 #include "mapper/plane.h"
 #include "mapper/plane_footprint.h"
 #include "mapper/projective_plane.h"
@@ -158,6 +159,9 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
        {{"SHIFT", number(kWindowShift)},
         {"TRUNCATIONS", number(kVectorTruncations_fx24), barely_less(kVectorTruncations_fx24)}},
        "_fx24"},
+      {"near_plane",
+       {{"SHIFT", number(kSubpixelBits)},
+        {"TRUNCATION", number(kNearTruncation_fx32), barely_less(kNearTruncation_fx32)}}},
       {"fine_lanes",
        {{"SHIFT", number(kWindowShift)},
         {"TRUNCATIONS", number(kVectorTruncations_fx24), barely_less(kVectorTruncations_fx24)}}},

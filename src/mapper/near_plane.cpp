@@ -65,7 +65,7 @@ struct Slopes {
   lanes->step_x.*axis = slopes.x_fx32;
   lanes->step_y.*axis = slopes.y_fx32;
   lanes->start.*axis = least >> kSubpixelBits;
-  return (most >> kSubpixelBits) - (least >> kSubpixelBits) + 1;
+  return (most >> kSubpixelBits) - (least >> kSubpixelBits) + kNearTruncation_fx32;
 }
 
 // A coordinate's near-ties are as many of a row's pixels as the margin is of a texel.

@@ -25,6 +25,8 @@ inline constexpr int64_t kLeastRowsPerNearTie = 5;
 
 // So steep, in texels a pixel, that corners off the grid are off such planes by more.
 inline constexpr int kNearStepBits = 4;
+// A margin counts floors, which lack less than a unit (spec/proofs/near_plane.g).
+inline constexpr int64_t kNearTruncation_fx32 = 1;
 // Lanes at vertices are found in 1/256 of 2^-32 texel.
 static_assert(kTexelBits + kLaneFraction - kTexelFraction + kSubpixelBits < 61 &&
               kLaneFraction + kNearStepBits + kPositionBits + 1 < 62);
