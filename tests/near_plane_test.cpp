@@ -76,6 +76,21 @@ TEST(NearPlane, LanesAreLowByLessThanTheirMargin) {
   EXPECT_GT(far, 1500);
 }
 
+// The corner that is covered, for it lies on a pixel's centre, is the one that is furthest above.
+TEST(NearPlane, LanesAreLowByLessThanTheirMarginAtACornerToo) {
+  constexpr int32_t kAt_fx8 = kPixel_fx8 / 2, kEnd_fx8 = kAt_fx8 + 10 * kPixel_fx8;
+  constexpr int32_t kEnd_fx16 = 10 * kTexel_fx16;
+  for (const int32_t off_fx16 : {-3, -2, -1, 1, 2, 3}) {
+    const Vertices vertices = {{kAt_fx8, kAt_fx8, off_fx16, off_fx16, 1},
+                               {kEnd_fx8, kAt_fx8, kEnd_fx16, 0, 1},
+                               {kEnd_fx8, kEnd_fx8, kEnd_fx16, kEnd_fx16, 1},
+                               {kAt_fx8, kEnd_fx8, 0, kEnd_fx16, 1}};
+    const auto lanes = lanes_of(vertices);
+    ASSERT_TRUE(lanes.has_value());
+    ASSERT_NO_FATAL_FAILURE(expect_lawful(*lanes, vertices, 0, 0)) << off_fx16;
+  }
+}
+
 // One corner off a plane by e at a corner is off another by half of that at most.
 TEST(NearPlane, IsOneThatIsAsFarOffAtAllCorners) {
   constexpr int32_t kSide_fx8 = 20 * kPixel_fx8, kSide_fx16 = 20 * kTexel_fx16, kOff_fx16 = 100;
