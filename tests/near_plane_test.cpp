@@ -59,7 +59,7 @@ TEST(NearPlane, LanesAreLowByLessThanTheirMargin) {
       ++far;
       continue;
     }
-    ++near;
+    near += lanes->margin_fx32 > 1 ? 1 : 0;
     ASSERT_LE(lanes->margin_fx32, kMostNearMargin_fx32);
     part.bottom = std::min(part.bottom, part.top + 400);
     SpanWalk walk(polygon, part);
@@ -72,7 +72,7 @@ TEST(NearPlane, LanesAreLowByLessThanTheirMargin) {
       }
     }
   }
-  EXPECT_GT(near, 1500);
+  EXPECT_GT(near, 1000);
   EXPECT_GT(far, 1500);
 }
 
@@ -209,6 +209,12 @@ TEST(NearPlane, KernelsDrawQuadsOfRoundedCornersAlike) {
 }
 
 TEST(NearPlane, KernelsDrawWhatTheModelDoes) {
+  for (uint64_t seed = 1; seed <= 200; ++seed) {
+    spec::Random random(seed);
+    const spec::Case c = any_near_tied(random);
+    if (c.target_width_px * c.target_height_px > 2000) continue;
+    ASSERT_NO_FATAL_FAILURE(expect_drawn_as_modelled(c, spec::coordinate_texture(c.format)));
+  }
   for (uint64_t seed = 1; seed <= 60; ++seed) {
     spec::Random random(seed);
     const spec::Case c = any_rounded(random, 40);

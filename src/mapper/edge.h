@@ -123,7 +123,7 @@ class Chain {
   // The edge that crosses `row`, at that row. Rows must rise from call to call and stay within the
   // polygon's; they may jump.
   [[nodiscard]] const Edge& at_row(int32_t row);
-  // The same edge, at any row: who asks for it steps nowhere.
+  // The same edge, at no row in particular.
   [[nodiscard]] const Edge& crossing(int32_t row) {
     while (row >= edge_.bottom_row()) next_edge();
     return edge_;
@@ -145,6 +145,7 @@ class Chain {
   void next_edge() {
     const size_t count = polygon_->vertices.size();
     const size_t from = vertex_;
+    row_ = kNoRow;
     if (direction_ == Direction::kForward) {
       vertex_ = from + 1 == count ? 0 : from + 1;
     } else {
@@ -153,10 +154,12 @@ class Chain {
     edge_.join(polygon_->vertices[from], polygon_->vertices[vertex_]);
   }
 
+  static constexpr int32_t kNoRow = std::numeric_limits<int32_t>::min();
+
   const Polygon* polygon_;
   Direction direction_;
-  size_t vertex_;  // the end of edge_, where the next edge starts
-  int32_t row_ = 0;
+  size_t vertex_;         // the end of edge_, where the next edge starts
+  int32_t row_ = kNoRow;  // that edge_ is at
   Edge edge_;
 };
 

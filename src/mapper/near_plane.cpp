@@ -68,7 +68,8 @@ struct Slopes {
   return (most >> kSubpixelBits) - (least >> kSubpixelBits) + kNearTruncation_fx32;
 }
 
-// A coordinate's near-ties are as many of a row's pixels as the margin is of a texel.
+// A coordinate's near-ties are as many of a row's pixels, which are no more than the polygon is
+// wide, as the margin is of a texel.
 [[nodiscard]] int64_t most_margin_fx32(const Polygon& polygon) {
   const int64_t width_px = polygon.right_px - polygon.left_px;
   constexpr int64_t kTexel_fx32 = int64_t{1} << kLaneFraction;

@@ -19,11 +19,11 @@ namespace selvage::mapper {
 // texel: the corners of what is not minified are off by less.
 inline constexpr int64_t kMostNearMargin_fx32 = int64_t{1} << (kLaneFraction - 7);
 static_assert(kMostNearMargin_fx32 <= kWidestMargin_fx32);
-// And what is so wide that each coordinate has a near-tie in fewer rows: to decide it costs more
-// than the maps of so many.
+// And what is so wide that each coordinate may have a near-tie in fewer rows: to decide it costs
+// more than the maps of so many.
 inline constexpr int64_t kLeastRowsPerNearTie = 5;
 
-// So steep, in texels a pixel, that corners off the grid are off such planes by more.
+// In bits of texels a pixel: of what is steeper, a corner is rounded by 1/32 texel.
 inline constexpr int kNearStepBits = 4;
 // A margin counts floors, which lack less than a unit (spec/proofs/near_plane.g).
 inline constexpr int64_t kNearTruncation_fx32 = 1;

@@ -20,7 +20,7 @@ namespace selvage::mapper {
 // Rows [first_row, end_row) between two edges that cross all of them. Refers to the polygon's
 // vertices.
 struct Slab {
-  Edge a, b;  // either may be the left one, from row to row
+  Edge a, b;  // either may be the left one, from row to row; at no row in particular
   int32_t first_row = 0, end_row = 0;
 
   [[nodiscard]] int32_t rows() const { return end_row - first_row; }

@@ -8,6 +8,7 @@
 #endif
 
 #include <algorithm>
+#include <span>
 
 #include "mapper/near_plane.h"
 #include "mapper/vector_affine_kernel-inl.h"
@@ -20,35 +21,45 @@ namespace {
 inline constexpr int kLeastNearSpareBits = 6;
 static_assert(kVectorTruncations_fx16 + (kMostNearMargin_fx32 >> kAnchorShift) + 1 <
               1 << (kTexelFraction - kLeastNearSpareBits));
+// So that lanes_fit() leaves room for them.
+static_assert(kMostNearMargin_fx32 >> kAnchorShift < 1 << kTexelFraction);
 
 using PlaneLanes = AffineBatch<Addressed<InsideVector>>;
 
 // Parts of rows that have no more than Left::kMost vectors together. They are decided first and
 // drawn then: to wait for one row's texels would be to wait for all that decides them.
-struct RowParts : Left {
-  int32_t vectors = 0;
+class RowParts {
+ public:
+  static constexpr int32_t kMost_px = Left::kMost * kLanes;  // of one
 
+  [[nodiscard]] HWY_INLINE std::span<const Span> all() const { return {parts_, count_}; }
   [[nodiscard]] HWY_INLINE bool has_room_for(const Span& part) const {
-    return vectors + vectors_of(part) <= kMost;
+    return vectors_ + vectors_of(part) <= Left::kMost;
   }
   HWY_INLINE void add(const Span& part) {
-    rest[static_cast<size_t>(count++)] = part;
-    vectors += vectors_of(part);
+    parts_[count_++] = part;
+    vectors_ += vectors_of(part);
+  }
+  HWY_INLINE void clear() {
+    count_ = 0;
+    vectors_ = 0;
   }
 
  private:
   static HWY_INLINE int32_t vectors_of(const Span& part) {
     return (part.width_px() + kLanes - 1) / kLanes;
   }
+
+  size_t count_ = 0;
+  int32_t vectors_ = 0;
+  Span parts_[Left::kMost];
 };
 
-// The texels of all their vectors, as if each held near-ties.
 template <class Ties>
 HWY_NOINLINE void decide_parts(const RowParts& parts, const AffineField& field,
                                const PlaneLanes& lanes, Ties* ties, DecidedTexels* texels) {
   int32_t k = 0;
-  for (int32_t i = 0; i < parts.count; ++i) {
-    const Span part = parts.at(i);
+  for (const Span& part : parts.all()) {
     ties->go_to(part);
     const Lane first = lanes.anchor(field.at(part.left_px, part.row));
     for_each_vector_of(part, [&](int32_t px, int32_t /*count_px*/) HWY_ATTR {
@@ -66,8 +77,7 @@ HWY_NOINLINE void draw_parts(const RowParts& parts, const DecidedTexels& texels,
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
   int32_t k = 0;
-  for (int32_t i = 0; i < parts.count; ++i) {
-    const Span part = parts.at(i);
+  for (const Span& part : parts.all()) {
     char* const to = pixels + part.row * pitch + part.left_px * ptrdiff_t{sizeof(Pixel)};
     for_each_vector_of(part, [&](int32_t px, int32_t count_px) HWY_ATTR {
       const TexelVectors at = texels.at(k++);
@@ -79,8 +89,8 @@ HWY_NOINLINE void draw_parts(const RowParts& parts, const DecidedTexels& texels,
 
 static_assert(kDenominatorBits - kLeastNearSpareBits < TwoLimbs::kBits - 1, "|n - k d|, its sign");
 
-// Decides what is left by the rows' own maps: where it is few of each strip, when all is known of
-// the batch.
+// Decides what is left by the rows' own maps, which are those of a RuledMap: where it is few of
+// each strip, when all is known of the batch.
 class NearPlaneRest : public RestDraw {
  public:
   template <class Pixel, class Address>
@@ -137,13 +147,12 @@ class NearPlaneRest : public RestDraw {
       batch_ties.with_ties(
           [&](auto* ties) { decide_parts(parts, spans_.field, lanes, ties, &texels); });
       draw_parts<Pixel, Address>(parts, texels, surface_);
-      parts.count = parts.vectors = 0;
+      parts.clear();
     };
     for (int32_t i = first_index; i < spans_.batch.rows; ++i) {
       const Span span = spans_.batch.span(i);
-      constexpr int32_t kPart_px = Left::kMost * kLanes;
-      for (int32_t px = span.left_px; px < span.right_px; px += kPart_px) {
-        const Span part{span.row, px, HWY_MIN(px + kPart_px, span.right_px)};
+      for (int32_t px = span.left_px; px < span.right_px; px += RowParts::kMost_px) {
+        const Span part{span.row, px, HWY_MIN(px + RowParts::kMost_px, span.right_px)};
         if (!parts.has_room_for(part)) draw();
         parts.add(part);
       }
