@@ -115,8 +115,7 @@ void draw_slabs(const Polygon& polygon, const selvage_rect& part, const Surface&
   }
   const std::optional<AffineField> lanes = near_plane(polygon, part);
   RuledMap map;
-  if (!lanes || !kernels.pays_near_plane(*lanes, polygon.texels, surface) ||
-      !find_map(polygon, part, &map)) {
+  if (!lanes || !kernels.pays_near_plane(*lanes, surface) || !find_map(polygon, part, &map)) {
     return false;
   }
   BatchWalk walk(polygon, part, kernels.find_spans);

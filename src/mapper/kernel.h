@@ -76,8 +76,7 @@ struct Kernels {
   void (*draw_affine)(const AffineSpans& spans, const Surface& surface);
   void (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
   void (*draw_ruled)(const RuledSpans& spans, const Surface& surface) = nullptr;
-  bool (*pays_near_plane)(const AffineField& field, const TexelBox& texels,
-                          const Surface& surface) = nullptr;
+  bool (*pays_near_plane)(const AffineField& field, const Surface& surface) = nullptr;
   void (*draw_near_plane)(const AffineSpans& spans, const Surface& surface) = nullptr;
   void (*draw_stepped)(const SteppedSpans& spans, const Surface& surface) = nullptr;
   void (*draw_boxes_affine)(const AffineSpans& spans, BoxSides sides,

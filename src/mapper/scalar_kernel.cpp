@@ -98,8 +98,7 @@ void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
   }
 }
 
-[[nodiscard]] bool always_pays(const AffineField& /*field*/, const TexelBox& /*texels*/,
-                               const Surface& /*surface*/) {
+[[nodiscard]] bool always_pays(const AffineField& /*field*/, const Surface& /*surface*/) {
   return true;
 }
 

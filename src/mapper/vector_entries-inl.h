@@ -21,8 +21,7 @@ void find_spans(Outline* outline, int32_t left_px, int32_t right_px, SpanBatch* 
 // vector_affine.cpp
 void draw_affine(const AffineSpans& spans, const Surface& surface);
 void draw_ruled(const RuledSpans& spans, const Surface& surface);
-[[nodiscard]] bool pays_near_plane(const AffineField& field, const TexelBox& texels,
-                                   const Surface& surface);
+[[nodiscard]] bool pays_near_plane(const AffineField& field, const Surface& surface);
 void draw_near_plane(const AffineSpans& spans, const Surface& surface);
 
 // vector_projective.cpp

@@ -176,13 +176,8 @@ HWY_NOINLINE void draw_near_plane_as(const AffineSpans& spans, const Surface& su
 
 // From windows, vectors are drawn so fast that what decides near-ties would cost more than six
 // times as much.
-bool pays_near_plane(const AffineField& field, const TexelBox& texels, const Surface& surface) {
-  if (window_rows(field.step_x, surface.texture) != 0) return false;
-  bool in_one_window = false;
-  with_address(surface, [&](auto address) {
-    in_one_window = is_in_one_window<decltype(address)>(texels, surface.texture);
-  });
-  return !in_one_window;
+bool pays_near_plane(const AffineField& field, const Surface& surface) {
+  return window_rows(field.step_x, surface.texture) == 0;
 }
 
 void draw_near_plane(const AffineSpans& spans, const Surface& surface) {

@@ -263,20 +263,6 @@ template <class Pixel, class Address, class Draw>
   return whole.vectors != 0 && with_window_inside<Pixel, kWindowColumnBits>(texture, whole, draw);
 }
 
-// Whether there is one that draw() is called with.
-template <class Address>
-[[nodiscard]] HWY_INLINE bool is_in_one_window(const TexelBox& box,
-                                               const selvage_texture& texture) {
-  if (!kHasWindows || texture.layout != SELVAGE_LAYOUT_ROWS) return false;
-  const TexelRanges texels(box);
-  if (!texels.within(texture)) {
-    return place_of<Address, kHalfColumnBits>(texels, texture).vectors != 0 ||
-           place_of<Address, kWindowColumnBits>(texels, texture).vectors != 0;
-  }
-  return place_inside<kHalfColumnBits>(texels, texture).vectors != 0 ||
-         place_inside<kWindowColumnBits>(texels, texture).vectors != 0;
-}
-
 }  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
