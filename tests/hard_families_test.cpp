@@ -152,14 +152,19 @@ namespace {
   const auto is_off = [&](size_t k) {
     const auto at = [&](size_t i) { return c.vertices[(k + i) % 4]; };
     const selvage_vertex a = at(1), b = at(2), d = at(3), p = at(0);
-    const int64_t x1 = b.x - a.x, y1 = b.y - a.y, x2 = d.x - a.x, y2 = d.y - a.y;
-    const int64_t x = p.x - a.x, y = p.y - a.y, area = x1 * y2 - x2 * y1;
+    const auto from_a = [&](const selvage_vertex& to, int32_t selvage_vertex::*of) {
+      return int64_t{to.*of} - a.*of;
+    };
+    const int64_t x1 = from_a(b, &selvage_vertex::x), y1 = from_a(b, &selvage_vertex::y);
+    const int64_t x2 = from_a(d, &selvage_vertex::x), y2 = from_a(d, &selvage_vertex::y);
+    const int64_t x = from_a(p, &selvage_vertex::x), y = from_a(p, &selvage_vertex::y);
+    const int64_t area = x1 * y2 - x2 * y1;
     if (area == 0) return false;
     const Rational along_b = Rational(x * y2 - x2 * y) / Rational(area);
     const Rational along_d = Rational(x1 * y - x * y1) / Rational(area);
     const auto off = [&](int32_t selvage_vertex::*of) -> Rational {
-      const Rational change_b(b.*of - a.*of), change_d(d.*of - a.*of);
-      return abs(Rational(p.*of - a.*of) - along_b * change_b - along_d * change_d);
+      const Rational change_b(from_a(b, of)), change_d(from_a(d, of));
+      return abs(Rational(from_a(p, of)) - along_b * change_b - along_d * change_d);
     };
     const Rational off_u = off(&selvage_vertex::u), off_v = off(&selvage_vertex::v);
     return off_u != Rational(0) && off_v != Rational(0) && off_u <= most_fx16 && off_v <= most_fx16;
@@ -168,7 +173,7 @@ namespace {
     return abs(u - floor(u + Rational(1, 2))) * SELVAGE_SUBTEXELS <= Rational(8);
   };
   const auto [least, most] = std::ranges::minmax(c.vertices, {}, &selvage_vertex::u);
-  return most.u - least.u >= 4 * SELVAGE_SUBTEXELS &&
+  return int64_t{most.u} - least.u >= 4 * SELVAGE_SUBTEXELS &&
          (is_off(0) || is_off(1) || is_off(2) || is_off(3)) && covered_px(c) >= 16 &&
          share(c, [&](const Sample& p) {
            return is_next_to_whole(p.u) && is_next_to_whole(p.v);
