@@ -106,18 +106,16 @@ void draw_slabs(const Polygon& polygon, const selvage_rect& part, const Surface&
   return true;
 }
 
-// A polygon in no plane by one that is near, if there is one. Of more vertices there are mostly too
-// many slabs.
+// A polygon in no plane by one that is near, if there is one. Those of more vertices have mostly
+// too many slabs; n have n - 1 of them at most.
 [[nodiscard]] bool draw_near_plane(const Polygon& polygon, const selvage_rect& part,
                                    const Surface& surface, const Kernels& kernels) {
-  if (kernels.draw_near_plane == nullptr || polygon.vertices.size() > RuledMap::kMostSlabs + 1) {
-    return false;
-  }
+  constexpr size_t kMostVertices = RuledMap::kMostSlabs + 1;
+  if (kernels.draw_near_plane == nullptr || polygon.vertices.size() > kMostVertices) return false;
   const std::optional<AffineField> lanes = near_plane(polygon, part);
+  if (!lanes || !kernels.pays_near_plane(*lanes, surface)) return false;
   RuledMap map;
-  if (!lanes || !kernels.pays_near_plane(*lanes, surface) || !find_map(polygon, part, &map)) {
-    return false;
-  }
+  static_cast<void>(find_map(polygon, part, &map));
   BatchWalk walk(polygon, part, kernels.find_spans);
   SpanBatch batch;
   while (walk.next(&batch)) {

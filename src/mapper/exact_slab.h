@@ -138,9 +138,8 @@ class ShortRuledRowFinder {
   explicit ShortRuledRowFinder(const RuledMap& map) : map_(&map) {}
 
   [[nodiscard]] static bool serves(const RuledMap& map) {
-    return std::ranges::all_of(map.slabs(), [](const Slab& slab) {
-      return slab.rows() == 0 || from_left_to_right(slab).has_value();
-    });
+    return std::ranges::all_of(
+        map.slabs(), [](const Slab& slab) { return from_left_to_right(slab).has_value(); });
   }
 
   // As RuledRowFinder.
