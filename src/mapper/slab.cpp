@@ -14,6 +14,17 @@ namespace {
   return int128{b.x} * a.height - int128{a.x} * b.height;
 }
 
+// The most that a denominator of the rows is, but for roundings: q is one for all.
+[[nodiscard]] double most_denominator(const Slab& slab) {
+  const auto [left, right] =
+      std::minmax({slab.a.top().x, slab.a.bottom().x, slab.b.top().x, slab.b.bottom().x});
+  const auto height = [](const Edge& edge) {
+    return static_cast<double>(int64_t{edge.bottom().y} - edge.top().y);
+  };
+  const double width = static_cast<double>(int64_t{right} - left);
+  return width * height(slab.a) * height(slab.b) * slab.a.top().q * (1 << kTexelFraction);
+}
+
 }  // namespace
 
 SlabOutline::SlabOutline(const Slab& slab) {
@@ -41,20 +52,6 @@ std::optional<Slab> from_left_to_right(const Slab& slab) {
   if (first < 0 && last < 0) return Slab{slab.b, slab.a, slab.first_row, slab.end_row};
   return std::nullopt;
 }
-
-namespace {
-
-[[nodiscard]] double most_denominator(const Slab& slab) {
-  const auto [left, right] =
-      std::minmax({slab.a.top().x, slab.a.bottom().x, slab.b.top().x, slab.b.bottom().x});
-  const auto height = [](const Edge& edge) {
-    return static_cast<double>(int64_t{edge.bottom().y} - edge.top().y);
-  };
-  const double width = static_cast<double>(int64_t{right} - left);
-  return width * height(slab.a) * height(slab.b) * slab.a.top().q * (1 << kTexelFraction);
-}
-
-}  // namespace
 
 double RuledMap::most_denominator() const {
   double most = 0;
