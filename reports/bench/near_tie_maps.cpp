@@ -14,6 +14,8 @@ namespace {
 using spec::kTexel_fx16;
 using spec::Random;
 
+constexpr int32_t kMiddle_texel = kMapTexture_texel / 2;
+
 // Corners of a shape, counted from the top left of its box.
 struct Place {
   int32_t x_fx8, y_fx8;
@@ -81,12 +83,12 @@ struct Lattice {
 // beyond those of 16 bits.
 [[nodiscard]] std::optional<int32_t> texel_at(const Place& corner, const Slope& slope,
                                               int32_t steps) {
-  constexpr int64_t kHalfPixel = SELVAGE_SUBPIXELS / 2, kMiddle_texel = kMapTexture_texel / 2;
+  constexpr int64_t kHalfPixel = SELVAGE_SUBPIXELS / 2;
   const int64_t units =
       slope.right * (corner.x_fx8 - kHalfPixel) + slope.down * (corner.y_fx8 - kHalfPixel);
   const double moved_fx16 = static_cast<double>(units) * (kTexel_fx16 / SELVAGE_SUBPIXELS) / steps;
   const int64_t texel_fx16 = kMiddle_texel * kTexel_fx16 + std::llround(moved_fx16);
-  constexpr int64_t kMost_fx16 = INT32_MAX - int64_t{2} * kTexel_fx16;
+  constexpr int64_t kMost_fx16 = INT32_MAX - (kMiddle_texel + 2) * kTexel_fx16;
   if (texel_fx16 < -kMost_fx16 || texel_fx16 > kMost_fx16) return std::nullopt;
   return static_cast<int32_t>(texel_fx16);
 }
@@ -119,6 +121,23 @@ void deepen(Random& random, Polygon* polygon) {
   }
 }
 
+// From the texture's middle, maybe to its first or last texels. Returns whether any were moved.
+bool move_to_edge(Random& random, NearTieMap* map) {
+  const auto move = [&] {
+    return random.pick({0, 0, -kMiddle_texel, kMiddle_texel}) * kTexel_fx16;
+  };
+  const int32_t u_fx16 = move(), v_fx16 = move();
+  const auto shift = [&](Polygon* polygon) {
+    for (selvage_vertex& vertex : *polygon) {
+      vertex.u += u_fx16;
+      vertex.v += v_fx16;
+    }
+  };
+  shift(&map->hard);
+  for (Polygon& moved : map->ordinary) shift(&moved);
+  return u_fx16 != 0 || v_fx16 != 0;
+}
+
 [[nodiscard]] std::optional<NearTieMap> any_map(Random& random) {
   const Box box = any_box(random);
   const std::vector<Place> corners = any_corners(random, box);
@@ -144,11 +163,13 @@ void deepen(Random& random, Polygon* polygon) {
       vertex.v += v_fx16;
     }
   }
+  const bool at_edge = move_to_edge(random, &map);
+  if (random.percent(33)) map.address = SELVAGE_ADDRESS_WRAP;
   map.description =
-      std::string(corners.size() == 3 ? "triangle" : "quad") + " of " +
-      std::to_string(box.width_px) + " x " + std::to_string(box.height_px) + " px" +
-      (deep ? ", in perspective" : "") + ", in steps of " +
-      (lattice.steps == 1 ? "a texel" : "1/" + std::to_string(lattice.steps) + " texel");
+      std::string(corners.size() == 3 ? "triangle" : "quad") + " " + std::to_string(box.width_px) +
+      " x " + std::to_string(box.height_px) + " px" + (deep ? ", perspective" : "") + ", by " +
+      (lattice.steps == 1 ? "a texel" : "1/" + std::to_string(lattice.steps) + " texel") +
+      (at_edge ? ", edge" : "") + (map.address == SELVAGE_ADDRESS_WRAP ? ", wrapped" : "");
   return map;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "reports/bench/outlines.h"
+#include "selvage.h"
 
 namespace selvage::reports {
 
@@ -14,14 +15,15 @@ namespace selvage::reports {
 inline constexpr int32_t kMapTarget_px = 256, kMapTexture_texel = 512;
 
 struct NearTieMap {
-  std::string description;
+  std::string description;  // by 1/8 texel: its slopes are multiples of that a pixel
   Polygon hard;  // many samples, or all, on boundaries between texels or next to them
   std::array<Polygon, 3> ordinary;  // the same map, moved off them
+  selvage_address address = SELVAGE_ADDRESS_CLAMP;
 };
 
 // The same for the same seed. Triangles and quads, in a plane or not, narrow or wide, some reaching
 // far beyond the target; affine or in perspective; rarely as deep as a floor, for what is deep has
-// few near-ties.
+// few near-ties; about the texture's middle or about its edges and beyond them.
 [[nodiscard]] NearTieMap near_tie_map(uint64_t seed);
 
 }  // namespace selvage::reports

@@ -17,6 +17,8 @@ class Drawing {
   explicit Drawing(selvage_kernel kernel)
       : kernel_(kernel), texture_(kMapTexture_texel), target_(kMapTarget_px, kMapTarget_px) {}
 
+  void set_address(selvage_address address) { address_ = address; }
+
   [[nodiscard]] bool is_right(const Polygon& polygon) {
     return picture_by(kernel_, polygon) == picture_by(SELVAGE_KERNEL_SCALAR, polygon);
   }
@@ -35,6 +37,7 @@ class Drawing {
     const selvage_texture texture = texture_.view();
     selvage_options options{};
     options.kernel = kernel;
+    options.address = address_;
     const selvage_status status =
         selvage_draw(&image, nullptr, polygon.data(), polygon.size(), &texture, &options);
     if (status != SELVAGE_OK) throw WrongAnswer(selvage_status_text(status));
@@ -46,6 +49,7 @@ class Drawing {
   }
 
   selvage_kernel kernel_;
+  selvage_address address_ = SELVAGE_ADDRESS_CLAMP;
   Texture texture_;
   Target target_;
 };
@@ -86,6 +90,7 @@ class MapTimes {
 
 [[nodiscard]] TimedMap timed_map(Drawing* drawing, uint64_t seed) {
   const NearTieMap map = near_tie_map(seed);
+  drawing->set_address(map.address);
   if (!drawing->is_right(map.hard) || !std::ranges::all_of(map.ordinary, [&](const Polygon& moved) {
         return drawing->is_right(moved);
       })) {

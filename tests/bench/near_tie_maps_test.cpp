@@ -49,13 +49,15 @@ TEST(NearTieMaps, HaveNearTiesWhereTheirOrdinaryTwinsHaveFew) {
 }
 
 TEST(NearTieMaps, AreOfAllKindsAndTheSameAgain) {
-  int triangles = 0, deep = 0, far = 0;
+  int triangles = 0, deep = 0, far = 0, at_edge = 0, wrapped = 0;
   constexpr int kMaps = 300;
   for (uint64_t seed = 1; seed <= kMaps; ++seed) {
     const NearTieMap map = near_tie_map(seed);
     EXPECT_EQ(map.description, near_tie_map(seed).description);
     triangles += map.hard.size() == 3 ? 1 : 0;
     deep += map.description.find("perspective") != std::string::npos ? 1 : 0;
+    at_edge += map.description.find("edge") != std::string::npos ? 1 : 0;
+    wrapped += map.address == SELVAGE_ADDRESS_WRAP ? 1 : 0;
     far += std::ranges::any_of(map.hard,
                                [](const selvage_vertex& vertex) {
                                  return vertex.y > 2 * kMapTarget_px * SELVAGE_SUBPIXELS;
@@ -63,10 +65,12 @@ TEST(NearTieMaps, AreOfAllKindsAndTheSameAgain) {
                ? 1
                : 0;
   }
-  for (const int kind : {triangles, deep, far}) {
+  for (const int kind : {triangles, deep, far, wrapped}) {
     EXPECT_GT(kind, kMaps / 20);
     EXPECT_LT(kind, kMaps / 2);
   }
+  EXPECT_GT(at_edge, kMaps / 2);
+  EXPECT_LT(at_edge, kMaps * 9 / 10);
 }
 
 // Whatever the times are: in order, and each map can be looked at again.
