@@ -118,6 +118,7 @@ TEST(NearPlane, IsNotOneThatIsFarOrThatLeavesMuchInDoubt) {
   EXPECT_FALSE(lanes_of(square(60, 1, 500)).has_value()) << "more than a near-tie in five rows";
   EXPECT_TRUE(lanes_of(square(50, 15, 1)).has_value());
   EXPECT_FALSE(lanes_of(square(50, 17, 1)).has_value()) << "steep";
+  EXPECT_FALSE(lanes_of(square(50, -17, 1)).has_value()) << "steep";
 }
 
 TEST(NearPlane, IsOfAffinePolygonsWithAnArea) {
