@@ -25,6 +25,9 @@ struct SlabLine {
         bend(next.start - below.start - down),
         step(row.step),
         turn(below.step - row.step) {}
+  // From two rows of a plane.
+  SlabLine(const ExactLine& row, const ExactLine& below)
+      : start(row.start), down(below.start - row.start), bend(0), step(row.step), turn(0) {}
   // The low bits of one.
   template <class Wider>
   explicit SlabLine(const SlabLine<Wider>& line)
@@ -64,6 +67,13 @@ struct SlabLine {
     step = signed_sum(step, n, turn);
   }
 
+  void subtract(Unsigned times, const SlabLine& line) {
+    start -= times * line.start;
+    down -= times * line.down;
+    bend -= times * line.bend;
+    step -= times * line.step;
+    turn -= times * line.turn;
+  }
   void negate() {
     for (Unsigned* const number : {&start, &down, &bend, &step, &turn}) *number = 0 - *number;
   }

@@ -21,13 +21,6 @@ namespace {
   return spans.exact.row_from(spans.field.first_px, spans.batch.first_row).d.start >> 64 == 0;
 }
 
-// Whether so many of some vectors hold near-ties that exact quotients for all cost less.
-inline constexpr int32_t kLeastNear = 4;
-[[nodiscard]] HWY_INLINE bool are_many(int32_t near, int32_t of_vectors) {
-  constexpr int32_t kManyOf = 4;
-  return near >= kLeastNear && near * kManyOf > of_vectors;
-}
-
 // A coordinate over the rows of a batch: n / d texels, n linear.
 class ExactCoordinate {
  public:

@@ -27,11 +27,8 @@ template <class Pixel, class Address>
 HWY_NOINLINE void draw_affine_as(const AffineSpans& spans, const Surface& surface) {
   const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface);
   if (in_one == InOneWindow::kDrawn) return;
+  if (in_one == InOneWindow::kManyNearTies) return draw_near_ties<Pixel, Address>(spans, surface);
   const WindowShape shape = window_shape(spans.field.step_x, surface.texture);
-  if (in_one == InOneWindow::kManyNearTies) {
-    if (draw_near_ties<Pixel>(spans, surface)) return;
-    if (has_quotients(spans)) return draw_exactly<Pixel, Address>(spans, surface, 0, shape.rows);
-  }
   const bool in_window = in_one == InOneWindow::kFewNearTies;
   auto rest = AffineRest::of<Pixel, Address>(spans, surface, shape.rows, in_window);
   draw_by_vectors<Pixel, Address>(spans, surface, shape, &rest);

@@ -93,7 +93,14 @@ class AffineRest : public RestDraw {
     const AffineSpans& spans = rest->spans_;
     const Surface& surface = rest->surface_;
     if (are_many(left.count, of_vectors)) {
-      if (kHasWindows && rest->in_window_ && draw_near_ties<Pixel>(spans, surface)) return false;
+      if (kHasWindows && rest->in_window_) {
+        draw_near_ties<Pixel, Address>(spans, surface);
+        return false;
+      }
+      if (!spans.exact.is_ruled() && draw_between_boundaries<Pixel, Address>(
+                                         spans.batch, spans.texels, spans.exact, 0, surface)) {
+        return false;
+      }
       if (has_quotients(spans)) {
         draw_exactly<Pixel, Address>(spans, surface, first_index, rest->window_rows_);
         return false;

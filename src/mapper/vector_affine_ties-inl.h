@@ -8,43 +8,37 @@
 #endif
 
 #include "mapper/vector_affine_lanes-inl.h"
-#include "mapper/vector_decided_window-inl.h"
+#include "mapper/vector_boundaries-inl.h"
+#include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_plane_ties-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-template <class Pixel, class Window, class Batch, class Ties>
-HWY_NOINLINE void draw_decided(const Window& window, const Batch& lanes, const AffineSpans& spans,
-                               const Surface& surface, Ties* ties) {
+// Draws a batch of rows of a plane that was drawn from one window in vain.
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_near_ties(const AffineSpans& spans, const Surface& surface) {
+  static_assert(kPlaneAreaBits + kTexelFraction - kLeastSpareBits < 62, "one limb is enough");
+  if (draw_between_boundaries<Pixel, Address>(spans.batch, spans.texels, spans.exact, 0, surface)) {
+    return;
+  }
+  const AffineBatch<Addressed<InsideVector>> lanes(spans, surface);  // for its lanes alone
+  const Span first = spans.batch.span(0);
+  PlaneTies<OneLimb, ConstantWalk> ties(spans.exact.rows_from(first.left_px, first.row), first);
+  const TexelFetch<Pixel, Address> fetch(surface.texture);
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
     if (span.empty()) continue;
-    ties->go_to(span);
-    for (Span rest = span; !rest.empty(); rest.left_px += kLanes) {
-      const Lane anchor = lanes.anchor(spans.field.at(rest.left_px, rest.row));
-      const int32_t offset_px = rest.left_px - span.left_px;
-      window.draw(lanes.decided(*ties, offset_px, lanes.lanes_from(anchor)), rest.width_px(),
-                  reinterpret_cast<Pixel*>(first_pixel(surface, rest)));
-    }
+    ties.go_to(span);
+    const Lane start = lanes.anchor(spans.field.at(span.left_px, span.row));
+    auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
+    for_each_vector_of(span, [&](int32_t px, int32_t count_px) HWY_ATTR {
+      const Lane anchor = plus(start, px, spans.field.step_x);
+      const TexelVectors texels = lanes.decided(ties, px, lanes.lanes_from(anchor));
+      fetch.draw(texels.s, texels.t, count_px, to + px);
+    });
   }
-}
-
-// Draws a batch of rows of a plane that was drawn from one window in vain, if that lies within the
-// texture.
-template <class Pixel>
-[[nodiscard]] HWY_NOINLINE bool draw_near_ties(const AffineSpans& spans, const Surface& surface) {
-  static_assert(kPlaneAreaBits + kTexelFraction - kLeastSpareBits < 62, "one limb is enough");
-  const TexelRanges texels(spans.texels);
-  if (!texels.within(surface.texture)) return false;
-  const AffineBatch<Addressed<InsideVector>> lanes(spans, surface);
-  const Span first = spans.batch.span(0);
-  PlaneTies<OneLimb, ConstantWalk> ties(spans.exact.rows_from(first.left_px, first.row), first);
-  with_decided_window<Pixel>(texels, surface.texture, [&](const auto& window) {
-    draw_decided<Pixel>(window, lanes, spans, surface, &ties);
-  });
-  return true;
 }
 
 }  // namespace

@@ -77,6 +77,34 @@ HWY_INLINE void fetch_vector(const void* texels, V32 places, int32_t count, char
   fetch_as<Pixel, kLanes>(texels, place, pixel);
 }
 
+// Draws vectors of texels of which no more is in doubt.
+template <class Pixel, class Address>
+class TexelFetch {
+ public:
+  explicit HWY_INLINE TexelFetch(const selvage_texture& texture)
+      : texels_(texture.texels), extent_(extent_of(texture)) {}
+
+  HWY_INLINE void draw(V32 s, V32 t, int32_t count_px, Pixel* to) const {
+    fetch_vector<Pixel>(texels_, Address::place(s, t, extent_), count_px,
+                        reinterpret_cast<char*>(to));
+  }
+
+ private:
+  const void* texels_;
+  Extent extent_;
+};
+
+// Calls draw(offset_px, count_px) for the vectors of a row, whole ones where it is wide enough: the
+// last one may meet the one before.
+template <class Draw>
+HWY_INLINE void for_each_vector_of(const Span& span, const Draw& draw) {
+  const int32_t width_px = span.width_px(), last_px = HWY_MAX(width_px - kLanes, 0);
+  for (int32_t px = 0; px < width_px; px += kLanes) {
+    const int32_t from_px = HWY_MIN(px, last_px);
+    draw(from_px, width_px - from_px);
+  }
+}
+
 // Texels are asked for so many pixels before they are fetched: what a processor draws in some
 // hundred ns, which memory takes to answer. In lines of their own they fill 16 KB, half of a small
 // first cache.

@@ -27,6 +27,13 @@ struct Left {
   [[nodiscard]] HWY_INLINE const Span& at(int32_t i) const { return rest[static_cast<size_t>(i)]; }
 };
 
+// Whether so many of some vectors hold near-ties that what decides all pixels costs less.
+inline constexpr int32_t kLeastNear = 4;
+[[nodiscard]] HWY_INLINE bool are_many(int32_t near, int32_t of_vectors) {
+  constexpr int32_t kManyOf = 4;
+  return near >= kLeastNear && near * kManyOf > of_vectors;
+}
+
 // A window for a vector by its lanes: the least texels, and its rows, 0 where there is none. What
 // near-ties are raised to may lie beyond it.
 struct LowWindow {

@@ -68,6 +68,11 @@ struct ByParity {
   return static_cast<uint128>(int128{n}) * a;
 }
 
+HWY_INLINE void add(const uint64_t* HWY_RESTRICT more, uint64_t* HWY_RESTRICT to) {
+  const D64 d;
+  hn::Store(hn::Add(hn::Load(d, to), hn::Load(d, more)), d, to);
+}
+
 // Modulo 2^64.
 struct OneLimb {
   static constexpr int kBits = 64;
@@ -77,11 +82,17 @@ struct OneLimb {
    public:
     using Scalar = uint64_t;
     static HWY_INLINE Scalar scalar(uint128 a) { return static_cast<uint64_t>(a); }
+    static HWY_INLINE Scalar sum(Scalar a, Scalar b) { return a + b; }
     HWY_INLINE void set_step(Scalar step) {
       const D64 d;
       const ByParity<V64> by = multiples_of(step);
       hn::Store(by.even, d, even_);
       hn::Store(by.odd, d, odd_);
+    }
+    // By another's, more.
+    HWY_INLINE void add_step(const Walk& more) {
+      add(more.even_, even_);
+      add(more.odd_, odd_);
     }
     [[nodiscard]] HWY_INLINE ByParity<V64> from(Scalar start) const {
       const D64 d;
@@ -95,7 +106,9 @@ struct OneLimb {
   using Numerator = Walk;
   using Divisor = Walk;
 
-  // A vector that is negative where n - k d is.
+  // A vector that is negative where n is,
+  static HWY_INLINE V32 signs(const ByParity<V64>& n) { return upper_halves(n); }
+  // or where n - k d is.
   static HWY_INLINE V32 signs(const ByParity<V64>& n, V32 k, const ByParity<V64>& divisor) {
     return upper_halves_of_difference(n, k, divisor);
   }
@@ -147,16 +160,23 @@ struct UpperLimb {
   }
 };
 
+// low + 2^n high.
+struct LowAndHigh {
+  V64 low, high;
+};
+// The high limb and what the low one, which is not below 0, carries to it.
+template <int kLowBits>
+[[nodiscard]] HWY_INLINE V64 carried(const LowAndHigh& n) {
+  return hn::Add(n.high, hn::ShiftRight<kLowBits>(n.low));
+}
+
 // Modulo 2^109: low + 2^45 high. Divisors are multiples of 2^15, so that 30 bits are left of a low
 // limb, and factors below 3/4 2^17: one product by k 2^15 is the low limb's.
 struct TwoLimbs {
+  using Limbs = LowAndHigh;
   static constexpr int kLowBits = 45, kBits = kLowBits + 64;
   static constexpr int kDivisorZeros = 15, kFactorBits = 17;
   static_assert(kFactorBits + kDivisorZeros <= 32 && kLowBits + 1 - kDivisorZeros <= 32);
-
-  struct Limbs {
-    V64 low, high;
-  };
 
   // A number at kLanes pixels in turn: its low limb without so many bits, and with a bias.
   template <int kDropped, uint64_t kBias>
@@ -199,16 +219,66 @@ struct TwoLimbs {
 
   static HWY_INLINE V32 signs(const ByParity<Limbs>& n, V32 k, const ByParity<Limbs>& divisor) {
     const ByParity<V64> by_low = words_of(hn::ShiftLeft<kDivisorZeros>(k));
-    return upper_halves_of_difference(
-        {carried(n.even, by_low.even, divisor.even), carried(n.odd, by_low.odd, divisor.odd)}, k,
-        {divisor.even.high, divisor.odd.high});
+    return upper_halves_of_difference({carried<kLowBits>(less(n.even, by_low.even, divisor.even)),
+                                       carried<kLowBits>(less(n.odd, by_low.odd, divisor.odd))},
+                                      k, {divisor.even.high, divisor.odd.high});
   }
 
  private:
-  // n's high limb and what low limbs carry to it.
-  static HWY_INLINE V64 carried(const Limbs& n, V64 k_low, const Limbs& divisor) {
-    const V64 low = hn::Sub(n.low, word_product(k_low, divisor.low));
-    return hn::Add(n.high, hn::ShiftRight<kLowBits>(low));
+  static HWY_INLINE Limbs less(const Limbs& n, V64 k_low, const Limbs& divisor) {
+    return {hn::Sub(n.low, word_product(k_low, divisor.low)), n.high};
+  }
+};
+
+// Modulo 2^109, for numbers alone: low limbs of 45 bits carry nothing before the end, so that a
+// number may be a sum of others times factors whose magnitudes are below 2^17 together.
+struct LooseLimbs {
+  static constexpr int kLowBits = 45, kBits = kLowBits + 64;
+  static constexpr int kFactorBits = 17;
+
+  class Walk {
+   public:
+    struct Scalar {
+      uint64_t low, high;
+      friend HWY_INLINE Scalar operator+(const Scalar& a, const Scalar& b) {
+        return {a.low + b.low, a.high + b.high};
+      }
+      friend HWY_INLINE Scalar times(int32_t n, const Scalar& a) {
+        return {mapper::HWY_NAMESPACE::times(n, a.low), mapper::HWY_NAMESPACE::times(n, a.high)};
+      }
+    };
+    static HWY_INLINE Scalar scalar(uint128 a) {
+      return {static_cast<uint64_t>(a) & kLow, static_cast<uint64_t>(a >> kLowBits)};
+    }
+    // One number again, of two.
+    static HWY_INLINE Scalar sum(const Scalar& a, const Scalar& b) {
+      const Scalar loose = a + b;
+      return {loose.low & kLow, loose.high + (loose.low >> kLowBits)};
+    }
+    HWY_INLINE void set_step(const Scalar& step) {
+      low_.set_step(step.low);
+      high_.set_step(step.high);
+    }
+    HWY_INLINE void add_step(const Walk& more) {
+      low_.add_step(more.low_);
+      high_.add_step(more.high_);
+    }
+    // Low limbs are not below 0 with so much more.
+    [[nodiscard]] HWY_INLINE ByParity<LowAndHigh> from(const Scalar& start) const {
+      constexpr uint64_t kBias = uint64_t{1} << 63;
+      static_assert(kLowBits + kFactorBits < 63);
+      const ByParity<V64> low = low_.from(start.low + kBias);
+      const ByParity<V64> high = high_.from(start.high - (kBias >> kLowBits));
+      return {{low.even, high.even}, {low.odd, high.odd}};
+    }
+
+   private:
+    static constexpr uint64_t kLow = (uint64_t{1} << kLowBits) - 1;
+    OneLimb::Walk low_, high_;
+  };
+
+  static HWY_INLINE V32 signs(const ByParity<LowAndHigh>& n) {
+    return upper_halves({carried<kLowBits>(n.even), carried<kLowBits>(n.odd)});
   }
 };
 

@@ -7,6 +7,7 @@
 #endif
 
 #include "mapper/interior.h"
+#include "mapper/vector_boundaries-inl.h"
 #include "mapper/vector_entries-inl.h"
 #include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_left-inl.h"
@@ -22,6 +23,7 @@ namespace {
 
 // Vectors that are left, with their lanes.
 struct LeftOfPieces : Left {
+  int32_t of_pieces;
   HWY_ALIGN int32_t u_fx16[kMost * kLanes], v_fx16[kMost * kLanes];
   int32_t window_rows[kMost];
 
@@ -130,7 +132,7 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
   Fetch fetch(surface.texture.texels);
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
-  int32_t left_count = 0;
+  int32_t left_count = 0, piece_count = 0;
   bool more = true;
   static_assert(Left::kMost >= kMostPieces * kVectorsPerPiece);
   while (left_count <= Left::kMost - kMostPieces * kVectorsPerPiece) {
@@ -138,6 +140,7 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
     const Pieces& pieces = block.pieces;
     more = pieces.count != 0;
     if (!more) break;
+    piece_count += pieces.count;
     for (int32_t k = 0, count = pieces.count; k < count; ++k) {
       int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
       Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.row[k] * pitch) + pieces.left_px[k];
@@ -153,6 +156,7 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
   }
   fetch.finish();
   left->count = left_count;
+  left->of_pieces = piece_count;
   return more;
 }
 
@@ -182,6 +186,11 @@ HWY_NOINLINE void draw_all_pieces(const ProjectiveSpans& spans, const Surface& s
                                                              &left);
     }
     if (left.count == 0) continue;
+    if (are_many(left.count, left.of_pieces) &&
+        draw_between_boundaries<Pixel, Address>(spans.batch, spans.texels, spans.exact,
+                                                spans.field.most_denominator, surface)) {
+      return;
+    }
     draw_left<Pixel, Address>(left, surface, LowLanes(vectors.lack_fx16()), &batch_ties);
   }
 }
@@ -191,8 +200,8 @@ HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& su
   const AnchoredVectors vectors(spans.field);
   const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface, vectors);
   if (in_one == InOneWindow::kDrawn) return;
-  if (in_one == InOneWindow::kManyNearTies && draw_near_ties<Pixel>(spans, surface, vectors)) {
-    return;
+  if (in_one == InOneWindow::kManyNearTies) {
+    return draw_near_ties<Pixel, Address>(spans, surface, vectors);
   }
   draw_all_pieces<Pixel, Address>(spans, surface, vectors);
 }

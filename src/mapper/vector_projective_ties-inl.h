@@ -10,7 +10,8 @@
 #include <optional>
 
 #include "mapper/vector_batch_ties-inl.h"
-#include "mapper/vector_decided_window-inl.h"
+#include "mapper/vector_boundaries-inl.h"
+#include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_left-inl.h"
 #include "mapper/vector_projective_anchors-inl.h"
 
@@ -63,28 +64,33 @@ HWY_NOINLINE void decide_pieces(const Pieces& pieces, const PieceLanes& lanes,
   }
 }
 
-template <class Pixel, class Window>
-HWY_NOINLINE void draw_decided(const Window& window, const Pieces& pieces,
-                               const DecidedTexels& texels, const selvage_image& target) {
-  char* const pixels = static_cast<char*>(target.pixels);
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_decided(const Pieces& pieces, const DecidedTexels& texels,
+                               const Surface& surface) {
+  const TexelFetch<Pixel, Address> fetch(surface.texture);
+  char* const pixels = static_cast<char*>(surface.target.pixels);
+  const ptrdiff_t pitch = surface.target.pitch;
   for (int32_t k = 0; k < pieces.count; ++k) {
     const Span piece = pieces.rest(k, 0);
     int32_t count_px = piece.width_px();
-    Pixel* to = reinterpret_cast<Pixel*>(pixels + piece.row * target.pitch) + piece.left_px;
+    Pixel* to = reinterpret_cast<Pixel*>(pixels + piece.row * pitch) + piece.left_px;
     for (int32_t at = 0; at < kVectorsPerPiece && count_px > 0; ++at) {
-      window.draw(texels.at(k * kVectorsPerPiece + at), count_px, to);
+      const TexelVectors decided = texels.at(k * kVectorsPerPiece + at);
+      fetch.draw(decided.s, decided.t, count_px, to);
       count_px -= kLanes;
       to += kLanes;
     }
   }
 }
 
-// Draws a batch that was drawn from one window in vain, if that lies within the texture.
-template <class Pixel>
-[[nodiscard]] HWY_NOINLINE bool draw_near_ties(const ProjectiveSpans& spans, const Surface& surface,
-                                               const AnchoredVectors& vectors) {
-  const TexelRanges ranges(spans.texels);
-  if (!ranges.within(surface.texture)) return false;
+// Draws a batch that was drawn from one window in vain.
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_near_ties(const ProjectiveSpans& spans, const Surface& surface,
+                                 const AnchoredVectors& vectors) {
+  if (draw_between_boundaries<Pixel, Address>(spans.batch, spans.texels, spans.exact,
+                                              spans.field.most_denominator, surface)) {
+    return;
+  }
   ProjectiveTies batch_ties(spans, vectors);
   const LowLanes low(vectors.lack_fx16());
   const PieceLanes lanes = vectors.lanes();
@@ -96,11 +102,8 @@ template <class Pixel>
     for (int32_t k = 0; k < pieces.count; k += kLanes) vectors.find_lanes(pieces, k, &anchors);
     batch_ties.with_ties(
         [&](auto* ties) { decide_pieces(pieces, lanes, anchors, low, ties, &texels); });
-    with_decided_window<Pixel>(ranges, surface.texture, [&](const auto& window) {
-      draw_decided<Pixel>(window, pieces, texels, surface.target);
-    });
+    draw_decided<Pixel, Address>(pieces, texels, surface);
   }
-  return true;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #endif
 
 #include "mapper/vector_affine_kernel-inl.h"
+#include "mapper/vector_boundaries-inl.h"
 #include "mapper/vector_entries-inl.h"
 #include "mapper/vector_left-inl.h"
 
@@ -46,17 +47,6 @@ class RuledRow {
   LaneVectors steps_;
 };
 
-// Calls draw(offset_px, count_px) for the vectors of a row, whole ones where it is wide enough: the
-// last one may meet the one before.
-template <class Draw>
-HWY_INLINE void for_each_vector_of(const Span& span, const Draw& draw) {
-  const int32_t width_px = span.width_px(), last_px = HWY_MAX(width_px - kLanes, 0);
-  for (int32_t px = 0; px < width_px; px += kLanes) {
-    const int32_t from_px = HWY_MIN(px, last_px);
-    draw(from_px, width_px - from_px);
-  }
-}
-
 // Draws a batch from one window, row by row.
 template <class Pixel>
 struct RuledFromWindow {
@@ -81,10 +71,23 @@ struct RuledFromWindow {
   }
 };
 
-template <class Pixel, class Window, class Ties>
-HWY_NOINLINE void draw_decided(const Window& window, const RuledSpans& spans,
-                               const Surface& surface, Ties* ties) {
+// Draws a batch, if one window holds its texels and no pixel is a near-tie.
+template <class Pixel, class Address>
+[[nodiscard]] HWY_INLINE InOneWindow draw_one_window(const RuledSpans& spans,
+                                                     const Surface& surface) {
+  if (!pays_one_window(spans.batch)) return InOneWindow::kNotInOne;
+  V32 changed;
+  if (!with_one_window<Pixel, Address>(spans.texels, surface.texture,
+                                       RuledFromWindow<Pixel>{spans, surface, &changed})) {
+    return InOneWindow::kNotInOne;
+  }
+  return in_one_window<kTexelFraction>(changed, spans.batch.widest_px);
+}
+
+template <class Pixel, class Address, class Ties>
+HWY_NOINLINE void draw_decided(const RuledSpans& spans, const Surface& surface, Ties* ties) {
   const LowLanes low(lack_fx16(spans.rows.margin_fx32));
+  const TexelFetch<Pixel, Address> fetch(surface.texture);
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
     if (span.empty()) continue;
@@ -92,7 +95,8 @@ HWY_NOINLINE void draw_decided(const Window& window, const RuledSpans& spans,
     ties->go_to(span);
     auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
     for_each_vector_of(span, [&](int32_t px, int32_t count_px) HWY_ATTR {
-      window.draw(low.decided(*ties, px, row.lanes(px)), count_px, to + px);
+      const TexelVectors texels = low.decided(*ties, px, row.lanes(px));
+      fetch.draw(texels.s, texels.t, count_px, to + px);
     });
   }
 }
@@ -103,17 +107,16 @@ HWY_NOINLINE void draw_decided(const Window& window, const RuledSpans& spans,
           spare_bits_fx16(lack_fx16(spans.rows.margin_fx32)), asked};
 }
 
-// Draws a batch that was drawn from one window in vain, if that lies within the texture.
-template <class Pixel>
-[[nodiscard]] HWY_INLINE bool draw_near_ties(const RuledSpans& spans, const Surface& surface) {
-  const TexelRanges texels(spans.texels);
-  if (!texels.within(surface.texture)) return false;
-  with_decided_window<Pixel>(texels, surface.texture, [&](const auto& window) {
-    ties_of(spans, RuledBatchTies::Asked::kOften).with_ties([&](auto* ties) {
-      draw_decided<Pixel>(window, spans, surface, ties);
-    });
+// Draws a batch that was drawn from one window in vain.
+template <class Pixel, class Address>
+HWY_INLINE void draw_near_ties(const RuledSpans& spans, const Surface& surface) {
+  if (draw_between_boundaries<Pixel, Address>(spans.batch, spans.texels, spans.exact,
+                                              spans.rows.most_denominator, surface)) {
+    return;
+  }
+  ties_of(spans, RuledBatchTies::Asked::kOften).with_ties([&](auto* ties) {
+    draw_decided<Pixel, Address>(spans, surface, ties);
   });
-  return true;
 }
 
 // Narrow rows from an index in the batch on, by a load for each pixel, but for vectors with
@@ -177,23 +180,25 @@ void draw_narrow_ruled(const RuledSpans& spans, const Surface& surface) {
   const bool inside = TexelRanges(spans.texels).within(surface.texture);
   Left left;
   for (int32_t i = 0; i < spans.batch.rows;) {
+    const int32_t first = i;
     i = ahead    ? draw_ruled_loads<Pixel, Address, FetchAhead<Pixel>>(spans, surface, i, &left)
         : inside ? draw_ruled_loads<Pixel, Inside, FetchAtOnce<Pixel>>(spans, surface, i, &left)
                  : draw_ruled_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, i, &left);
-    if (left.count != 0) draw_left<Pixel, Address>(left, spans, surface);
+    if (left.count == 0) continue;
+    if (are_many(left.count, i - first) &&
+        draw_between_boundaries<Pixel, Address>(spans.batch, spans.texels, spans.exact,
+                                                spans.rows.most_denominator, surface)) {
+      return;
+    }
+    draw_left<Pixel, Address>(left, spans, surface);
   }
 }
 
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_ruled_as(const RuledSpans& spans, const Surface& surface) {
-  V32 changed;
-  if (pays_one_window(spans.batch) &&
-      with_one_window<Pixel, Address>(spans.texels, surface.texture,
-                                      RuledFromWindow<Pixel>{spans, surface, &changed})) {
-    const InOneWindow in_one = in_one_window<kTexelFraction>(changed, spans.batch.widest_px);
-    if (in_one == InOneWindow::kDrawn) return;
-    if (in_one == InOneWindow::kManyNearTies && draw_near_ties<Pixel>(spans, surface)) return;
-  }
+  const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface);
+  if (in_one == InOneWindow::kDrawn) return;
+  if (in_one == InOneWindow::kManyNearTies) return draw_near_ties<Pixel, Address>(spans, surface);
   if (is_narrow(spans.batch)) {
     return draw_narrow_ruled<Pixel, Address>(spans, surface);
   }
