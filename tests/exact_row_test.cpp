@@ -32,15 +32,39 @@ TEST(ExactRow, TellsTheLeastMissFromATouch) {
   }
 }
 
-// The low halves of a denominator that varies, or is longer, tell nothing.
+// By the most that the denominator is at a row's pixels, its first or its last, and by how near
+// near-ties are.
 TEST(ExactRow, IsShortWhereLowHalvesTellTheSign) {
-  EXPECT_TRUE(row_of(0, 1, 0).is_short());
-  EXPECT_TRUE(row_of(0, kShort - 1, 0).is_short());
-  EXPECT_FALSE(row_of(0, kShort, 0).is_short());
-  EXPECT_FALSE(row_of(0, kShort << 10, 0).is_short());
-  EXPECT_FALSE(row_of(0, uint128{1} << 100, 0).is_short());
-  for (const uint128 step : {uint128{1}, uint128{1} << 16, ~uint128{0}}) {
-    EXPECT_FALSE(row_of(0, 1 << 16, step).is_short());
+  const auto is_short = [](uint128 d, uint128 step, int32_t width_px, int spare_bits) {
+    return row_of(0, d, step).is_short(width_px, spare_bits);
+  };
+  EXPECT_TRUE(is_short(1, 0, 1, 0));
+  for (const int spare_bits : {0, 1, 7, 23, 32}) {
+    const uint128 end = kShort << spare_bits;
+    EXPECT_TRUE(is_short(end - 1, 0, 100, spare_bits));
+    EXPECT_FALSE(is_short(end, 0, 100, spare_bits));
+    EXPECT_TRUE(is_short(end - 100, 1, 100, spare_bits));
+    EXPECT_FALSE(is_short(end - 99, 1, 100, spare_bits)) << "the last";
+    EXPECT_TRUE(is_short(end - 1, ~uint128{0}, 100, spare_bits));
+    EXPECT_FALSE(is_short(end, ~uint128{0}, 100, spare_bits)) << "the first";
+  }
+}
+
+// A near-tie next to a whole number of a denominator far longer than 64 bits.
+TEST(ExactRow, TellsNearTiesOfLongDenominatorsByTheirLowHalves) {
+  spec::Random random(2);
+  for (int i = 0; i < 2000; ++i) {
+    const int spare_bits = random.in(1, 33);
+    const uint128 d = (kShort << spare_bits) - 1 - (random.bits() >> 3);
+    ASSERT_TRUE(row_of(0, d, 0).is_short(1, spare_bits));
+    const int32_t whole = random.pick({0, 1, -1, 32768, -32768, random.in(-32768, 32769)});
+    const uint128 most = d >> spare_bits;
+    for (const uint128 off : {uint128{0}, uint128{1}, most, 0 - uint128{1}, 0 - most}) {
+      const uint128 n = static_cast<uint128>(int128{whole}) * d + off;
+      const bool beyond = static_cast<int128>(off) >= 0;
+      ASSERT_EQ(reaches(n, d, whole), beyond);
+      ASSERT_EQ(reaches(static_cast<uint64_t>(n), static_cast<uint64_t>(d), whole), beyond);
+    }
   }
 }
 

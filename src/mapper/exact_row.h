@@ -1,8 +1,8 @@
 // What decides near-ties: the exact map along a row, whichever map it is.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
-#include <optional>
 
 #include "mapper/number.h"
 #include "mapper/plane.h"
@@ -30,7 +30,7 @@ struct ExactLine {
 [[nodiscard]] inline bool reaches(uint128 n, uint128 d, int32_t whole) {
   return static_cast<int128>(n - static_cast<uint128>(int128{whole}) * d) >= 0;
 }
-// The same by the low halves, for d < 2^62.
+// The same by the low halves, where that integer is in [-2^63, 2^63).
 [[nodiscard]] inline bool reaches(uint64_t n, uint64_t d, int32_t whole) {
   return static_cast<int64_t>(n - static_cast<uint64_t>(int64_t{whole}) * d) >= 0;
 }
@@ -44,9 +44,12 @@ struct ExactRow {
     return mapper::reaches(coordinate.at(i), d.at(i), texel);
   }
 
-  // Whether the low 64 bits of n and d tell the sign that decides: it is that of an integer no
-  // greater than d.
-  [[nodiscard]] bool is_short() const { return d.step == 0 && d.start >> 62 == 0; }
+  // Whether the low 64 bits of n and d tell the sign that decides, at so many pixels, near-ties
+  // that are no further from the whole texel than 2^-spare_bits: that of an integer no greater than
+  // d / 2^spare_bits.
+  [[nodiscard]] bool is_short(int32_t width_px, int spare_bits) const {
+    return std::max(d.start, d.at(width_px - 1)) >> (62 + spare_bits) == 0;
+  }
 
   // What d is where u and v are in units of 2^-bits texel, up to 16.
   [[nodiscard]] ExactLine finer_d(int bits) const {
@@ -136,15 +139,24 @@ class RowOnDemand {
  public:
   RowOnDemand(const ExactMap& map, const Span& span) : map_(&map), span_(span) {}
 
-  [[nodiscard]] const ExactRow& get() {
-    if (!row_) row_ = map_->row_from(span_.left_px, span_.row);
-    return *row_;
+  [[nodiscard]] bool is_known() const { return is_known_; }
+  // Its near-ties are no further from a whole texel than 2^-spare_bits.
+  void find(int spare_bits) {
+    row_ = map_->row_from(span_.left_px, span_.row);
+    is_short_ = row_.is_short(span_.width_px(), spare_bits);
+    is_known_ = true;
   }
+  // If known:
+  [[nodiscard]] const ExactRow& get() const { return row_; }
+  [[nodiscard]] bool is_short() const { return is_short_; }
 
  private:
   const ExactMap* map_;
   Span span_;
-  std::optional<ExactRow> row_;
+  bool is_known_ = false;
+  // If known:
+  bool is_short_;
+  ExactRow row_;
 };
 
 }  // namespace selvage::mapper

@@ -1,6 +1,7 @@
 // From lanes to the texel they show: at once, or, for near-ties, by exact integers.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 
 #include "mapper/exact_row.h"
@@ -37,13 +38,24 @@ template <class Unsigned>
   return texel;
 }
 
+// By themselves, so that decide() is short.
+[[nodiscard, gnu::noinline]] inline TexelIndex decide_long(const ExactRow& exact, int32_t offset_px,
+                                                           Lane lane, uint32_t margin_fx32) {
+  return decide_by<uint128>(exact, offset_px, lane, margin_fx32);
+}
+[[gnu::noinline]] inline void find_row(RowOnDemand& row, uint32_t margin_fx32) {
+  row.find(std::countl_zero(margin_fx32));
+}
+
 // The exact texel under a lane of which one coordinate at least is a near-tie: its own or the next.
 // Rare, and kept out of the loops.
 [[nodiscard, gnu::noinline]] inline TexelIndex decide(RowOnDemand& row, int32_t offset_px,
                                                       Lane lane, uint32_t margin_fx32) {
-  const ExactRow& exact = row.get();
-  return exact.is_short() ? decide_by<uint64_t>(exact, offset_px, lane, margin_fx32)
-                          : decide_by<uint128>(exact, offset_px, lane, margin_fx32);
+  if (!row.is_known()) [[unlikely]] {
+    find_row(row, margin_fx32);
+  }
+  if (!row.is_short()) return decide_long(row.get(), offset_px, lane, margin_fx32);
+  return decide_by<uint64_t>(row.get(), offset_px, lane, margin_fx32);
 }
 
 // floor u and floor v at a pixel: those of the lanes, which are exact unless near-ties.
