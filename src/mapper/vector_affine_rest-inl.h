@@ -74,6 +74,8 @@ class AffineRest : public RestDraw {
                                   int32_t window_rows, bool in_window) {
     return {spans, surface, window_rows, in_window, draw_as<Pixel, Address>};
   }
+  // Whether near-ties were many of some vectors.
+  [[nodiscard]] HWY_INLINE bool had_many() const { return had_many_; }
 
  private:
   HWY_INLINE AffineRest(const AffineSpans& spans, const Surface& surface, int32_t window_rows,
@@ -93,6 +95,7 @@ class AffineRest : public RestDraw {
     const AffineSpans& spans = rest->spans_;
     const Surface& surface = rest->surface_;
     if (are_many(left.count, of_vectors)) {
+      rest->had_many_ = true;
       if (kHasWindows && rest->in_window_) {
         draw_near_ties<Pixel, Address>(spans, surface);
         return false;
@@ -118,6 +121,7 @@ class AffineRest : public RestDraw {
   const Surface& surface_;
   int32_t window_rows_;
   bool in_window_;
+  bool had_many_ = false;
   AffineBatchTies batch_ties_;
 };
 

@@ -22,9 +22,9 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// With more of them a row costs as much as what decides its near-ties would: where each row has a
-// map of its own or one limb is enough, and elsewhere.
-inline constexpr int32_t kMostBoundaries = 6, kMostInPlane = 2;
+// With more of them a row costs as much as what decides its near-ties would.
+inline constexpr int32_t kMostBoundaries = 6;
+inline constexpr int32_t kMostInPlane = 2;  // that needs more than one limb
 
 // The texels of some columns and rows, a row after another, for permutes: two vectors of them.
 class TexelTable {
@@ -71,11 +71,11 @@ class TexelTable {
   V32 low_, high_;
 };
 
-// The exact lines of a batch's rows from one on, as far as they serve, and no less than d there.
+// The exact lines of a batch's rows from one on, as far as they serve.
 struct ExactLines {
   SlabLine<uint128> u, v, d;
   int32_t column_px, end_row;
-  double most_denominator;
+  double most_denominator;  // no less than d at all pixels
 };
 
 // most_ruled: no less than any denominator, where each row has a map of its own.
@@ -190,16 +190,18 @@ HWY_NOINLINE int32_t draw_rows(const SpanBatch& batch, int32_t first_index, cons
   for (; i < batch.rows; ++i) {
     const Span span = batch.span(i);
     if (span.row >= exact.end_row) break;
-    auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
-    for_each_vector_of(span, [&](int32_t px, int32_t count_px) HWY_ATTR {
-      store_pixels(table.pick(lines.indices(span.left_px + px)), count_px, to + px);
-    });
+    if (!span.empty()) {
+      auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
+      for_each_vector_of(span, [&](int32_t px, int32_t count_px) HWY_ATTR {
+        store_pixels(table.pick(lines.indices(span.left_px + px)), count_px, to + px);
+      });
+    }
     lines.go_down();
   }
   return i;
 }
 
-// |n - k d| of texels in a table is no more than so many times d.
+// |n - k d| of texels in a table is no more than 2^kOffBits d.
 inline constexpr int kOffBits = std::bit_width(static_cast<uint32_t>(kMostBoundaries));
 
 // False where it does not pay, or numbers are too great. most_ruled is that of lines_from().

@@ -34,6 +34,12 @@ inline constexpr int32_t kLeastNear = 4;
   return near >= kLeastNear && near * kManyOf > of_vectors;
 }
 
+// Whether so many of some rows' vectors do, or of pieces of rows, that boundaries for all cost
+// less.
+[[nodiscard]] HWY_INLINE bool are_most(int32_t near, int32_t of_rows) {
+  return near >= kLeastNear && 2 * near > of_rows;
+}
+
 // A window for a vector by its lanes: the least texels, and its rows, 0 where there is none. What
 // near-ties are raised to may lie beyond it.
 struct LowWindow {

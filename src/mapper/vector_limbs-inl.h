@@ -265,10 +265,10 @@ struct LooseLimbs {
     }
     // Low limbs are not below 0 with so much more.
     [[nodiscard]] HWY_INLINE ByParity<LowAndHigh> from(const Scalar& start) const {
-      constexpr uint64_t kBias = uint64_t{1} << 63;
+      constexpr uint64_t kMore = uint64_t{1} << 63;
       static_assert(kLowBits + kFactorBits < 63);
-      const ByParity<V64> low = low_.from(start.low + kBias);
-      const ByParity<V64> high = high_.from(start.high - (kBias >> kLowBits));
+      const ByParity<V64> low = low_.from(start.low + kMore);
+      const ByParity<V64> high = high_.from(start.high - (kMore >> kLowBits));
       return {{low.even, high.even}, {low.odd, high.odd}};
     }
 

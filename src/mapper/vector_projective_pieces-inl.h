@@ -173,7 +173,7 @@ HWY_NOINLINE void draw_all_pieces(const ProjectiveSpans& spans, const Surface& s
   const bool inside = cached && pays_to_ask_inside(spans.batch) &&
                       is_inside(spans.batch, spans.field, surface.texture);
   const bool has_windows = may_have_windows(surface.texture) && spans.batch.widest_px >= 2 * kLanes;
-  bool more = true;
+  bool more = true, is_refused = false;
   while (more) {
     if (!cached) {
       more = draw_pieces<Pixel, Address, FetchAhead<Pixel>>(surface, vectors, has_windows, &queue,
@@ -186,10 +186,12 @@ HWY_NOINLINE void draw_all_pieces(const ProjectiveSpans& spans, const Surface& s
                                                              &left);
     }
     if (left.count == 0) continue;
-    if (are_many(left.count, left.of_pieces) &&
-        draw_between_boundaries<Pixel, Address>(spans.batch, spans.texels, spans.exact,
-                                                spans.field.most_denominator, surface)) {
-      return;
+    if (!is_refused && are_most(left.count, left.of_pieces)) {
+      if (draw_between_boundaries<Pixel, Address>(spans.batch, spans.texels, spans.exact,
+                                                  spans.field.most_denominator, surface)) {
+        return;
+      }
+      is_refused = true;
     }
     draw_left<Pixel, Address>(left, surface, LowLanes(vectors.lack_fx16()), &batch_ties);
   }

@@ -107,13 +107,17 @@ HWY_NOINLINE void draw_decided(const RuledSpans& spans, const Surface& surface, 
           spare_bits_fx16(lack_fx16(spans.rows.margin_fx32)), asked};
 }
 
+template <class Pixel, class Address>
+[[nodiscard]] HWY_INLINE bool draw_between_boundaries(const RuledSpans& spans,
+                                                      const Surface& surface) {
+  return draw_between_boundaries<Pixel, Address>(spans.batch, spans.texels, spans.exact,
+                                                 spans.rows.most_denominator, surface);
+}
+
 // Draws a batch that was drawn from one window in vain.
 template <class Pixel, class Address>
 HWY_INLINE void draw_near_ties(const RuledSpans& spans, const Surface& surface) {
-  if (draw_between_boundaries<Pixel, Address>(spans.batch, spans.texels, spans.exact,
-                                              spans.rows.most_denominator, surface)) {
-    return;
-  }
+  if (draw_between_boundaries<Pixel, Address>(spans, surface)) return;
   ties_of(spans, RuledBatchTies::Asked::kOften).with_ties([&](auto* ties) {
     draw_decided<Pixel, Address>(spans, surface, ties);
   });
@@ -179,19 +183,30 @@ void draw_narrow_ruled(const RuledSpans& spans, const Surface& surface) {
   const bool ahead = !is_cached(surface.texture);
   const bool inside = TexelRanges(spans.texels).within(surface.texture);
   Left left;
+  bool is_refused = false;
   for (int32_t i = 0; i < spans.batch.rows;) {
     const int32_t first = i;
     i = ahead    ? draw_ruled_loads<Pixel, Address, FetchAhead<Pixel>>(spans, surface, i, &left)
         : inside ? draw_ruled_loads<Pixel, Inside, FetchAtOnce<Pixel>>(spans, surface, i, &left)
                  : draw_ruled_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, i, &left);
     if (left.count == 0) continue;
-    if (are_many(left.count, i - first) &&
-        draw_between_boundaries<Pixel, Address>(spans.batch, spans.texels, spans.exact,
-                                                spans.rows.most_denominator, surface)) {
-      return;
+    if (!is_refused && are_most(left.count, i - first)) {
+      if (draw_between_boundaries<Pixel, Address>(spans, surface)) return;
+      is_refused = true;
     }
     draw_left<Pixel, Address>(left, spans, surface);
   }
+}
+
+// Each row by itself, or all of them once one had many near-ties.
+template <class Pixel, class Address>
+void draw_wide_ruled(const RuledSpans& spans, const Surface& surface) {
+  bool is_asked = false, are_drawn = false;
+  for_each_row(spans, [&](const AffineSpans& row) {
+    if (are_drawn || !draw_affine_as<Pixel, Address>(row, surface) || is_asked) return;
+    is_asked = true;
+    are_drawn = draw_between_boundaries<Pixel, Address>(spans, surface);
+  });
 }
 
 template <class Pixel, class Address>
@@ -202,8 +217,7 @@ HWY_NOINLINE void draw_ruled_as(const RuledSpans& spans, const Surface& surface)
   if (is_narrow(spans.batch)) {
     return draw_narrow_ruled<Pixel, Address>(spans, surface);
   }
-  for_each_row(spans,
-               [&](const AffineSpans& row) { draw_affine_as<Pixel, Address>(row, surface); });
+  draw_wide_ruled<Pixel, Address>(spans, surface);
 }
 
 }  // namespace
