@@ -26,11 +26,11 @@ struct Box {
 
 [[nodiscard]] Box any_box(Random& random) {
   Box box{};
-  const int32_t most_px = random.pick({64, 64, 128, kMapTarget_px - 2});
+  const int32_t most_px = random.pick({64, 64, 64, 128, kMapHeight_px, kMapWidth_px - 2});
   box.width_px = random.in(2, most_px + 1);
-  box.height_px = random.in(4, random.pick({65, kMapTarget_px}));
-  box.left_px = random.in(0, kMapTarget_px - box.width_px);
-  box.top_px = random.in(0, kMapTarget_px - box.height_px + 1);
+  box.height_px = random.in(4, random.pick({65, kMapHeight_px}));
+  box.left_px = random.in(0, kMapWidth_px - box.width_px);
+  box.top_px = random.in(0, kMapHeight_px - box.height_px + 1);
   if (random.percent(15)) {
     box.height_px = random.in(300, 30000);
     box.top_px = std::min(random.in(20 - box.height_px, 200), 32000 - box.height_px);

@@ -10,13 +10,13 @@
 
 namespace selvage::reports {
 
-// Polygons lie in a target of so many pixels a side, or cross it, and show texels of a texture of
-// so many a side.
-inline constexpr int32_t kMapTarget_px = 256, kMapTexture_texel = 512;
+// Polygons lie in a target of so many pixels, or cross it, and show texels of a texture of so many
+// a side.
+inline constexpr int32_t kMapWidth_px = 1024, kMapHeight_px = 256, kMapTexture_texel = 512;
 
 struct NearTieMap {
   std::string description;  // by 1/8 texel: its slopes are multiples of that a pixel
-  Polygon hard;  // many samples, or all, on boundaries between texels or next to them
+  Polygon hard;             // many samples, or all, on boundaries between texels or next to them
   std::array<Polygon, 3> ordinary;  // the same map, moved off them
   selvage_address address = SELVAGE_ADDRESS_CLAMP;
 };

@@ -22,7 +22,7 @@ struct Count {
 };
 
 void count_row(const Polygon& polygon, int32_t row, Count* count) {
-  for (int32_t px = 0; px < kMapTarget_px; ++px) {
+  for (int32_t px = 0; px < kMapWidth_px; ++px) {
     const auto sample = spec::sample(polygon, px, row);
     if (!sample) continue;
     ++count->samples;
@@ -36,7 +36,7 @@ TEST(NearTieMaps, HaveNearTiesWhereTheirOrdinaryTwinsHaveFew) {
   int maps = 0;
   for (uint64_t seed = 1; seed <= 150; ++seed) {
     const NearTieMap map = near_tie_map(seed);
-    for (int32_t row = 3; row < kMapTarget_px; row += 50) {
+    for (int32_t row = 3; row < kMapHeight_px; row += 50) {
       count_row(map.hard, row, &hard);
       count_row(map.ordinary[seed % 3], row, &ordinary);
     }
@@ -60,7 +60,7 @@ TEST(NearTieMaps, AreOfAllKindsAndTheSameAgain) {
     wrapped += map.address == SELVAGE_ADDRESS_WRAP ? 1 : 0;
     far += std::ranges::any_of(map.hard,
                                [](const selvage_vertex& vertex) {
-                                 return vertex.y > 2 * kMapTarget_px * SELVAGE_SUBPIXELS;
+                                 return vertex.y > 2 * kMapHeight_px * SELVAGE_SUBPIXELS;
                                })
                ? 1
                : 0;
