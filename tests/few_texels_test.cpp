@@ -1,6 +1,6 @@
 // Magnified polygons that show few texels, of which many pixels are near-ties: within the texture,
 // at its edges and across the seam of one that wraps; of one map and ruled, of several slabs, of
-// the greatest denominators.
+// the greatest denominators, narrow and wide.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -19,7 +19,7 @@ using spec::kTexel_fx16;
   spec::Case c;
   c.format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
   c.address = random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP;
-  c.target_width_px = random.in(1, 70);
+  c.target_width_px = random.percent(20) ? random.in(70, 400) : random.in(1, 70);
   c.target_height_px = random.in(4, 140);
   c.texture_width_texel = random.pick({1, 3, 8, 17, 64});
   c.texture_height_texel = random.pick({1, 2, 8, 17, 64});

@@ -45,6 +45,22 @@ HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Su
   return field.margin_fx32 <= kSmall_fx32;
 }
 
+// Of a single row, that may be the only one with its map, those under its ends and between them.
+[[nodiscard]] HWY_INLINE TexelRanges texels_of(const AffineSpans& spans) {
+  TexelRanges texels(spans.texels);
+  if (spans.batch.rows > 1) return texels;
+  const Span row = spans.batch.span(0);
+  const Lane a = spans.field.at(row.left_px, row.row),
+             b = spans.field.at(row.right_px - 1, row.row);
+  const auto between = [&](int64_t from_fx32, int64_t to_fx32) {
+    return TexelRange{floor_texel(HWY_MIN(from_fx32, to_fx32)),
+                      floor_texel(HWY_MAX(from_fx32, to_fx32) + spans.field.margin_fx32)};
+  };
+  texels.s = between(a.u_fx32, b.u_fx32);
+  texels.t = between(a.v_fx32, b.v_fx32);
+  return texels;
+}
+
 // Draws what is left of a batch. Who leaves it need not know how, nor by which address mode, so
 // that there is one of each for all of them.
 class RestDraw {
@@ -100,8 +116,8 @@ class AffineRest : public RestDraw {
         draw_near_ties<Pixel, Address>(spans, surface);
         return false;
       }
-      if (!spans.exact.is_ruled() && draw_between_boundaries<Pixel, Address>(
-                                         spans.batch, spans.texels, spans.exact, 0, surface)) {
+      if (draw_between_boundaries<Pixel, Address>(spans.batch, texels_of(spans), spans.exact, 0,
+                                                  surface)) {
         return false;
       }
       if (has_quotients(spans)) {

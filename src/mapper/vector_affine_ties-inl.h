@@ -20,7 +20,8 @@ namespace {
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_near_ties(const AffineSpans& spans, const Surface& surface) {
   static_assert(kPlaneAreaBits + kTexelFraction - kLeastSpareBits < 62, "one limb is enough");
-  if (draw_between_boundaries<Pixel, Address>(spans.batch, spans.texels, spans.exact, 0, surface)) {
+  if (draw_between_boundaries<Pixel, Address>(spans.batch, TexelRanges(spans.texels), spans.exact,
+                                              0, surface)) {
     return;
   }
   const AffineBatch<Addressed<InsideVector>> lanes(spans, surface);  // for its lanes alone

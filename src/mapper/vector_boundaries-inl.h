@@ -78,11 +78,11 @@ struct ExactLines {
   double most_denominator;  // no less than d at all pixels
 };
 
-// most_ruled: no less than any denominator, where each row has a map of its own.
+// most_ruled: no less than any denominator, where some rows each have a map of their own.
 [[nodiscard]] inline ExactLines lines_from(const ExactMap& map, const SpanBatch& batch,
                                            int32_t index, double most_ruled) {
   const Span first = batch.span(index);
-  if (!map.is_ruled()) {
+  if (!map.is_ruled() || batch.rows == 1) {
     const auto [row, below] = map.rows_from(first.left_px, first.row);
     const int128 most_d = most_in_box(row.d, below.d.start - row.d.start, batch);
     return {{row.u, below.u}, {row.v, below.v}, {row.d, below.d},
@@ -204,18 +204,20 @@ HWY_NOINLINE int32_t draw_rows(const SpanBatch& batch, int32_t first_index, cons
 // |n - k d| of texels in a table is no more than 2^kOffBits d.
 inline constexpr int kOffBits = std::bit_width(static_cast<uint32_t>(kMostBoundaries));
 
-// False where it does not pay, or numbers are too great. most_ruled is that of lines_from().
+// All pixels show some of these texels. False where it does not pay, or numbers are too great.
+// most_ruled is that of lines_from().
 template <class Pixel, class Address>
-[[nodiscard]] HWY_NOINLINE bool draw_between_boundaries(const SpanBatch& batch, const TexelBox& box,
+[[nodiscard]] HWY_NOINLINE bool draw_between_boundaries(const SpanBatch& batch,
+                                                        const TexelRanges& texels,
                                                         const ExactMap& map, double most_ruled,
                                                         const Surface& surface) {
-  const TexelRanges texels(box);
   const int32_t boundaries = texels.s.count() + texels.t.count() - 2;
   if (!kHasWindows || boundaries > kMostBoundaries) return false;
-  if (map.is_ruled() && !ShortRuledRowFinder::serves(map.ruled())) return false;
+  const bool is_ruled = map.is_ruled() && batch.rows > 1;
+  if (is_ruled && !ShortRuledRowFinder::serves(map.ruled())) return false;
   ExactLines lines = lines_from(map, batch, 0, most_ruled);
   const bool in_one_limb = are_enough(OneLimb::kBits, lines.most_denominator, -kOffBits);
-  const bool in_two_limbs = (map.is_ruled() || boundaries <= kMostInPlane) &&
+  const bool in_two_limbs = (is_ruled || boundaries <= kMostInPlane) &&
                             are_enough(LooseLimbs::kBits, lines.most_denominator, -kOffBits);
   if (!in_one_limb && !in_two_limbs) return false;
   const TexelTable table = TexelTable::of<Pixel, Address>(texels, surface.texture);

@@ -187,8 +187,9 @@ HWY_NOINLINE void draw_all_pieces(const ProjectiveSpans& spans, const Surface& s
     }
     if (left.count == 0) continue;
     if (!is_refused && are_most(left.count, left.of_pieces)) {
-      if (draw_between_boundaries<Pixel, Address>(spans.batch, spans.texels, spans.exact,
-                                                  spans.field.most_denominator, surface)) {
+      if (draw_between_boundaries<Pixel, Address>(spans.batch, TexelRanges(spans.texels),
+                                                  spans.exact, spans.field.most_denominator,
+                                                  surface)) {
         return;
       }
       is_refused = true;

@@ -87,7 +87,7 @@ HWY_NOINLINE void draw_decided(const Pieces& pieces, const DecidedTexels& texels
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_near_ties(const ProjectiveSpans& spans, const Surface& surface,
                                  const AnchoredVectors& vectors) {
-  if (draw_between_boundaries<Pixel, Address>(spans.batch, spans.texels, spans.exact,
+  if (draw_between_boundaries<Pixel, Address>(spans.batch, TexelRanges(spans.texels), spans.exact,
                                               spans.field.most_denominator, surface)) {
     return;
   }

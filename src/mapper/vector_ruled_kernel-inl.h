@@ -110,8 +110,8 @@ HWY_NOINLINE void draw_decided(const RuledSpans& spans, const Surface& surface, 
 template <class Pixel, class Address>
 [[nodiscard]] HWY_INLINE bool draw_between_boundaries(const RuledSpans& spans,
                                                       const Surface& surface) {
-  return draw_between_boundaries<Pixel, Address>(spans.batch, spans.texels, spans.exact,
-                                                 spans.rows.most_denominator, surface);
+  return draw_between_boundaries<Pixel, Address>(spans.batch, TexelRanges(spans.texels),
+                                                 spans.exact, spans.rows.most_denominator, surface);
 }
 
 // Draws a batch that was drawn from one window in vain.
