@@ -114,6 +114,17 @@ struct OneLimb {
   }
 };
 
+// low + 2^n high, of which the low part is n bits at first, and carries nothing.
+struct LoosePair {
+  uint64_t low, high;
+  friend HWY_INLINE LoosePair operator+(const LoosePair& a, const LoosePair& b) {
+    return {a.low + b.low, a.high + b.high};
+  }
+  friend HWY_INLINE LoosePair times(int32_t n, const LoosePair& a) {
+    return {mapper::HWY_NAMESPACE::times(n, a.low), mapper::HWY_NAMESPACE::times(n, a.high)};
+  }
+};
+
 // Modulo 2^80, of which a limb holds the upper 64 bits: divisors are multiples of 2^16, so that n -
 // k d has the sign that it has without n's lower ones.
 struct UpperLimb {
@@ -125,28 +136,19 @@ struct UpperLimb {
   };
   class Numerator {
    public:
-    // upper 2^16 + lower, of which the lower part is 16 bits at first, and carries nothing.
-    struct Scalar {
-      uint64_t upper, lower;
-      friend HWY_INLINE Scalar operator+(const Scalar& a, const Scalar& b) {
-        return {a.upper + b.upper, a.lower + b.lower};
-      }
-      friend HWY_INLINE Scalar times(int32_t n, const Scalar& a) {
-        return {mapper::HWY_NAMESPACE::times(n, a.upper), mapper::HWY_NAMESPACE::times(n, a.lower)};
-      }
-    };
+    using Scalar = LoosePair;  // low + 2^16 high
     static HWY_INLINE Scalar scalar(uint128 a) {
-      return {Divisor::scalar(a), static_cast<uint64_t>(a) & ((uint64_t{1} << kZeros) - 1)};
+      return {static_cast<uint64_t>(a) & ((uint64_t{1} << kZeros) - 1), Divisor::scalar(a)};
     }
     HWY_INLINE void set_step(const Scalar& step) {
-      upper_.set_step(step.upper);
-      lower_.set_step(step.lower);
+      upper_.set_step(step.high);
+      lower_.set_step(step.low);
     }
     // Walked left, the lower part is negative: with a bias it is not.
     [[nodiscard]] HWY_INLINE ByParity<V64> from(const Scalar& start) const {
       constexpr int kBiasBits = 62;
-      const ByParity<V64> upper = upper_.from(start.upper - (uint64_t{1} << (kBiasBits - kZeros)));
-      const ByParity<V64> lower = lower_.from(start.lower + (uint64_t{1} << kBiasBits));
+      const ByParity<V64> upper = upper_.from(start.high - (uint64_t{1} << (kBiasBits - kZeros)));
+      const ByParity<V64> lower = lower_.from(start.low + (uint64_t{1} << kBiasBits));
       return {hn::Add(upper.even, hn::ShiftRight<kZeros>(lower.even)),
               hn::Add(upper.odd, hn::ShiftRight<kZeros>(lower.odd))};
     }
@@ -238,15 +240,7 @@ struct LooseLimbs {
 
   class Walk {
    public:
-    struct Scalar {
-      uint64_t low, high;
-      friend HWY_INLINE Scalar operator+(const Scalar& a, const Scalar& b) {
-        return {a.low + b.low, a.high + b.high};
-      }
-      friend HWY_INLINE Scalar times(int32_t n, const Scalar& a) {
-        return {mapper::HWY_NAMESPACE::times(n, a.low), mapper::HWY_NAMESPACE::times(n, a.high)};
-      }
-    };
+    using Scalar = LoosePair;  // low + 2^45 high
     static HWY_INLINE Scalar scalar(uint128 a) {
       return {static_cast<uint64_t>(a) & kLow, static_cast<uint64_t>(a >> kLowBits)};
     }

@@ -72,17 +72,15 @@ HWY_NOINLINE void decide_parts(const RowParts& parts, const AffineField& field,
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_parts(const RowParts& parts, const DecidedTexels& texels,
                              const Surface& surface) {
-  const Extent extent = extent_of(surface.texture);
-  const void* const from = surface.texture.texels;
+  const TexelFetch<Pixel, Address> fetch(surface.texture);
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
   int32_t k = 0;
   for (const Span& part : parts.all()) {
-    char* const to = pixels + part.row * pitch + part.left_px * ptrdiff_t{sizeof(Pixel)};
+    auto* const to = reinterpret_cast<Pixel*>(pixels + part.row * pitch) + part.left_px;
     for_each_vector_of(part, [&](int32_t px, int32_t count_px) HWY_ATTR {
       const TexelVectors at = texels.at(k++);
-      fetch_vector<Pixel>(from, Address::place(at.s, at.t, extent), count_px,
-                          to + px * ptrdiff_t{sizeof(Pixel)});
+      fetch.draw(at.s, at.t, count_px, to + px);
     });
   }
 }
