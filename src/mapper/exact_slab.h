@@ -142,7 +142,43 @@ class RuledRowFinder {
   mutable ExactSlab rows_;  // of the slab that was last asked of
 };
 
-// The low 64 bits of the same numbers, where no two edges change sides.
+// The low 64 bits of a slab's numbers, where no two edges change sides.
+struct ShortSlab {
+  using Line = SlabLine<uint64_t>;
+
+  // Of no row.
+  ShortSlab() = default;
+  // The one with a row of the map; by differences at a column, whichever.
+  ShortSlab(const RuledMap& map, int32_t px, int32_t row) : first_px(px) {
+    const Slab slab = *from_left_to_right(map.slab_of(row));  // so that d > 0
+    const ExactSlab rows(slab, px);
+    u = Line(rows.u());
+    v = Line(rows.v());
+    d = Line(rows.d());
+    first_row = slab.first_row;
+    end_row = slab.end_row;
+  }
+  // The rows of a plane from one on.
+  ShortSlab(const ExactRows& rows, int32_t px, int32_t row)
+      : first_px(px),
+        first_row(row),
+        end_row(INT32_MAX),
+        u(ExactSlab::Line(rows.row.u, rows.below.u)),
+        v(ExactSlab::Line(rows.row.v, rows.below.v)),
+        d(ExactSlab::Line(rows.row.d, rows.below.d)) {}
+  // Whichever the map is, from a row on.
+  static ShortSlab of(const ExactMap& map, int32_t px, int32_t row) {
+    return map.is_ruled() ? ShortSlab(map.ruled(), px, row)
+                          : ShortSlab(map.rows_from(px, row), px, row);
+  }
+
+  [[nodiscard]] bool has(int32_t row) const { return row >= first_row && row < end_row; }
+
+  int32_t first_px = 0, first_row = 0, end_row = 0;
+  Line u, v, d;  // from the first row and the column on
+};
+
+// The rows of a ruled map by its ShortSlabs.
 class ShortRuledRowFinder {
  public:
   explicit ShortRuledRowFinder(const RuledMap& map) : map_(&map) {}
@@ -154,37 +190,26 @@ class ShortRuledRowFinder {
 
   // As RuledRowFinder.
   [[nodiscard]] ExactRow row_from(int32_t px, int32_t row) {
-    if (row < first_row_ || row >= end_row_) find(px, row);
+    if (!slab_.has(row)) {
+      slab_ = ShortSlab(*map_, px, row);
+      row_ = slab_.first_row;
+    }
     if (row == row_ + 1) {  // mostly
-      u_.go_down();
-      v_.go_down();
-      d_.go_down();
+      slab_.u.go_down();
+      slab_.v.go_down();
+      slab_.d.go_down();
     } else {
-      for (Line* const line : {&u_, &v_, &d_}) line->go_down(row - row_);
+      for (ShortSlab::Line* const line : {&slab_.u, &slab_.v, &slab_.d}) line->go_down(row - row_);
     }
     row_ = row;
-    const int32_t right_px = px - first_px_;
-    return {u_.first_row(right_px), v_.first_row(right_px), d_.first_row(right_px)};
+    const int32_t right_px = px - slab_.first_px;
+    return {slab_.u.first_row(right_px), slab_.v.first_row(right_px), slab_.d.first_row(right_px)};
   }
 
  private:
-  void find(int32_t px, int32_t row) {
-    const Slab& slab = map_->slab_of(row);
-    ExactSlab rows(slab, px);
-    static_cast<void>(rows.row_from(px, row));  // so that signs are those of a pixel
-    u_ = Line(rows.u());
-    v_ = Line(rows.v());
-    d_ = Line(rows.d());
-    first_px_ = px;
-    row_ = first_row_ = slab.first_row;
-    end_row_ = slab.end_row;
-  }
-
-  using Line = SlabLine<uint64_t>;
   const RuledMap* map_;
-  int32_t first_px_ = 0, first_row_ = 0, end_row_ = 0;
-  int32_t row_ = 0;  // that the lines begin with
-  Line u_, v_, d_;
+  ShortSlab slab_;  // its lines begin with a row:
+  int32_t row_ = 0;
 };
 
 }  // namespace selvage::mapper

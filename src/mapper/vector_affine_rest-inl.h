@@ -120,6 +120,10 @@ class AffineRest : public RestDraw {
                                                   surface)) {
         return false;
       }
+      if (is_narrow(spans.batch) && spans.batch.rows > 1) {
+        draw_columns<Pixel, Address>(spans, surface, first_index);
+        return false;
+      }
       if (has_quotients(spans)) {
         draw_exactly<Pixel, Address>(spans, surface, first_index, rest->window_rows_);
         return false;

@@ -61,6 +61,13 @@ class BatchTies {
 using AffineBatchTies = BatchTies<ConstantWalk>;
 using PlaneBatchTies = BatchTies<PlaneWalk>;
 
+// Whether a ShortRuledRowFinder's rows decide near-ties.
+[[nodiscard]] HWY_INLINE bool is_one_limb_enough(const RuledMap& map, double most_denominator,
+                                                 int spare_bits) {
+  return are_enough(OneLimb::kBits, most_denominator, spare_bits) &&
+         ShortRuledRowFinder::serves(map);
+}
+
 // What decides those of rows that each have a map of their own.
 class RuledBatchTies {
  public:
@@ -68,8 +75,7 @@ class RuledBatchTies {
   enum class Asked { kSeldom, kOften };
   RuledBatchTies(const RuledMap& map, double most_denominator, int spare_bits,
                  Asked asked = Asked::kSeldom) {
-    if (asked == Asked::kOften && are_enough(OneLimb::kBits, most_denominator, spare_bits) &&
-        ShortRuledRowFinder::serves(map)) {
+    if (asked == Asked::kOften && is_one_limb_enough(map, most_denominator, spare_bits)) {
       short_.emplace(map);
     } else if (are_enough(UpperLimb::kBits, most_denominator, spare_bits)) {
       upper_.emplace(map);

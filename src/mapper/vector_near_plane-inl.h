@@ -13,6 +13,7 @@
 #include "mapper/near_plane.h"
 #include "mapper/vector_affine_kernel-inl.h"
 #include "mapper/vector_ruled_kernel-inl.h"
+#include "mapper/vector_tie_columns-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -137,8 +138,14 @@ class NearPlaneRest : public RestDraw {
   template <class Pixel, class Address>
   HWY_NOINLINE void draw_all(int32_t first_index) const {
     const PlaneLanes lanes(spans_, surface_);
-    RuledBatchTies batch_ties(spans_.exact.ruled(), spans_.exact.ruled().most_denominator(),
-                              lanes.spare_bits(), RuledBatchTies::Asked::kOften);
+    const RuledMap& map = spans_.exact.ruled();
+    if (is_narrow(spans_.batch) &&
+        is_one_limb_enough(map, map.most_denominator(), lanes.spare_bits())) {
+      return draw_columns<Pixel, Address>(spans_.batch, first_index, lanes,
+                                          PlaneColumns(spans_.field), spans_.exact, surface_);
+    }
+    RuledBatchTies batch_ties(map, map.most_denominator(), lanes.spare_bits(),
+                              RuledBatchTies::Asked::kOften);
     RowParts parts;
     DecidedTexels texels;
     const auto draw = [&] {

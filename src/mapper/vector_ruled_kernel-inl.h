@@ -10,6 +10,7 @@
 #include "mapper/vector_boundaries-inl.h"
 #include "mapper/vector_entries-inl.h"
 #include "mapper/vector_left-inl.h"
+#include "mapper/vector_tie_columns-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -118,6 +119,11 @@ template <class Pixel, class Address>
 template <class Pixel, class Address>
 HWY_INLINE void draw_near_ties(const RuledSpans& spans, const Surface& surface) {
   if (draw_between_boundaries<Pixel, Address>(spans, surface)) return;
+  const LowLanes low(lack_fx16(spans.rows.margin_fx32));
+  if (is_one_limb_enough(spans.exact.ruled(), spans.rows.most_denominator, low.spare_bits())) {
+    return draw_columns<Pixel, Address>(
+        spans.batch, 0, low, RuledColumns(spans.rows, spans.batch.first_row), spans.exact, surface);
+  }
   ties_of(spans, RuledBatchTies::Asked::kOften).with_ties([&](auto* ties) {
     draw_decided<Pixel, Address>(spans, surface, ties);
   });
