@@ -89,7 +89,7 @@ TEST(ShortRuledRows, AreTheLowBitsOfTheMaps) {
     RuledMap map;
     SlabWalk slabs(polygon, part);
     while (const auto slab = slabs.next()) ASSERT_TRUE(map.add(*slab));
-    if (!ShortRuledRowFinder::serves(map)) {
+    if (!is_directed(map)) {
       ++not_served;
       continue;
     }
@@ -120,9 +120,9 @@ TEST(ShortRuledRows, AreNotOfEdgesThatCross) {
   const std::vector<selvage_vertex> v = {
       {0, 0, 0, 0, 1}, {25600, 25600, 9, 9, 1}, {25600, 0, 9, 0, 1}, {0, 25600, 0, 9, 1}};
   const Edge down(v[0], v[1]), up(v[2], v[3]), side(v[0], v[3]);
-  EXPECT_FALSE(ShortRuledRowFinder::serves(RuledMap(Slab{down, up, 0, 100})));
-  EXPECT_TRUE(ShortRuledRowFinder::serves(RuledMap(Slab{up, down, 0, 50})));
-  EXPECT_TRUE(ShortRuledRowFinder::serves(RuledMap(Slab{side, down, 1, 100})));
+  EXPECT_FALSE(is_directed(RuledMap(Slab{down, up, 0, 100})));
+  EXPECT_TRUE(is_directed(RuledMap(Slab{up, down, 0, 50})));
+  EXPECT_TRUE(is_directed(RuledMap(Slab{side, down, 1, 100})));
 }
 
 TEST(ExactSlab, AreOfTheSlabsRowsAlone) {

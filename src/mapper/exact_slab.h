@@ -142,74 +142,78 @@ class RuledRowFinder {
   mutable ExactSlab rows_;  // of the slab that was last asked of
 };
 
-// The low 64 bits of a slab's numbers, where no two edges change sides.
-struct ShortSlab {
-  using Line = SlabLine<uint64_t>;
+// A slab where no two edges change sides, so that d > 0, or a plane; of its numbers, the low bits.
+template <class Unsigned>
+struct DirectedSlab {
+  using Line = SlabLine<Unsigned>;
 
   // Of no row.
-  ShortSlab() = default;
+  DirectedSlab() = default;
   // The one with a row of the map; by differences at a column, whichever.
-  ShortSlab(const RuledMap& map, int32_t px, int32_t row) : first_px(px) {
-    const Slab slab = *from_left_to_right(map.slab_of(row));  // so that d > 0
+  DirectedSlab(const RuledMap& map, int32_t px, int32_t of_row) : first_px(px) {
+    const Slab slab = *from_left_to_right(map.slab_of(of_row));
     const ExactSlab rows(slab, px);
+    first_row = row = slab.first_row;
+    end_row = slab.end_row;
     u = Line(rows.u());
     v = Line(rows.v());
     d = Line(rows.d());
-    first_row = slab.first_row;
-    end_row = slab.end_row;
   }
-  // The rows of a plane from one on.
-  ShortSlab(const ExactRows& rows, int32_t px, int32_t row)
+  // Of a plane: one of its rows from a column on, and the one below.
+  DirectedSlab(const ExactRows& rows, int32_t px, int32_t of_row)
       : first_px(px),
-        first_row(row),
+        first_row(INT32_MIN),
         end_row(INT32_MAX),
+        row(of_row),
         u(ExactSlab::Line(rows.row.u, rows.below.u)),
         v(ExactSlab::Line(rows.row.v, rows.below.v)),
         d(ExactSlab::Line(rows.row.d, rows.below.d)) {}
-  // Whichever the map is, from a row on.
-  static ShortSlab of(const ExactMap& map, int32_t px, int32_t row) {
-    return map.is_ruled() ? ShortSlab(map.ruled(), px, row)
-                          : ShortSlab(map.rows_from(px, row), px, row);
+  // Whichever the map is.
+  static DirectedSlab of(const ExactMap& map, int32_t px, int32_t row) {
+    return map.is_ruled() ? DirectedSlab(map.ruled(), px, row)
+                          : DirectedSlab(map.rows_from(px, row), px, row);
   }
 
-  [[nodiscard]] bool has(int32_t row) const { return row >= first_row && row < end_row; }
+  [[nodiscard]] bool has(int32_t of_row) const { return of_row >= first_row && of_row < end_row; }
+  // Cheapest in turn.
+  void go_to(int32_t to_row) {
+    for (Line* const line : {&u, &v, &d}) {
+      if (to_row == row + 1) {
+        line->go_down();
+      } else {
+        line->go_down(to_row - row);
+      }
+    }
+    row = to_row;
+  }
 
   int32_t first_px = 0, first_row = 0, end_row = 0;
-  Line u, v, d;  // from the first row and the column on
+  int32_t row = 0;  // that the lines begin with, at the column
+  Line u, v, d;
 };
 
-// The rows of a ruled map by its ShortSlabs.
+// Whether each slab of a map is a DirectedSlab.
+[[nodiscard]] inline bool is_directed(const RuledMap& map) {
+  return std::ranges::all_of(map.slabs(),
+                             [](const Slab& slab) { return from_left_to_right(slab).has_value(); });
+}
+
+// The low 64 bits of the rows of a map that is_directed().
 class ShortRuledRowFinder {
  public:
   explicit ShortRuledRowFinder(const RuledMap& map) : map_(&map) {}
 
-  [[nodiscard]] static bool serves(const RuledMap& map) {
-    return std::ranges::all_of(
-        map.slabs(), [](const Slab& slab) { return from_left_to_right(slab).has_value(); });
-  }
-
   // As RuledRowFinder.
   [[nodiscard]] ExactRow row_from(int32_t px, int32_t row) {
-    if (!slab_.has(row)) {
-      slab_ = ShortSlab(*map_, px, row);
-      row_ = slab_.first_row;
-    }
-    if (row == row_ + 1) {  // mostly
-      slab_.u.go_down();
-      slab_.v.go_down();
-      slab_.d.go_down();
-    } else {
-      for (ShortSlab::Line* const line : {&slab_.u, &slab_.v, &slab_.d}) line->go_down(row - row_);
-    }
-    row_ = row;
+    if (!slab_.has(row)) slab_ = DirectedSlab<uint64_t>(*map_, px, row);
+    slab_.go_to(row);
     const int32_t right_px = px - slab_.first_px;
     return {slab_.u.first_row(right_px), slab_.v.first_row(right_px), slab_.d.first_row(right_px)};
   }
 
  private:
   const RuledMap* map_;
-  ShortSlab slab_;  // its lines begin with a row:
-  int32_t row_ = 0;
+  DirectedSlab<uint64_t> slab_;  // that was last asked of
 };
 
 }  // namespace selvage::mapper

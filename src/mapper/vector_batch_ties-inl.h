@@ -61,11 +61,10 @@ class BatchTies {
 using AffineBatchTies = BatchTies<ConstantWalk>;
 using PlaneBatchTies = BatchTies<PlaneWalk>;
 
-// Whether a ShortRuledRowFinder's rows decide near-ties.
+// Whether the low 64 bits of rows that each have a map of their own decide near-ties.
 [[nodiscard]] HWY_INLINE bool is_one_limb_enough(const RuledMap& map, double most_denominator,
                                                  int spare_bits) {
-  return are_enough(OneLimb::kBits, most_denominator, spare_bits) &&
-         ShortRuledRowFinder::serves(map);
+  return are_enough(OneLimb::kBits, most_denominator, spare_bits) && is_directed(map);
 }
 
 // What decides those of rows that each have a map of their own.

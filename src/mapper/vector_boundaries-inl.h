@@ -214,7 +214,7 @@ template <class Pixel, class Address>
   const int32_t boundaries = texels.s.count() + texels.t.count() - 2;
   if (!kHasWindows || boundaries > kMostBoundaries) return false;
   const bool is_ruled = map.is_ruled() && batch.rows > 1;
-  if (is_ruled && !ShortRuledRowFinder::serves(map.ruled())) return false;
+  if (is_ruled && !is_directed(map.ruled())) return false;
   ExactLines lines = lines_from(map, batch, 0, most_ruled);
   const bool in_one_limb = are_enough(OneLimb::kBits, lines.most_denominator, -kOffBits);
   const bool in_two_limbs = (is_ruled || boundaries <= kMostInPlane) &&

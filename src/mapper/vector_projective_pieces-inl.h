@@ -189,7 +189,8 @@ HWY_NOINLINE void draw_all_pieces(const ProjectiveSpans& spans, const Surface& s
     if (!is_refused && are_most(left.count, left.of_pieces)) {
       if (draw_between_boundaries<Pixel, Address>(spans.batch, TexelRanges(spans.texels),
                                                   spans.exact, spans.field.most_denominator,
-                                                  surface)) {
+                                                  surface) ||
+          (is_narrow(spans.batch) && draw_columns<Pixel, Address>(spans, surface, vectors))) {
         return;
       }
       is_refused = true;

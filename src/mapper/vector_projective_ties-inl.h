@@ -14,6 +14,7 @@
 #include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_left-inl.h"
 #include "mapper/vector_projective_anchors-inl.h"
+#include "mapper/vector_projective_columns-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -88,7 +89,8 @@ template <class Pixel, class Address>
 HWY_NOINLINE void draw_near_ties(const ProjectiveSpans& spans, const Surface& surface,
                                  const AnchoredVectors& vectors) {
   if (draw_between_boundaries<Pixel, Address>(spans.batch, TexelRanges(spans.texels), spans.exact,
-                                              spans.field.most_denominator, surface)) {
+                                              spans.field.most_denominator, surface) ||
+      draw_columns<Pixel, Address>(spans, surface, vectors)) {
     return;
   }
   ProjectiveTies batch_ties(spans, vectors);

@@ -7,9 +7,9 @@
 #define SELVAGE_VECTOR_TIE_COLUMNS_INL_H
 #endif
 
-#include "mapper/exact_slab.h"
 #include "mapper/vector_affine_strip-inl.h"
 #include "mapper/vector_fetch-inl.h"
+#include "mapper/vector_number_columns-inl.h"
 #include "mapper/vector_plane_ties-inl.h"
 #include "mapper/vector_row_blocks-inl.h"
 
@@ -17,61 +17,15 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// The first pixels of half of kLanes rows, counted from a slab's first row and from its column.
-struct SlabPixels {
-  V64 down, pairs, right;  // pairs of the rows above
-
-  HWY_INLINE SlabPixels(V64 down_px, V64 right_px)
-      : down(down_px),
-        pairs(hn::ShiftRight<1>(hn::Mul(down_px, hn::Sub(down_px, hn::Set(D64(), 1))))),
-        right(right_px) {}
-};
-
-[[nodiscard]] HWY_INLINE ByParity<SlabPixels> slab_pixels(int32_t down_px, V32 right_px) {
-  const D64 d;
-  const hn::RebindToSigned<D64> wide;
-  const V64 even_down =
-      hn::Add(hn::Set(d, static_cast<uint64_t>(down_px)), hn::ShiftLeft<1>(hn::Iota(d, 0)));
-  const auto odd_right = hn::BitCast(wide, right_px), even_right = hn::ShiftLeft<32>(odd_right);
-  return {{even_down, hn::BitCast(d, hn::ShiftRight<32>(even_right))},
-          {hn::Add(even_down, hn::Set(d, 1)), hn::BitCast(d, hn::ShiftRight<32>(odd_right))}};
-}
-
-// A number of a slab at a pixel of each of kLanes rows, modulo 2^64, and its steps to the next
-// ones.
-class NumberColumn {
- public:
-  HWY_INLINE NumberColumn(const ShortSlab::Line& line, const ByParity<SlabPixels>& first)
-      : even_(line, first.even), odd_(line, first.odd) {}
-
-  [[nodiscard]] HWY_INLINE ByParity<V64> from(int32_t /*px*/) const { return {even_.at, odd_.at}; }
-  HWY_INLINE void go_right() {
-    even_.go_right();
-    odd_.go_right();
-  }
-
- private:
-  struct Half {
-    HWY_INLINE Half(const ShortSlab::Line& line, const SlabPixels& px) {
-      const auto plus = [](V64 sum, V64 times, uint64_t by)
-                            HWY_ATTR { return hn::Add(sum, hn::Mul(times, hn::Set(D64(), by))); };
-      step = plus(hn::Set(D64(), line.step), px.down, line.turn);
-      at = plus(plus(hn::Set(D64(), line.start), px.down, line.down), px.pairs, line.bend);
-      at = hn::Add(at, hn::Mul(px.right, step));
-    }
-    HWY_INLINE void go_right() { at = hn::Add(at, step); }
-
-    V64 at, step;
-  };
-  Half even_, odd_;
-};
-
 // What decides the near-ties of a column, as PlaneTies does those of a row.
+template <class Column>
 class ColumnTies {
  public:
-  // The slab's texels are kTexelBias more.
-  HWY_INLINE ColumnTies(const ShortSlab& slab, const ByParity<SlabPixels>& first)
-      : u_(slab.u, first), v_(slab.v, first), d_(slab.d, first) {}
+  using Slab = typename Column::Slab;
+
+  // From some pixels of a row and of those below it. The slab is biased_slab().
+  HWY_INLINE ColumnTies(Slab slab, int32_t row, V32 px)
+      : ColumnTies(at(&slab, row), slab_pixels(hn::Sub(px, hn::Set(D32(), slab.first_px)))) {}
 
   HWY_INLINE void go_right() {
     u_.go_right();
@@ -80,12 +34,31 @@ class ColumnTies {
   }
   HWY_INLINE void decide(int32_t px, const NearTies& near, V32* HWY_RESTRICT s,
                          V32* HWY_RESTRICT t) const {
-    Decision<OneLimb>::decide(u_, v_, d_, px, near, s, t);
+    Decision<typename Column::Limbs>::decide(u_, v_, d_, px, near, s, t);
   }
 
  private:
-  NumberColumn u_, v_, d_;
+  static HWY_INLINE const Slab& at(Slab* slab, int32_t row) {
+    slab->go_to(row);
+    return *slab;
+  }
+  HWY_INLINE ColumnTies(const Slab& slab, const ByParity<SlabPixels>& first)
+      : u_(slab.u, first), v_(slab.v, first), d_(slab.d, first) {}
+
+  typename Column::Numerator u_, v_;
+  typename Column::Divisor d_;
 };
+
+// The slab with a row, its texels kTexelBias more.
+template <class Slab>
+[[nodiscard]] HWY_NOINLINE Slab biased_slab(const ExactMap& map, int32_t px, int32_t row) {
+  Slab slab = Slab::of(map, px, row);
+  using Unsigned = decltype(slab.u.start);
+  constexpr auto kTimes = static_cast<Unsigned>(int128{-kTexelBias});
+  slab.u.subtract(kTimes, slab.d);
+  slab.v.subtract(kTimes, slab.d);
+  return slab;
+}
 
 // One coordinate's lanes at a pixel of each of kLanes rows, and their steps to the next ones.
 class LaneColumn {
@@ -105,6 +78,12 @@ class LaneColumn {
 };
 struct LaneColumns {
   LaneColumn u, v;
+
+  [[nodiscard]] HWY_INLINE LaneVectors get() const { return {u.floors_fx16(), v.floors_fx16()}; }
+  HWY_INLINE void go_right() {
+    u.go_right();
+    v.go_right();
+  }
 };
 
 // Those of a plane's rows.
@@ -163,7 +142,19 @@ class RuledColumns {
 struct PlaceColumns {
   HWY_ALIGN int32_t place[kLanes * kLanes];
 
-  // The first ones of a row.
+  // Up to kLanes columns.
+  template <class Address, class Ties, class Lanes>
+  HWY_INLINE void find(int32_t count_px, const LowLanes& low, const Extent& extent, Ties* ties,
+                       Lanes* lanes) {
+    for (int32_t px = 0; px < count_px; ++px) {
+      const TexelVectors texels = low.decided(*ties, px, lanes->get());
+      hn::Store(Address::place(texels.s, texels.t, extent), D32(), place + px * kLanes);
+      ties->go_right();
+      lanes->go_right();
+    }
+  }
+
+  // The first pixels of a row, 0 or more, or none.
   template <class Pixel>
   HWY_INLINE void draw(int32_t row, const void* texels, int32_t count_px, Pixel* to) const {
     const auto draw_pixel = [&](int32_t px) HWY_ATTR __attribute__((always_inline)) {
@@ -180,29 +171,14 @@ struct PlaceColumns {
   }
 };
 
-// Some rows of a slab, up to kLanes of them.
-template <class Pixel, class Address, class LanesOfRows>
-HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, const ShortSlab& slab,
-                           const LowLanes& low, const LanesOfRows& lanes_of_rows,
-                           const Surface& surface) {
-  const D32 d;
+// Some rows of one slab, up to kLanes of them.
+template <class Pixel, class Address, class Lanes>
+HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, const LowLanes& low,
+                           ColumnTies<OneLimbColumn> ties, Lanes lanes, const Surface& surface) {
   const Extent extent = extent_of(surface.texture);
-  const int32_t first_row = batch.first_row + rows.first;
-  const V32 left_px = hn::LoadU(d, batch.left_px.data() + rows.first);
-  const V32 right_px = hn::Sub(left_px, hn::Set(d, slab.first_px));
-  ColumnTies ties(slab, slab_pixels(first_row - slab.first_row, right_px));
-  LaneColumns lanes = lanes_of_rows.from(first_row, left_px);
   PlaceColumns columns;
   for (int32_t from_px = 0; from_px < rows.widest_px; from_px += kLanes) {
-    const int32_t count_px = HWY_MIN(kLanes, rows.widest_px - from_px);
-    for (int32_t px = 0; px < count_px; ++px) {
-      const TexelVectors texels =
-          low.decided(ties, px, {lanes.u.floors_fx16(), lanes.v.floors_fx16()});
-      hn::Store(Address::place(texels.s, texels.t, extent), d, columns.place + px * kLanes);
-      ties.go_right();
-      lanes.u.go_right();
-      lanes.v.go_right();
-    }
+    columns.find<Address>(HWY_MIN(kLanes, rows.widest_px - from_px), low, extent, &ties, &lanes);
     for (int32_t i = rows.first; i < rows.end; ++i) {
       const Span span = batch.span(i);
       auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
@@ -216,19 +192,19 @@ HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, const S
 // must tell on which sides near-ties lie, as is_one_limb_enough().
 template <class Pixel, class Address, class LanesOfRows>
 HWY_NOINLINE void draw_columns(const SpanBatch& batch, int32_t first_index, const LowLanes& low,
-                               const LanesOfRows& lanes_of_rows, const ExactMap& map,
+                               const LanesOfRows& lanes, const ExactMap& map,
                                const Surface& surface) {
-  ShortSlab slab;
+  OneLimbColumn::Slab slab;
   for (int32_t i = first_index; i < batch.rows;) {
     const Span first = batch.span(i);
     if (!slab.has(first.row)) {
-      slab = ShortSlab::of(map, first.left_px, first.row);
-      slab.u.subtract(uint64_t{0} - kTexelBias, slab.d);
-      slab.v.subtract(uint64_t{0} - kTexelBias, slab.d);
+      slab = biased_slab<OneLimbColumn::Slab>(map, first.left_px, first.row);
     }
-    const int32_t rows_left = HWY_MIN(batch.rows - i, slab.end_row - first.row);
-    const int32_t end = i + HWY_MIN(kLanes, rows_left);
-    draw_block<Pixel, Address>(batch, block_of(batch, i, end), slab, low, lanes_of_rows, surface);
+    const int32_t end = HWY_MIN(HWY_MIN(i + kLanes, batch.rows), slab.end_row - batch.first_row);
+    const V32 left_px = hn::LoadU(D32(), batch.left_px.data() + i);
+    draw_block<Pixel, Address>(batch, block_of(batch, i, end), low,
+                               ColumnTies<OneLimbColumn>(slab, first.row, left_px),
+                               lanes.from(first.row, left_px), surface);
     i = end;
   }
 }

@@ -1,0 +1,120 @@
+// Near-ties of narrow projective rows, column by column. Included once for each SIMD target.
+#if defined(SELVAGE_VECTOR_PROJECTIVE_COLUMNS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_PROJECTIVE_COLUMNS_INL_H
+#undef SELVAGE_VECTOR_PROJECTIVE_COLUMNS_INL_H
+#else
+#define SELVAGE_VECTOR_PROJECTIVE_COLUMNS_INL_H
+#endif
+
+#include "mapper/vector_projective_anchors-inl.h"
+#include "mapper/vector_tie_columns-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+// The lanes of a pixel of each of kLanes pieces, beginning with the anchors, as PieceLanes has
+// them.
+class AnchoredColumn {
+ public:
+  HWY_INLINE AnchoredColumn(const Anchors& anchors, int32_t k)
+      : u_fx16_(hn::LoadU(D32(), anchors.u_fx16 + k)),
+        v_fx16_(hn::LoadU(D32(), anchors.v_fx16 + k)),
+        turn_(hn::LoadU(DFloat(), anchors.turn + k)),
+        u_rise_(hn::LoadU(DFloat(), anchors.u_rise + k)),
+        v_rise_(hn::LoadU(DFloat(), anchors.v_rise + k)),
+        i_(hn::Zero(DFloat())) {}
+
+  [[nodiscard]] HWY_INLINE LaneVectors get() const {
+    const DFloat d;
+    const VFloat share = share_of(d, i_, turn_);
+    return {hn::Add(u_fx16_, walk_of(d, share, u_rise_)),
+            hn::Add(v_fx16_, walk_of(d, share, v_rise_))};
+  }
+  HWY_INLINE void go_right() { i_ = hn::Add(i_, hn::Set(DFloat(), 1.0F)); }
+
+ private:
+  V32 u_fx16_, v_fx16_;
+  VFloat turn_, u_rise_, v_rise_, i_;
+};
+
+// Draws narrow rows of some pieces, from k on, up to kLanes of them that lie in one slab.
+template <class Pixel, class Address>
+class PieceColumnsDraw {
+ public:
+  HWY_INLINE PieceColumnsDraw(const ProjectiveSpans& spans, const Surface& surface,
+                              const AnchoredVectors& vectors)
+      : exact_(spans.exact),
+        surface_(surface),
+        extent_(extent_of(surface.texture)),
+        low_(vectors.lack_fx16()) {}
+
+  // kLanes pieces from k on, with their anchors: those that there are.
+  HWY_INLINE void draw(const Pieces& pieces, const Anchors& anchors, int32_t k) {
+    const V32 left_px = hn::LoadU(D32(), pieces.left_px + k);
+    const int32_t end = HWY_MIN(k + kLanes, pieces.count);
+    for (int32_t i = k; i < end;) {
+      const Span first = pieces.rest(i, 0);
+      if (!slab_.has(first.row)) slab_ = biased_slab<Slab>(exact_, first.left_px, first.row);
+      const Rows rows{k, i, HWY_MIN(end, i + HWY_MIN(kLanes, slab_.end_row - first.row))};
+      draw_rows(pieces, rows, ColumnTies<TwoLimbsColumn>(slab_, pieces.row[k], left_px),
+                AnchoredColumn(anchors, k));
+      i = rows.end;
+    }
+  }
+
+ private:
+  using Slab = TwoLimbsColumn::Slab;
+  // Pieces, of those in lanes from one on.
+  struct Rows {
+    int32_t first_lane, first, end;
+  };
+
+  HWY_INLINE void draw_rows(const Pieces& pieces, const Rows& rows, ColumnTies<TwoLimbsColumn> ties,
+                            AnchoredColumn lanes) {
+    int32_t widest_px = 0;
+    for (int32_t i = rows.first; i < rows.end; ++i) {
+      widest_px = HWY_MAX(widest_px, pieces.rest(i, 0).width_px());
+    }
+    widest_px = HWY_MIN(widest_px, kPiece_px);
+    for (int32_t from_px = 0; from_px < widest_px; from_px += kLanes) {
+      columns_.find<Address>(HWY_MIN(kLanes, widest_px - from_px), low_, extent_, &ties, &lanes);
+      for (int32_t i = rows.first; i < rows.end; ++i) {
+        const Span piece = pieces.rest(i, 0);
+        auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface_, piece));
+        columns_.draw(i - rows.first_lane, surface_.texture.texels,
+                      HWY_MIN(kLanes, piece.width_px() - from_px), to + from_px);
+      }
+    }
+  }
+
+  const ExactMap& exact_;
+  const Surface& surface_;
+  Extent extent_;
+  LowLanes low_;
+  Slab slab_;
+  PlaceColumns columns_;
+};
+
+// Draws a batch of narrow rows. False where edges change sides.
+template <class Pixel, class Address>
+[[nodiscard]] HWY_NOINLINE bool draw_columns(const ProjectiveSpans& spans, const Surface& surface,
+                                             const AnchoredVectors& vectors) {
+  if (spans.exact.is_ruled() && !is_directed(spans.exact.ruled())) return false;
+  PieceColumnsDraw<Pixel, Address> by(spans, surface, vectors);
+  PieceWalk walk(spans.batch, PieceOrder::kAny);
+  Pieces pieces;
+  Anchors anchors;
+  for (walk.next(&pieces); pieces.count != 0; walk.next(&pieces)) {
+    for (int32_t k = 0; k < pieces.count; k += kLanes) {
+      vectors.find_lanes(pieces, k, &anchors);
+      by.draw(pieces, anchors, k);
+    }
+  }
+  return true;
+}
+
+}  // namespace
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
