@@ -28,13 +28,11 @@ template <class Pixel, class Address>
 HWY_NOINLINE bool draw_affine_as(const AffineSpans& spans, const Surface& surface) {
   const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface);
   if (in_one == InOneWindow::kDrawn) return false;
-  if (in_one == InOneWindow::kManyNearTies) {
-    draw_near_ties<Pixel, Address>(spans, surface);
+  if (in_one == InOneWindow::kManyNearTies && draw_near_ties<Pixel, Address>(spans, surface, 0)) {
     return true;
   }
   const WindowShape shape = window_shape(spans.field.step_x, surface.texture);
-  const bool in_window = in_one == InOneWindow::kFewNearTies;
-  auto rest = AffineRest::of<Pixel, Address>(spans, surface, shape.rows, in_window);
+  auto rest = AffineRest::of<Pixel, Address>(spans, surface, shape.rows);
   draw_by_vectors<Pixel, Address>(spans, surface, shape, &rest);
   return rest.had_many();
 }

@@ -45,22 +45,6 @@ HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Su
   return field.margin_fx32 <= kSmall_fx32;
 }
 
-// Of a single row, that may be the only one with its map, those under its ends and between them.
-[[nodiscard]] HWY_INLINE TexelRanges texels_of(const AffineSpans& spans) {
-  TexelRanges texels(spans.texels);
-  if (spans.batch.rows > 1) return texels;
-  const Span row = spans.batch.span(0);
-  const Lane a = spans.field.at(row.left_px, row.row),
-             b = spans.field.at(row.right_px - 1, row.row);
-  const auto between = [&](int64_t from_fx32, int64_t to_fx32) {
-    return TexelRange{floor_texel(HWY_MIN(from_fx32, to_fx32)),
-                      floor_texel(HWY_MAX(from_fx32, to_fx32) + spans.field.margin_fx32)};
-  };
-  texels.s = between(a.u_fx32, b.u_fx32);
-  texels.t = between(a.v_fx32, b.v_fx32);
-  return texels;
-}
-
 // Draws what is left of a batch. Who leaves it need not know how, nor by which address mode, so
 // that there is one of each for all of them.
 class RestDraw {
@@ -84,23 +68,21 @@ class RestDraw {
 // Of spans under one map.
 class AffineRest : public RestDraw {
  public:
-  // in_window: it is known that one window holds the batch.
   template <class Pixel, class Address>
   static HWY_INLINE AffineRest of(const AffineSpans& spans, const Surface& surface,
-                                  int32_t window_rows, bool in_window) {
-    return {spans, surface, window_rows, in_window, draw_as<Pixel, Address>};
+                                  int32_t window_rows) {
+    return {spans, surface, window_rows, draw_as<Pixel, Address>};
   }
   // Whether near-ties were many of some vectors.
   [[nodiscard]] HWY_INLINE bool had_many() const { return had_many_; }
 
  private:
   HWY_INLINE AffineRest(const AffineSpans& spans, const Surface& surface, int32_t window_rows,
-                        bool in_window, DrawAs by)
+                        DrawAs by)
       : RestDraw(by),
         spans_(spans),
         surface_(surface),
         window_rows_(window_rows),
-        in_window_(in_window),
         batch_ties_(spans.exact, spans.batch, spare_bits_fx16(lack_fx16(spans.field.margin_fx32))) {
   }
 
@@ -112,18 +94,7 @@ class AffineRest : public RestDraw {
     const Surface& surface = rest->surface_;
     if (are_many(left.count, of_vectors)) {
       rest->had_many_ = true;
-      if (kHasWindows && rest->in_window_) {
-        draw_near_ties<Pixel, Address>(spans, surface);
-        return false;
-      }
-      if (draw_between_boundaries<Pixel, Address>(spans.batch, texels_of(spans), spans.exact, 0,
-                                                  surface)) {
-        return false;
-      }
-      if (is_narrow(spans.batch) && spans.batch.rows > 1) {
-        draw_columns<Pixel, Address>(spans, surface, first_index);
-        return false;
-      }
+      if (draw_near_ties<Pixel, Address>(spans, surface, first_index)) return false;
       if (has_quotients(spans)) {
         draw_exactly<Pixel, Address>(spans, surface, first_index, rest->window_rows_);
         return false;
@@ -140,7 +111,6 @@ class AffineRest : public RestDraw {
   const AffineSpans& spans_;
   const Surface& surface_;
   int32_t window_rows_;
-  bool in_window_;
   bool had_many_ = false;
   AffineBatchTies batch_ties_;
 };

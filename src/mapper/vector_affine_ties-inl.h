@@ -1,5 +1,4 @@
-// Affine spans of a polygon whose texels lie in one window, with many near-ties among them.
-// Included once for each SIMD target.
+// Affine spans of one map with many near-ties among them. Included once for each SIMD target.
 #if defined(SELVAGE_VECTOR_AFFINE_TIES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_AFFINE_TIES_INL_H
 #undef SELVAGE_VECTOR_AFFINE_TIES_INL_H
@@ -25,13 +24,41 @@ HWY_INLINE void draw_columns(const AffineSpans& spans, const Surface& surface,
                                PlaneColumns(spans.field), spans.exact, surface);
 }
 
-// Draws a batch of rows of a plane that was drawn from one window in vain.
+// Whether rows have so few pixels that the boundaries between these texels cost more than columns.
+[[nodiscard]] HWY_INLINE bool beat_boundaries(const SpanBatch& batch, const TexelRanges& texels) {
+  constexpr int32_t kLanesOfOne = 8;
+  return batch.widest_px * kLanesOfOne <= (texels.s.count() + texels.t.count() - 2) * kLanes;
+}
+
+// Of a single row, that may be the only one with its map, those under its ends and between them.
+[[nodiscard]] HWY_INLINE TexelRanges texels_of(const AffineSpans& spans) {
+  TexelRanges texels(spans.texels);
+  if (spans.batch.rows > 1) return texels;
+  const Span row = spans.batch.span(0);
+  const Lane a = spans.field.at(row.left_px, row.row),
+             b = spans.field.at(row.right_px - 1, row.row);
+  const auto between = [&](int64_t from_fx32, int64_t to_fx32) {
+    return TexelRange{floor_texel(HWY_MIN(from_fx32, to_fx32)),
+                      floor_texel(HWY_MAX(from_fx32, to_fx32) + spans.field.margin_fx32)};
+  };
+  texels.s = between(a.u_fx32, b.u_fx32);
+  texels.t = between(a.v_fx32, b.v_fx32);
+  return texels;
+}
+
+// Draws rows with many near-ties, from an index in the batch on: false where it costs less to
+// decide vectors one by one.
 template <class Pixel, class Address>
-HWY_NOINLINE void draw_near_ties(const AffineSpans& spans, const Surface& surface) {
-  if (!draw_between_boundaries<Pixel, Address>(spans.batch, TexelRanges(spans.texels), spans.exact,
-                                               0, surface)) {
-    draw_columns<Pixel, Address>(spans, surface, 0);
+[[nodiscard]] HWY_NOINLINE bool draw_near_ties(const AffineSpans& spans, const Surface& surface,
+                                               int32_t first_index) {
+  const TexelRanges texels = texels_of(spans);
+  const bool has_columns = pays_columns(spans.batch);
+  if (!(has_columns && beat_boundaries(spans.batch, texels)) &&
+      draw_between_boundaries<Pixel, Address>(spans.batch, texels, spans.exact, 0, surface)) {
+    return true;
   }
+  if (has_columns) draw_columns<Pixel, Address>(spans, surface, first_index);
+  return has_columns;
 }
 
 }  // namespace

@@ -96,10 +96,11 @@ class PieceColumnsDraw {
   PlaceColumns columns_;
 };
 
-// Draws a batch of narrow rows. False where edges change sides.
+// Draws a batch. False where it costs less to decide vectors one by one, or edges change sides.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_columns(const ProjectiveSpans& spans, const Surface& surface,
                                              const AnchoredVectors& vectors) {
+  if (!pays_columns(spans.batch)) return false;
   if (spans.exact.is_ruled() && !is_directed(spans.exact.ruled())) return false;
   PieceColumnsDraw<Pixel, Address> by(spans, surface, vectors);
   PieceWalk walk(spans.batch, PieceOrder::kAny);

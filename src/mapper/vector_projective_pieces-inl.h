@@ -190,7 +190,7 @@ HWY_NOINLINE void draw_all_pieces(const ProjectiveSpans& spans, const Surface& s
       if (draw_between_boundaries<Pixel, Address>(spans.batch, TexelRanges(spans.texels),
                                                   spans.exact, spans.field.most_denominator,
                                                   surface) ||
-          (is_narrow(spans.batch) && draw_columns<Pixel, Address>(spans, surface, vectors))) {
+          draw_columns<Pixel, Address>(spans, surface, vectors)) {
         return;
       }
       is_refused = true;

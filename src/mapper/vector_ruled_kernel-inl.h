@@ -102,10 +102,9 @@ HWY_NOINLINE void draw_decided(const RuledSpans& spans, const Surface& surface, 
   }
 }
 
-[[nodiscard]] HWY_INLINE RuledBatchTies ties_of(const RuledSpans& spans,
-                                                RuledBatchTies::Asked asked) {
+[[nodiscard]] HWY_INLINE RuledBatchTies ties_of(const RuledSpans& spans) {
   return {spans.exact.ruled(), spans.rows.most_denominator,
-          spare_bits_fx16(lack_fx16(spans.rows.margin_fx32)), asked};
+          spare_bits_fx16(lack_fx16(spans.rows.margin_fx32))};
 }
 
 template <class Pixel, class Address>
@@ -115,18 +114,19 @@ template <class Pixel, class Address>
                                                  spans.exact, spans.rows.most_denominator, surface);
 }
 
-// Draws a batch that was drawn from one window in vain.
+// Draws a batch of narrow rows with many near-ties. False where numbers are too great.
 template <class Pixel, class Address>
-HWY_INLINE void draw_near_ties(const RuledSpans& spans, const Surface& surface) {
-  if (draw_between_boundaries<Pixel, Address>(spans, surface)) return;
+[[nodiscard]] HWY_NOINLINE bool draw_near_ties(const RuledSpans& spans, const Surface& surface) {
   const LowLanes low(lack_fx16(spans.rows.margin_fx32));
-  if (is_one_limb_enough(spans.exact.ruled(), spans.rows.most_denominator, low.spare_bits())) {
-    return draw_columns<Pixel, Address>(
-        spans.batch, 0, low, RuledColumns(spans.rows, spans.batch.first_row), spans.exact, surface);
-  }
-  ties_of(spans, RuledBatchTies::Asked::kOften).with_ties([&](auto* ties) {
-    draw_decided<Pixel, Address>(spans, surface, ties);
-  });
+  const bool has_columns =
+      pays_columns(spans.batch) &&
+      is_one_limb_enough(spans.exact.ruled(), spans.rows.most_denominator, low.spare_bits());
+  const bool beats = has_columns && beat_boundaries(spans.batch, TexelRanges(spans.texels));
+  if (!beats && draw_between_boundaries<Pixel, Address>(spans, surface)) return true;
+  if (!has_columns) return false;
+  draw_columns<Pixel, Address>(spans.batch, 0, low, RuledColumns(spans.rows, spans.batch.first_row),
+                               spans.exact, surface);
+  return true;
 }
 
 // Narrow rows from an index in the batch on, by a load for each pixel, but for vectors with
@@ -177,9 +177,7 @@ HWY_NOINLINE void decide_left(const Left& left, const RuledSpans& spans, Ties* t
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_left(const Left& left, const RuledSpans& spans, const Surface& surface) {
   LeftTexels texels;
-  ties_of(spans, RuledBatchTies::Asked::kSeldom).with_ties([&](auto* ties) {
-    decide_left(left, spans, ties, &texels);
-  });
+  ties_of(spans).with_ties([&](auto* ties) { decide_left(left, spans, ties, &texels); });
   draw_left<Pixel, Address>(left, texels, surface);
 }
 
@@ -197,7 +195,7 @@ void draw_narrow_ruled(const RuledSpans& spans, const Surface& surface) {
                  : draw_ruled_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, i, &left);
     if (left.count == 0) continue;
     if (!is_refused && are_most(left.count, i - first)) {
-      if (draw_between_boundaries<Pixel, Address>(spans, surface)) return;
+      if (draw_near_ties<Pixel, Address>(spans, surface)) return;
       is_refused = true;
     }
     draw_left<Pixel, Address>(left, spans, surface);
@@ -219,7 +217,11 @@ template <class Pixel, class Address>
 HWY_NOINLINE void draw_ruled_as(const RuledSpans& spans, const Surface& surface) {
   const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface);
   if (in_one == InOneWindow::kDrawn) return;
-  if (in_one == InOneWindow::kManyNearTies) return draw_near_ties<Pixel, Address>(spans, surface);
+  if (in_one == InOneWindow::kManyNearTies) {
+    if (draw_near_ties<Pixel, Address>(spans, surface)) return;
+    return ties_of(spans).with_ties(
+        [&](auto* ties) { draw_decided<Pixel, Address>(spans, surface, ties); });
+  }
   if (is_narrow(spans.batch)) {
     return draw_narrow_ruled<Pixel, Address>(spans, surface);
   }

@@ -188,6 +188,15 @@ HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, const L
   }
 }
 
+// Whether rows are so many, and so narrow, that columns cost less than their vectors: as many as
+// there are, and one more a row.
+[[nodiscard]] HWY_INLINE bool pays_columns(const SpanBatch& batch) {
+  const int32_t blocks = (batch.rows + kLanes - 1) / kLanes;
+  const int32_t vectors = (batch.widest_px + kLanes - 1) / kLanes;
+  return is_narrow(batch) && batch.rows > 1 &&
+         batch.widest_px * blocks <= batch.rows * (vectors + 1);
+}
+
 // The rows of a batch from an index on, narrow ones, by lanes that lack less than low's. 64 bits
 // must tell on which sides near-ties lie, as is_one_limb_enough().
 template <class Pixel, class Address, class LanesOfRows>
