@@ -25,8 +25,7 @@ HWY_NOINLINE void decide_left(const Left& left, const AffineSpans& spans, const 
     if (rest.row != ties->span().row) ties->go_to(rest);
     const Lane anchor = batch.anchor(spans.field.at(rest.left_px, rest.row));
     const int32_t offset_px = rest.left_px - ties->span().left_px;
-    texels->put(i, batch.decided(*ties, offset_px, batch.lanes_from(anchor)),
-                {floor_texel(anchor.u_fx32), floor_texel(anchor.v_fx32), window_rows});
+    texels->put(i, batch.decided(*ties, offset_px, batch.lanes_from(anchor)), window_rows);
   }
 }
 

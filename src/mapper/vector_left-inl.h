@@ -40,9 +40,8 @@ inline constexpr int32_t kLeastNear = 4;
   return near >= kLeastNear && 2 * near > of_rows;
 }
 
-// A window for a vector by its lanes: the least texels, and its rows, 0 where there is none. What
-// near-ties are raised to may lie beyond it.
-struct LowWindow {
+// A window for a vector: its first texels, and its rows, 0 where there is none.
+struct LeftWindow {
   int32_t s, t, rows;
 };
 
@@ -59,13 +58,18 @@ struct DecidedTexels {
   }
 };
 
-// Of those that are left, and their windows.
+// Of those that are left, and how many rows their windows have.
 struct LeftTexels : DecidedTexels {
-  LowWindow low[Left::kMost];
+  int32_t window_rows[Left::kMost];
 
-  HWY_INLINE void put(int32_t i, const TexelVectors& texels, const LowWindow& window) {
+  HWY_INLINE void put(int32_t i, const TexelVectors& texels, int32_t rows) {
     DecidedTexels::put(i, texels);
-    low[i] = window;
+    window_rows[i] = rows;
+  }
+  // A map is monotonic along a row. Where a row ends before, what is behind it may mean nothing.
+  [[nodiscard]] HWY_INLINE LeftWindow window(int32_t i) const {
+    const auto least = [](const int32_t* texel) { return HWY_MIN(texel[0], texel[kLanes - 1]); };
+    return {least(s + i * kLanes), least(t + i * kLanes), window_rows[i]};
   }
 };
 
@@ -79,11 +83,11 @@ class TexelDraw {
   // A vector, or what there is left of one at a row's end: from a window, or, where there is none,
   // by a load for each pixel.
   template <class Pixel>
-  HWY_INLINE void draw(const Span& rest, const TexelVectors& texels, const LowWindow& low) const {
+  HWY_INLINE void draw(const Span& rest, const TexelVectors& texels, const LeftWindow& at) const {
     const auto* const from = static_cast<const Pixel*>(surface_.texture.texels);
     char* const to = first_pixel(surface_, rest);
-    if (kHasWindows && low.rows != 0 &&
-        draw_window(texels, low, from, rest.width_px(), reinterpret_cast<Pixel*>(to))) {
+    if (kHasWindows && at.rows != 0 &&
+        draw_window(texels, at, from, rest.width_px(), reinterpret_cast<Pixel*>(to))) {
       return;
     }
     fetch_vector<Pixel>(from, Address::place(texels.s, texels.t, extent_), rest.width_px(), to);
@@ -92,25 +96,30 @@ class TexelDraw {
  private:
   // False where the window does not hold them.
   template <class Pixel>
-  HWY_INLINE bool draw_window(const TexelVectors& texels, const LowWindow& low, const Pixel* from,
+  HWY_INLINE bool draw_window(const TexelVectors& texels, const LeftWindow& at, const Pixel* from,
                               int32_t count_px, Pixel* to) const {
     const D32 d;
     const int32_t last_column = extent_.width_texel - kLanes;
-    const int32_t last_row = extent_.height_texel - low.rows;
-    const Origin s = Address::origin(low.s, last_column, extent_.width_texel);
-    const Origin t = Address::origin(low.t, last_row, extent_.height_texel);
+    const int32_t last_row = extent_.height_texel - at.rows;
+    const Origin s = before(Address::origin(at.s, last_column, extent_.width_texel), last_column);
+    const Origin t = before(Address::origin(at.t, last_row, extent_.height_texel), last_row);
     const V32 column =
         hn::Sub(Address::window_texel(texels.s, extent_.width_texel), hn::Set(d, s.texel));
     const V32 row =
         hn::Sub(Address::window_texel(texels.t, extent_.height_texel), hn::Set(d, t.texel));
-    const auto beyond =
-        hn::Or(hn::Gt(column, hn::Set(d, kLanes - 1)), hn::Gt(row, hn::Set(d, low.rows - 1)));
-    if (s.index > last_column || t.index > last_row || !hn::AllFalse(d, beyond)) return false;
+    const V32 high = hn::Or(hn::AndNot(hn::Set(d, kLanes - 1), column), hn::ShiftRight<31>(row));
+    const auto outside = hn::Or(hn::Ne(high, hn::Zero(d)), hn::Gt(row, hn::Set(d, at.rows - 1)));
+    if (!hn::AllFalse(d, outside)) return false;
     const Pixel* const window = from + t.index * ptrdiff_t{extent_.pitch_texel} + s.index;
-    store_pixels(pick<kWindowColumnBits>(window, extent_.pitch_texel, low.rows,
+    store_pixels(pick<kWindowColumnBits>(window, extent_.pitch_texel, at.rows,
                                          hn::Add(hn::ShiftLeft<kWindowColumnBits>(row), column)),
                  count_px, to);
     return true;
+  }
+  // Moved to where the window lies in the texture.
+  static HWY_INLINE Origin before(const Origin& origin, int32_t last) {
+    const int32_t by = HWY_MAX(origin.index - last, 0);
+    return {origin.texel - by, origin.index - by};
   }
 
   const Surface& surface_;
@@ -121,7 +130,7 @@ template <class Pixel, class Address>
 HWY_NOINLINE void draw_left(const Left& left, const LeftTexels& texels, const Surface& surface) {
   const TexelDraw<Address> draw(surface);
   for (int32_t i = 0; i < left.count; ++i) {
-    draw.template draw<Pixel>(left.at(i), texels.at(i), texels.low[i]);
+    draw.template draw<Pixel>(left.at(i), texels.at(i), texels.window(i));
   }
 }
 

@@ -33,13 +33,6 @@ struct LeftOfPieces : Left {
     hn::Store(lanes.u, D32(), u_fx16 + i * kLanes);
     hn::Store(lanes.v, D32(), v_fx16 + i * kLanes);
   }
-  // Of a whole vector.
-  [[nodiscard]] HWY_INLINE LowWindow low_window(int32_t i) const {
-    const auto least = [&](const int32_t* lane) {
-      return HWY_MIN(lane[0], lane[kLanes - 1]) >> kTexelFraction;
-    };
-    return {least(u_fx16 + i * kLanes), least(v_fx16 + i * kLanes), window_rows[i]};
-  }
   [[nodiscard]] HWY_INLINE LaneVectors lanes(int32_t i) const {
     return {hn::Load(D32(), u_fx16 + i * kLanes), hn::Load(D32(), v_fx16 + i * kLanes)};
   }
@@ -52,7 +45,7 @@ HWY_NOINLINE void decide_left(const LeftOfPieces& left, const LowLanes& low, Tie
     const Span& rest = left.at(i);
     if (rest.row != ties->span().row) ties->go_to(rest);
     const int32_t offset_px = rest.left_px - ties->span().left_px;
-    texels->put(i, low.decided(*ties, offset_px, left.lanes(i)), left.low_window(i));
+    texels->put(i, low.decided(*ties, offset_px, left.lanes(i)), left.window_rows[i]);
   }
 }
 

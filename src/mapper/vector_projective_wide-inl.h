@@ -151,7 +151,7 @@ HWY_NOINLINE void decide_left(const Left& left, const DividedSpan& of, LeftTexel
   RowOfTies ties(of.exact, of.span, 0, low.spare_bits());
   for (int32_t i = 0; i < left.count; ++i) {
     const int32_t offset_px = left.at(i).left_px - of.span.left_px;
-    texels->put(i, low.decided(ties, offset_px, vectors.lanes_from(offset_px)), {0, 0, 0});
+    texels->put(i, low.decided(ties, offset_px, vectors.lanes_from(offset_px)), 0);
   }
 }
 

@@ -169,7 +169,7 @@ HWY_NOINLINE void decide_left(const Left& left, const RuledSpans& spans, Ties* t
     ties->go_to(span);
     for (; k < left.count && left.at(k).row == row_px; ++k) {
       const int32_t offset_px = left.at(k).left_px - span.left_px;
-      texels->put(k, low.decided(*ties, offset_px, row.lanes(offset_px)), {0, 0, 0});
+      texels->put(k, low.decided(*ties, offset_px, row.lanes(offset_px)), 0);
     }
   }
 }
