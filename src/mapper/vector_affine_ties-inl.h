@@ -19,9 +19,19 @@ template <class Pixel, class Address>
 HWY_INLINE void draw_columns(const AffineSpans& spans, const Surface& surface,
                              int32_t first_index) {
   static_assert(kPlaneAreaBits + kTexelFraction - kLeastSpareBits < 62, "one limb is enough");
-  draw_columns<Pixel, Address>(spans.batch, first_index,
-                               LowLanes(lack_fx16(spans.field.margin_fx32)),
-                               PlaneColumns(spans.field), spans.exact, surface);
+  const AffineField& field = spans.field;
+  const ExactRow row = spans.exact.row_from(field.first_px, spans.batch.first_row);
+  const auto divisor = static_cast<uint64_t>(row.d.start);
+  const auto step = [&](const ExactLine& n, int64_t step_fx32) HWY_ATTR {
+    return QuotientSum(quotient_from(n.step, divisor, floor_texel(step_fx32)), divisor);
+  };
+  const PlaneSteps steps{step(row.u, field.step_x.u_fx32), step(row.v, field.step_x.v_fx32)};
+  const DecidedColumnsOf<PlaneColumns> first(LowLanes(lack_fx16(field.margin_fx32)),
+                                             PlaneColumns(field));
+  draw_columns<Pixel, Address>(
+      spans.batch, first_index, spans.exact, surface,
+      [&](const OneLimbColumn::Slab& slab, int32_t first_row, V32 px)
+          HWY_ATTR { return QuotientColumns(first(slab, first_row, px), steps); });
 }
 
 // Whether rows have so few pixels that the boundaries between these texels cost more than columns.

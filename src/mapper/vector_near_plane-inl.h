@@ -141,8 +141,9 @@ class NearPlaneRest : public RestDraw {
     const RuledMap& map = spans_.exact.ruled();
     if (pays_columns(spans_.batch) &&
         is_one_limb_enough(map, map.most_denominator(), lanes.spare_bits())) {
-      return draw_columns<Pixel, Address>(spans_.batch, first_index, lanes,
-                                          PlaneColumns(spans_.field), spans_.exact, surface_);
+      return draw_columns<Pixel, Address>(
+          spans_.batch, first_index, spans_.exact, surface_,
+          DecidedColumnsOf<PlaneColumns>(lanes, PlaneColumns(spans_.field)));
     }
     RuledBatchTies batch_ties(map, map.most_denominator(), lanes.spare_bits(),
                               RuledBatchTies::Asked::kOften);

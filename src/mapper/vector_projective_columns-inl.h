@@ -57,8 +57,9 @@ class PieceColumnsDraw {
       const Span first = pieces.rest(i, 0);
       if (!slab_.has(first.row)) slab_ = biased_slab<Slab>(exact_, first.left_px, first.row);
       const Rows rows{k, i, HWY_MIN(end, i + HWY_MIN(kLanes, slab_.end_row - first.row))};
-      draw_rows(pieces, rows, ColumnTies<TwoLimbsColumn>(slab_, pieces.row[k], left_px),
-                AnchoredColumn(anchors, k));
+      draw_rows(pieces, rows,
+                {low_, ColumnTies<TwoLimbsColumn>(slab_, pieces.row[k], left_px),
+                 AnchoredColumn(anchors, k)});
       i = rows.end;
     }
   }
@@ -70,15 +71,15 @@ class PieceColumnsDraw {
     int32_t first_lane, first, end;
   };
 
-  HWY_INLINE void draw_rows(const Pieces& pieces, const Rows& rows, ColumnTies<TwoLimbsColumn> ties,
-                            AnchoredColumn lanes) {
+  HWY_INLINE void draw_rows(const Pieces& pieces, const Rows& rows,
+                            DecidedColumns<TwoLimbsColumn, AnchoredColumn> from) {
     int32_t widest_px = 0;
     for (int32_t i = rows.first; i < rows.end; ++i) {
       widest_px = HWY_MAX(widest_px, pieces.rest(i, 0).width_px());
     }
     widest_px = HWY_MIN(widest_px, kPiece_px);
     for (int32_t from_px = 0; from_px < widest_px; from_px += kLanes) {
-      columns_.find<Address>(HWY_MIN(kLanes, widest_px - from_px), low_, extent_, &ties, &lanes);
+      columns_.find<Address>(HWY_MIN(kLanes, widest_px - from_px), extent_, &from);
       for (int32_t i = rows.first; i < rows.end; ++i) {
         const Span piece = pieces.rest(i, 0);
         auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface_, piece));

@@ -124,8 +124,9 @@ template <class Pixel, class Address>
   const bool beats = has_columns && beat_boundaries(spans.batch, TexelRanges(spans.texels));
   if (!beats && draw_between_boundaries<Pixel, Address>(spans, surface)) return true;
   if (!has_columns) return false;
-  draw_columns<Pixel, Address>(spans.batch, 0, low, RuledColumns(spans.rows, spans.batch.first_row),
-                               spans.exact, surface);
+  const RuledColumns lanes(spans.rows, spans.batch.first_row);
+  draw_columns<Pixel, Address>(spans.batch, 0, spans.exact, surface,
+                               DecidedColumnsOf<RuledColumns>(low, lanes));
   return true;
 }
 

@@ -11,6 +11,7 @@
 #include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_number_columns-inl.h"
 #include "mapper/vector_plane_ties-inl.h"
+#include "mapper/vector_quotients-inl.h"
 #include "mapper/vector_row_blocks-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -37,7 +38,22 @@ class ColumnTies {
     Decision<typename Column::Limbs>::decide(u_, v_, d_, px, near, s, t);
   }
 
+  // By the whole parts.
+  [[nodiscard]] HWY_INLINE Quotients u_by(V32 whole) const { return quotients(u_, whole); }
+  [[nodiscard]] HWY_INLINE Quotients v_by(V32 whole) const { return quotients(v_, whole); }
+
  private:
+  HWY_INLINE Quotients quotients(const typename Column::Numerator& number, V32 whole) const {
+    const V32 biased = hn::Add(whole, hn::Set(D32(), kTexelBias));
+    const ByParity<V64> n = number.from(0), d = d_.from(0);
+    const V64 even = hn::And(hn::BitCast(D64(), biased), hn::Set(D64(), UINT32_MAX));
+    const V64 odd = hn::ShiftRight<32>(hn::BitCast(D64(), biased));
+    const auto rests = [](V64 of, V64 times, V64 divisor) HWY_ATTR {
+      const V64 rest = hn::Sub(of, hn::Mul(times, divisor));
+      return hn::BitCast(RestTag(), hn::Xor(rest, hn::Set(D64(), uint64_t{1} << 63)));
+    };
+    return {whole, rests(n.even, even, d.even), rests(n.odd, odd, d.odd)};
+  }
   static HWY_INLINE const Slab& at(Slab* slab, int32_t row) {
     slab->go_to(row);
     return *slab;
@@ -137,20 +153,63 @@ class RuledColumns {
   int32_t first_row_;
 };
 
+// The texels of columns: those of lanes, with near-ties decided,
+template <class Column, class Lanes>
+class DecidedColumns {
+ public:
+  HWY_INLINE DecidedColumns(const LowLanes& low, const ColumnTies<Column>& ties, const Lanes& lanes)
+      : low_(low), ties_(ties), lanes_(lanes) {}
+
+  [[nodiscard]] HWY_INLINE TexelVectors get() const { return low_.decided(ties_, 0, lanes_.get()); }
+  HWY_INLINE void go_right() {
+    ties_.go_right();
+    lanes_.go_right();
+  }
+  [[nodiscard]] HWY_INLINE const ColumnTies<Column>& ties() const { return ties_; }
+
+ private:
+  LowLanes low_;
+  ColumnTies<Column> ties_;
+  Lanes lanes_;
+};
+
+// and those of a plane, by quotients from the first column on.
+struct PlaneSteps {
+  QuotientSum u, v;
+};
+class QuotientColumns {
+ public:
+  template <class Decided>
+  HWY_INLINE QuotientColumns(const Decided& first, const PlaneSteps& steps)
+      : QuotientColumns(first.ties(), first.get(), steps) {}
+
+  [[nodiscard]] HWY_INLINE TexelVectors get() const { return {u_.whole, v_.whole}; }
+  HWY_INLINE void go_right() {
+    u_ = steps_.u.of(u_);
+    v_ = steps_.v.of(v_);
+  }
+
+ private:
+  template <class Ties>
+  HWY_INLINE QuotientColumns(const Ties& ties, const TexelVectors& first, const PlaneSteps& steps)
+      : u_(ties.u_by(first.s)), v_(ties.v_by(first.t)), steps_(steps) {}
+
+  Quotients u_, v_;
+  PlaneSteps steps_;
+};
+
 // Where the texels of a pixel of each of kLanes rows are, and of those right of them: columns of
 // the rows.
 struct PlaceColumns {
   HWY_ALIGN int32_t place[kLanes * kLanes];
 
   // Up to kLanes columns.
-  template <class Address, class Ties, class Lanes>
-  HWY_INLINE void find(int32_t count_px, const LowLanes& low, const Extent& extent, Ties* ties,
-                       Lanes* lanes) {
+  template <class Address, class Columns>
+  HWY_INLINE void find(int32_t count_px, const Extent& extent, Columns* columns) {
     for (int32_t px = 0; px < count_px; ++px) {
-      const TexelVectors texels = low.decided(*ties, px, lanes->get());
+      const TexelVectors texels = columns->get();
       hn::Store(Address::place(texels.s, texels.t, extent), D32(), place + px * kLanes);
-      ties->go_right();
-      lanes->go_right();
+      columns->go_right();
     }
   }
 
@@ -172,13 +231,13 @@ struct PlaceColumns {
 };
 
 // Some rows of one slab, up to kLanes of them.
-template <class Pixel, class Address, class Lanes>
-HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, const LowLanes& low,
-                           ColumnTies<OneLimbColumn> ties, Lanes lanes, const Surface& surface) {
+template <class Pixel, class Address, class Columns>
+HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, Columns from,
+                           const Surface& surface) {
   const Extent extent = extent_of(surface.texture);
   PlaceColumns columns;
   for (int32_t from_px = 0; from_px < rows.widest_px; from_px += kLanes) {
-    columns.find<Address>(HWY_MIN(kLanes, rows.widest_px - from_px), low, extent, &ties, &lanes);
+    columns.find<Address>(HWY_MIN(kLanes, rows.widest_px - from_px), extent, &from);
     for (int32_t i = rows.first; i < rows.end; ++i) {
       const Span span = batch.span(i);
       auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
@@ -197,12 +256,12 @@ HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, const L
          batch.widest_px * blocks <= batch.rows * (vectors + 1);
 }
 
-// The rows of a batch from an index on, narrow ones, by lanes that lack less than low's. 64 bits
-// must tell on which sides near-ties lie, as is_one_limb_enough().
-template <class Pixel, class Address, class LanesOfRows>
-HWY_NOINLINE void draw_columns(const SpanBatch& batch, int32_t first_index, const LowLanes& low,
-                               const LanesOfRows& lanes, const ExactMap& map,
-                               const Surface& surface) {
+// The rows of a batch from an index on, narrow ones, by columns_of(slab, row, px), those of kLanes
+// rows from some pixels on. 64 bits must tell on which sides near-ties lie, as
+// is_one_limb_enough().
+template <class Pixel, class Address, class ColumnsOf>
+HWY_NOINLINE void draw_columns(const SpanBatch& batch, int32_t first_index, const ExactMap& map,
+                               const Surface& surface, const ColumnsOf& columns_of) {
   OneLimbColumn::Slab slab;
   for (int32_t i = first_index; i < batch.rows;) {
     const Span first = batch.span(i);
@@ -211,12 +270,27 @@ HWY_NOINLINE void draw_columns(const SpanBatch& batch, int32_t first_index, cons
     }
     const int32_t end = HWY_MIN(HWY_MIN(i + kLanes, batch.rows), slab.end_row - batch.first_row);
     const V32 left_px = hn::LoadU(D32(), batch.left_px.data() + i);
-    draw_block<Pixel, Address>(batch, block_of(batch, i, end), low,
-                               ColumnTies<OneLimbColumn>(slab, first.row, left_px),
-                               lanes.from(first.row, left_px), surface);
+    draw_block<Pixel, Address>(batch, block_of(batch, i, end), columns_of(slab, first.row, left_px),
+                               surface);
     i = end;
   }
 }
+
+// The columns of lanes that lack less than low's.
+template <class LanesOfRows>
+class DecidedColumnsOf {
+ public:
+  HWY_INLINE DecidedColumnsOf(const LowLanes& low, const LanesOfRows& lanes)
+      : low_(low), lanes_(lanes) {}
+  HWY_INLINE DecidedColumns<OneLimbColumn, LaneColumns> operator()(const OneLimbColumn::Slab& slab,
+                                                                   int32_t row, V32 px) const {
+    return {low_, ColumnTies<OneLimbColumn>(slab, row, px), lanes_.from(row, px)};
+  }
+
+ private:
+  LowLanes low_;
+  LanesOfRows lanes_;
+};
 
 }  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE
