@@ -101,8 +101,10 @@ class PieceColumnsDraw {
 template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_columns(const ProjectiveSpans& spans, const Surface& surface,
                                              const AnchoredVectors& vectors) {
-  if (!pays_columns(spans.batch)) return false;
-  if (spans.exact.is_ruled() && !is_directed(spans.exact.ruled())) return false;
+  const bool is_ruled = spans.exact.is_ruled();
+  if (!pays_columns(spans.batch) || (is_ruled && !is_directed(spans.exact.ruled()))) return false;
+  // One map goes from row to row at little cost.
+  if (!is_ruled && spans.batch.widest_px > kLanes) return false;
   PieceColumnsDraw<Pixel, Address> by(spans, surface, vectors);
   PieceWalk walk(spans.batch, PieceOrder::kAny);
   Pieces pieces;
