@@ -34,12 +34,6 @@ HWY_INLINE void draw_columns(const AffineSpans& spans, const Surface& surface,
           HWY_ATTR { return QuotientColumns(first(slab, first_row, px), steps); });
 }
 
-// Whether rows have so few pixels that the boundaries between these texels cost more than columns.
-[[nodiscard]] HWY_INLINE bool beat_boundaries(const SpanBatch& batch, const TexelRanges& texels) {
-  constexpr int32_t kLanesOfOne = 8;
-  return batch.widest_px * kLanesOfOne <= (texels.s.count() + texels.t.count() - 2) * kLanes;
-}
-
 // Of a single row, that may be the only one with its map, those under its ends and between them.
 [[nodiscard]] HWY_INLINE TexelRanges texels_of(const AffineSpans& spans) {
   TexelRanges texels(spans.texels);

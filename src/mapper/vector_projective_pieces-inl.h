@@ -7,7 +7,6 @@
 #endif
 
 #include "mapper/interior.h"
-#include "mapper/vector_boundaries-inl.h"
 #include "mapper/vector_entries-inl.h"
 #include "mapper/vector_fetch-inl.h"
 #include "mapper/vector_left-inl.h"
@@ -180,12 +179,7 @@ HWY_NOINLINE void draw_all_pieces(const ProjectiveSpans& spans, const Surface& s
     }
     if (left.count == 0) continue;
     if (!is_refused && are_most(left.count, left.of_pieces)) {
-      if (draw_between_boundaries<Pixel, Address>(spans.batch, TexelRanges(spans.texels),
-                                                  spans.exact, spans.field.most_denominator,
-                                                  surface) ||
-          draw_columns<Pixel, Address>(spans, surface, vectors)) {
-        return;
-      }
+      if (draw_together<Pixel, Address>(spans, surface, vectors)) return;
       is_refused = true;
     }
     draw_left<Pixel, Address>(left, surface, LowLanes(vectors.lack_fx16()), &batch_ties);

@@ -84,15 +84,24 @@ HWY_NOINLINE void draw_decided(const Pieces& pieces, const DecidedTexels& texels
   }
 }
 
+// Draws a batch with many near-ties by columns or by boundaries, whichever costs less. False where
+// it is drawn by neither.
+template <class Pixel, class Address>
+[[nodiscard]] HWY_NOINLINE bool draw_together(const ProjectiveSpans& spans, const Surface& surface,
+                                              const AnchoredVectors& vectors) {
+  const TexelRanges texels(spans.texels);
+  const bool columns_first = beat_boundaries(spans.batch, texels);
+  if (columns_first && draw_columns<Pixel, Address>(spans, surface, vectors)) return true;
+  return draw_between_boundaries<Pixel, Address>(spans.batch, texels, spans.exact,
+                                                 spans.field.most_denominator, surface) ||
+         (!columns_first && draw_columns<Pixel, Address>(spans, surface, vectors));
+}
+
 // Draws a batch that was drawn from one window in vain.
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_near_ties(const ProjectiveSpans& spans, const Surface& surface,
                                  const AnchoredVectors& vectors) {
-  if (draw_between_boundaries<Pixel, Address>(spans.batch, TexelRanges(spans.texels), spans.exact,
-                                              spans.field.most_denominator, surface) ||
-      draw_columns<Pixel, Address>(spans, surface, vectors)) {
-    return;
-  }
+  if (draw_together<Pixel, Address>(spans, surface, vectors)) return;
   ProjectiveTies batch_ties(spans, vectors);
   const LowLanes low(vectors.lack_fx16());
   const PieceLanes lanes = vectors.lanes();

@@ -256,6 +256,12 @@ HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, Columns
          batch.widest_px * blocks <= batch.rows * (vectors + 1);
 }
 
+// Whether rows have so few pixels that the boundaries between these texels cost more than columns.
+[[nodiscard]] HWY_INLINE bool beat_boundaries(const SpanBatch& batch, const TexelRanges& texels) {
+  constexpr int32_t kLanesOfOne = 8;
+  return batch.widest_px * kLanesOfOne <= (texels.s.count() + texels.t.count() - 2) * kLanes;
+}
+
 // The rows of a batch from an index on, narrow ones, by columns_of(slab, row, px), those of kLanes
 // rows from some pixels on. 64 bits must tell on which sides near-ties lie, as
 // is_one_limb_enough().
