@@ -96,12 +96,9 @@ struct TwoLimbsColumn {
    public:
     HWY_INLINE Half(const Slab::Line& line, const SlabPixels& px)
         : step_(carried({px.step(low(line.step), low(line.turn)),
-                         px.step(high(line.step), high(line.turn))})) {
-      const V64 at_low = px.at_column(low(line.start), low(line.down), low(line.bend));
-      const V64 at_high = px.at_column(high(line.start), high(line.down), high(line.bend));
-      at_ = carried({hn::Add(at_low, hn::Mul(px.right, step_.low)),
-                     hn::Add(at_high, hn::Mul(px.right, step_.high))});
-    }
+                         px.step(high(line.step), high(line.turn))})),
+          at_(carried({at(low(line.start), low(line.down), low(line.bend), px, step_.low),
+                       at(high(line.start), high(line.down), high(line.bend), px, step_.high)})) {}
     HWY_INLINE void go_right() {
       at_ = {hn::Add(at_.low, step_.low), hn::Add(at_.high, step_.high)};
     }
@@ -112,6 +109,10 @@ struct TwoLimbsColumn {
     static_assert(1 + kLanes + kLanes * kLanes / 2 + kMost_px < 1 << TwoLimbs::kFactorBits);
     static_assert(kMostLanes < 1 << 17);
 
+    static HWY_INLINE V64 at(uint64_t start, uint64_t down, uint64_t bend, const SlabPixels& px,
+                             V64 step) {
+      return hn::Add(px.at_column(start, down, bend), hn::Mul(px.right, step));
+    }
     static HWY_INLINE uint64_t low(uint128 a) {
       return static_cast<uint64_t>(a) & ((uint64_t{1} << TwoLimbs::kLowBits) - 1);
     }
