@@ -138,6 +138,15 @@ bool move_to_edge(Random& random, NearTieMap* map) {
   return u_fx16 != 0 || v_fx16 != 0;
 }
 
+// One for all vertices, as selvage_snap() has it: it cancels, but lengthens what it is a factor of.
+void set_great_q(NearTieMap* map) {
+  const auto set = [](Polygon* polygon) {
+    for (selvage_vertex& vertex : *polygon) vertex.q = SELVAGE_Q_MAX;
+  };
+  set(&map->hard);
+  for (Polygon& moved : map->ordinary) set(&moved);
+}
+
 [[nodiscard]] std::optional<NearTieMap> any_map(Random& random) {
   const Box box = any_box(random);
   const std::vector<Place> corners = any_corners(random, box);
@@ -165,10 +174,15 @@ bool move_to_edge(Random& random, NearTieMap* map) {
   }
   const bool at_edge = move_to_edge(random, &map);
   if (random.percent(33)) map.address = SELVAGE_ADDRESS_WRAP;
+  const bool great_q = random.percent(50) && !deep;
+  if (great_q) set_great_q(&map);
   map.description =
       std::string(corners.size() == 3 ? "triangle" : "quad") + " " + std::to_string(box.width_px) +
-      " x " + std::to_string(box.height_px) + " px" + (deep ? ", perspective" : "") + ", by " +
-      (lattice.steps == 1 ? "a texel" : "1/" + std::to_string(lattice.steps) + " texel") +
+      " x " + std::to_string(box.height_px) + " px" +
+      (deep      ? ", perspective"
+       : great_q ? ", of great q"
+                 : "") +
+      ", by " + (lattice.steps == 1 ? "a texel" : "1/" + std::to_string(lattice.steps) + " texel") +
       (at_edge ? ", edge" : "") + (map.address == SELVAGE_ADDRESS_WRAP ? ", wrapped" : "");
   return map;
 }

@@ -47,7 +47,7 @@ void AffineSlab::find_lanes(const SpanBatch& batch, int32_t first_index, int32_t
     const double centre = centre_fx8(span.left_px);
     const double weight_a = b.x - centre * b_.height(), weight_b = centre * a_.height() - a.x;
     const double width = weight_a * a_.height() + weight_b * b_.height();
-    const double denominator = std::abs(width) * (static_cast<double>(q_) * (1 << kTexelFraction));
+    const double denominator = std::abs(width) * (1 << kTexelFraction);
     rows->most_denominator = std::max(rows->most_denominator, denominator);
     const double per_width = kUnit_fx32 / width;
     const auto mean = [&](double of_a, double of_b) {

@@ -58,17 +58,14 @@ class AffineEdge {
 class AffineSlab {
  public:
   explicit AffineSlab(const Slab& slab)
-      : first_row_(slab.first_row),
-        q_(slab.a.top().q),
-        a_(slab.a, slab.first_row),
-        b_(slab.b, slab.first_row) {}
+      : first_row_(slab.first_row), a_(slab.a, slab.first_row), b_(slab.b, slab.first_row) {}
 
   // Of some of a batch's rows, the slab's. Those of empty spans are 0. Raises most_denominator.
   void find_lanes(const SpanBatch& batch, int32_t first_index, int32_t end_index,
                   RuledRows* rows) const;
 
  private:
-  int32_t first_row_, q_;
+  int32_t first_row_;
   AffineEdge a_, b_;
 };
 

@@ -24,17 +24,17 @@ void Edge::seek(int32_t row) {
   step_remainder_ = kSubpixels * (dx - step_px_ * height);
 }
 
-EdgePoint Edge::at(int32_t row) const {
+EdgePoint Edge::at(int32_t row, int32_t top_q, int32_t bottom_q) const {
   const int64_t height = int64_t{bottom_->y} - top_->y;
   const int64_t below_top = centre_fx8(row) - int64_t{top_->y};
   return EdgePoint{
       .height = height,
       .x = static_cast<int64_t>(interpolate(top_->x, bottom_->x, below_top, height)),
-      .uq = interpolate(int64_t{top_->u} * top_->q, int64_t{bottom_->u} * bottom_->q, below_top,
-                        height),
-      .vq = interpolate(int64_t{top_->v} * top_->q, int64_t{bottom_->v} * bottom_->q, below_top,
-                        height),
-      .q = static_cast<int64_t>(interpolate(top_->q, bottom_->q, below_top, height)),
+      .uq =
+          interpolate(int64_t{top_->u} * top_q, int64_t{bottom_->u} * bottom_q, below_top, height),
+      .vq =
+          interpolate(int64_t{top_->v} * top_q, int64_t{bottom_->v} * bottom_q, below_top, height),
+      .q = static_cast<int64_t>(interpolate(top_q, bottom_q, below_top, height)),
   };
 }
 

@@ -101,10 +101,14 @@ class Edge {
   // The least column whose centre is at or right of the edge: ceil(x - 1/2), at the current row.
   [[nodiscard]] int32_t first_px() const { return static_cast<int32_t>(first_px_); }
 
-  [[nodiscard]] EdgePoint at(int32_t row) const;
+  [[nodiscard]] EdgePoint at(int32_t row) const { return at(row, top_->q, bottom_->q); }
+  // The same where all vertices of a map have one q, which cancels: with 1 for it.
+  [[nodiscard]] EdgePoint at_one_q(int32_t row) const { return at(row, 1, 1); }
   [[nodiscard]] EdgeChange change() const;
 
  private:
+  [[nodiscard]] EdgePoint at(int32_t row, int32_t top_q, int32_t bottom_q) const;
+
   const selvage_vertex* top_ = nullptr;
   const selvage_vertex* bottom_ = nullptr;
   int32_t bottom_row_ = std::numeric_limits<int32_t>::min();

@@ -94,7 +94,8 @@ class ExactSlab {
     std::array<ExactRow, 3> rows;
     for (int32_t i = 0; i < 3; ++i) {
       const int32_t row = first_row_ + i;
-      rows[static_cast<size_t>(i)] = row_by(SpanMap(slab.a.at(row), slab.b.at(row)), first_px);
+      const auto [a, b] = slab.at(row);
+      rows[static_cast<size_t>(i)] = row_by(SpanMap(a, b), first_px);
     }
     const auto line = [&](ExactLine ExactRow::*of) {
       return Line(rows[0].*of, rows[1].*of, rows[2].*of);

@@ -42,6 +42,7 @@ struct Extremes {
       least_q = std::min(least_q, vertex.q);
       most_q = std::max(most_q, vertex.q);
     }
+    if (least_q == most_q) least_q = most_q = 1;  // as Slab::at() has it
   }
 };
 

@@ -14,7 +14,7 @@ namespace {
   return int128{b.x} * a.height - int128{a.x} * b.height;
 }
 
-// The most that a denominator of the rows is, but for roundings: q is one for all.
+// The most that a denominator of the rows is, but for roundings: of one q, which is 1 then.
 [[nodiscard]] double most_denominator(const Slab& slab) {
   const auto [left, right] =
       std::minmax({slab.a.top().x, slab.a.bottom().x, slab.b.top().x, slab.b.bottom().x});
@@ -22,7 +22,7 @@ namespace {
     return static_cast<double>(int64_t{edge.bottom().y} - edge.top().y);
   };
   const double width = static_cast<double>(int64_t{right} - left);
-  return width * height(slab.a) * height(slab.b) * slab.a.top().q * (1 << kTexelFraction);
+  return width * height(slab.a) * height(slab.b) * (1 << kTexelFraction);
 }
 
 }  // namespace
@@ -61,7 +61,7 @@ double RuledMap::most_denominator() const {
 
 SpanMap RuledMap::at(int32_t row) const {
   const Slab& slab = slab_of(row);
-  const EdgePoint a = slab.a.at(row), b = slab.b.at(row);
+  const auto [a, b] = slab.at(row);
   return right_by(a, b) > 0 ? SpanMap(a, b) : SpanMap(b, a);
 }
 

@@ -24,6 +24,20 @@ struct Slab {
   int32_t first_row = 0, end_row = 0;
 
   [[nodiscard]] int32_t rows() const { return end_row - first_row; }
+  // On a row of both. Of one q at all ends, it cancels and is 1: numbers are as short as can be.
+  struct Points {
+    EdgePoint a, b;
+  };
+  [[nodiscard]] Points at(int32_t row) const {
+    if (has_one_q()) return {a.at_one_q(row), b.at_one_q(row)};
+    return {a.at(row), b.at(row)};
+  }
+
+ private:
+  [[nodiscard]] bool has_one_q() const {
+    const int32_t q = a.top().q;
+    return a.bottom().q == q && b.top().q == q && b.bottom().q == q;
+  }
 };
 
 // Fewer rows are drawn one by one, which costs less than setting up a slab.

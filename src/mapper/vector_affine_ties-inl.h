@@ -21,7 +21,7 @@ HWY_INLINE void draw_columns(const AffineSpans& spans, const Surface& surface,
   static_assert(kPlaneAreaBits + kTexelFraction - kLeastSpareBits < 62, "one limb is enough");
   const AffineField& field = spans.field;
   const ExactRow row = spans.exact.row_from(field.first_px, spans.batch.first_row);
-  const auto divisor = static_cast<uint64_t>(row.d.start);
+  const auto divisor = static_cast<uint64_t>(row.d.start);  // as has_quotients() of a plane
   const auto step = [&](const ExactLine& n, int64_t step_fx32) HWY_ATTR {
     return QuotientSum(quotient_from(n.step, divisor, floor_texel(step_fx32)), divisor);
   };

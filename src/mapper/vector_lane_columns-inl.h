@@ -65,13 +65,13 @@ class PlaneColumns {
 // Those of rows that each have a map of their own.
 class RuledColumns {
  public:
-  HWY_INLINE RuledColumns(const RuledRows& rows, int32_t first_row)
-      : rows_(rows), first_row_(first_row) {}
+  HWY_INLINE RuledColumns(const RuledRows& rows, const SpanBatch& batch)
+      : rows_(rows), batch_(batch) {}
 
   // From the rows' first pixels on.
   [[nodiscard]] HWY_INLINE LaneColumns from(int32_t row, V32 /*px*/) const {
     HWY_ALIGN int64_t start_u[kLanes]{}, start_v[kLanes]{}, step_u[kLanes]{}, step_v[kLanes]{};
-    const int32_t index = row - first_row_, count = HWY_MIN(kLanes, kRowsPerBatch - index);
+    const int32_t index = row - batch_.first_row, count = HWY_MIN(kLanes, batch_.rows - index);
     for (int32_t k = 0; k < count; ++k) {
       const auto i = static_cast<size_t>(index + k);
       start_u[k] = rows_.start[i].u_fx32;
@@ -90,7 +90,7 @@ class RuledColumns {
   }
 
   const RuledRows& rows_;
-  int32_t first_row_;
+  const SpanBatch& batch_;
 };
 
 }  // namespace

@@ -95,9 +95,9 @@ struct TwoLimbsColumn {
   class Half {
    public:
     HWY_INLINE Half(const Slab::Line& line, const SlabPixels& px)
-        : step_(carried({px.step(low(line.step), low(line.turn)),
+        : step_(settled({px.step(low(line.step), low(line.turn)),
                          px.step(high(line.step), high(line.turn))})),
-          at_(carried({at(low(line.start), low(line.down), low(line.bend), px, step_.low),
+          at_(settled({at(low(line.start), low(line.down), low(line.bend), px, step_.low),
                        at(high(line.start), high(line.down), high(line.bend), px, step_.high)})) {}
     HWY_INLINE void go_right() {
       at_ = {hn::Add(at_.low, step_.low), hn::Add(at_.high, step_.high)};
@@ -107,7 +107,7 @@ struct TwoLimbsColumn {
     // Pixels right of a column, rows and pairs of them below it; and pixels that are gone through.
     static constexpr int32_t kMost_px = 1 << 15;
     static_assert(1 + kLanes + kLanes * kLanes / 2 + kMost_px < 1 << TwoLimbs::kFactorBits);
-    static_assert(kMostLanes < 1 << 17);
+    static_assert(kMostLanes < 1 << TwoLimbs::kFactorBits);
 
     static HWY_INLINE V64 at(uint64_t start, uint64_t down, uint64_t bend, const SlabPixels& px,
                              V64 step) {
@@ -120,7 +120,7 @@ struct TwoLimbsColumn {
       return static_cast<uint64_t>(a >> TwoLimbs::kLowBits);
     }
     // What is beyond a low limb's bits is added to the high one: it may be below 0.
-    static HWY_INLINE LowAndHigh carried(const LowAndHigh& n) {
+    static HWY_INLINE LowAndHigh settled(const LowAndHigh& n) {
       const hn::RebindToSigned<D64> wide;
       const V64 beyond =
           hn::BitCast(D64(), hn::ShiftRight<TwoLimbs::kLowBits>(hn::BitCast(wide, n.low)));
@@ -143,7 +143,7 @@ struct TwoLimbsColumn {
   struct DivisorHalf : Half {
     HWY_INLINE DivisorHalf(const Slab::Line& line, const SlabPixels& px) : Half(line, px) {}
     [[nodiscard]] HWY_INLINE LowAndHigh get() const {
-      const LowAndHigh at = carried(at_);
+      const LowAndHigh at = settled(at_);
       return {hn::ShiftRight<TwoLimbs::kDivisorZeros>(at.low), at.high};
     }
   };

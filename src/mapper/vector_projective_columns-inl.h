@@ -38,74 +38,58 @@ class AnchoredColumn {
   VFloat turn_, u_rise_, v_rise_, i_;
 };
 
-// Draws narrow rows of some pieces, from k on, up to kLanes of them that lie in one slab.
+// Draws pieces of narrow rows that lie in one slab, kLanes of them at a time.
 template <class Pixel, class Address>
 class PieceColumnsDraw {
  public:
-  HWY_INLINE PieceColumnsDraw(const ProjectiveSpans& spans, const Surface& surface,
-                              const AnchoredVectors& vectors)
-      : exact_(spans.exact),
-        surface_(surface),
-        extent_(extent_of(surface.texture)),
-        low_(vectors.lack_fx16()) {}
-
-  // kLanes pieces from k on, with their anchors: those that there are.
-  HWY_INLINE void draw(const Pieces& pieces, const Anchors& anchors, int32_t k) {
-    const V32 left_px = hn::LoadU(D32(), pieces.left_px + k);
-    const int32_t end = HWY_MIN(k + kLanes, pieces.count);
-    for (int32_t i = k; i < end;) {
-      const Span first = pieces.rest(i, 0);
-      if (!slab_.has(first.row)) slab_ = biased_slab<Slab>(exact_, first.left_px, first.row);
-      const Rows rows{k, i, HWY_MIN(end, i + HWY_MIN(kLanes, slab_.end_row - first.row))};
-      draw_rows(pieces, rows,
-                {low_, ColumnTies<TwoLimbsColumn>(slab_, pieces.row[k], left_px),
-                 AnchoredColumn(anchors, k)});
-      i = rows.end;
-    }
-  }
-
- private:
   using Slab = TwoLimbsColumn::Slab;
-  // Pieces, of those in lanes from one on.
-  struct Rows {
-    int32_t first_lane, first, end;
-  };
 
-  HWY_INLINE void draw_rows(const Pieces& pieces, const Rows& rows,
-                            DecidedColumns<TwoLimbsColumn, AnchoredColumn> from) {
+  HWY_INLINE PieceColumnsDraw(const Slab& slab, const Surface& surface, int32_t lack_fx16)
+      : slab_(slab), surface_(surface), extent_(extent_of(surface.texture)), low_(lack_fx16) {}
+
+  // Those from k on that there are, by their anchors.
+  HWY_INLINE void draw(const Pieces& pieces, const Anchors& anchors, int32_t k) {
+    const int32_t end = HWY_MIN(k + kLanes, pieces.count);
     int32_t widest_px = 0;
-    for (int32_t i = rows.first; i < rows.end; ++i) {
-      widest_px = HWY_MAX(widest_px, pieces.rest(i, 0).width_px());
-    }
+    for (int32_t i = k; i < end; ++i) widest_px = HWY_MAX(widest_px, pieces.rest(i, 0).width_px());
     widest_px = HWY_MIN(widest_px, kPiece_px);
+    const V32 left_px = hn::LoadU(D32(), pieces.left_px + k);
+    DecidedColumns<TwoLimbsColumn, AnchoredColumn> from(
+        low_, ColumnTies<TwoLimbsColumn>(slab_, pieces.row[k], left_px),
+        AnchoredColumn(anchors, k));
     for (int32_t from_px = 0; from_px < widest_px; from_px += kLanes) {
       columns_.find<Address>(HWY_MIN(kLanes, widest_px - from_px), extent_, &from);
-      for (int32_t i = rows.first; i < rows.end; ++i) {
+      for (int32_t i = k; i < end; ++i) {
         const Span piece = pieces.rest(i, 0);
         auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface_, piece));
-        columns_.draw(i - rows.first_lane, surface_.texture.texels,
-                      HWY_MIN(kLanes, piece.width_px() - from_px), to + from_px);
+        columns_.draw(i - k, surface_.texture.texels, HWY_MIN(kLanes, piece.width_px() - from_px),
+                      to + from_px);
       }
     }
   }
 
-  const ExactMap& exact_;
+ private:
+  Slab slab_;
   const Surface& surface_;
   Extent extent_;
   LowLanes low_;
-  Slab slab_;
   PlaceColumns columns_;
 };
 
-// Draws a batch. False where it costs less to decide vectors one by one, or edges change sides.
+// Draws a batch. False where it costs less to decide vectors one by one, edges change sides, or
+// there are several slabs, which batches in perspective have not.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_columns(const ProjectiveSpans& spans, const Surface& surface,
                                              const AnchoredVectors& vectors) {
+  using Draw = PieceColumnsDraw<Pixel, Address>;
   const bool is_ruled = spans.exact.is_ruled();
   if (!pays_columns(spans.batch) || (is_ruled && !is_directed(spans.exact.ruled()))) return false;
   // One map goes from row to row at little cost.
   if (!is_ruled && spans.batch.widest_px > kLanes) return false;
-  PieceColumnsDraw<Pixel, Address> by(spans, surface, vectors);
+  const Span first = spans.batch.span(0);
+  const auto slab = biased_slab<typename Draw::Slab>(spans.exact, first.left_px, first.row);
+  if (!slab.has(first.row + spans.batch.rows - 1)) return false;
+  Draw by(slab, surface, vectors.lack_fx16());
   PieceWalk walk(spans.batch, PieceOrder::kAny);
   Pieces pieces;
   Anchors anchors;

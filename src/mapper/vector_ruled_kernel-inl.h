@@ -114,7 +114,8 @@ template <class Pixel, class Address>
                                                  spans.exact, spans.rows.most_denominator, surface);
 }
 
-// Draws a batch of narrow rows with many near-ties. False where numbers are too great.
+// Draws a batch with many near-ties by columns or by boundaries. False where it is drawn by
+// neither.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_near_ties(const RuledSpans& spans, const Surface& surface) {
   const LowLanes low(lack_fx16(spans.rows.margin_fx32));
@@ -124,7 +125,7 @@ template <class Pixel, class Address>
   const bool beats = has_columns && beat_boundaries(spans.batch, TexelRanges(spans.texels));
   if (!beats && draw_between_boundaries<Pixel, Address>(spans, surface)) return true;
   if (!has_columns) return false;
-  const RuledColumns lanes(spans.rows, spans.batch.first_row);
+  const RuledColumns lanes(spans.rows, spans.batch);
   draw_columns<Pixel, Address>(spans.batch, 0, spans.exact, surface,
                                DecidedColumnsOf<RuledColumns>(low, lanes));
   return true;

@@ -199,7 +199,8 @@ HWY_NOINLINE void draw_columns(const SpanBatch& batch, int32_t first_index, cons
       slab = biased_slab<OneLimbColumn::Slab>(map, first.left_px, first.row);
     }
     const int32_t end = HWY_MIN(HWY_MIN(i + kLanes, batch.rows), slab.end_row - batch.first_row);
-    const V32 left_px = hn::LoadU(D32(), batch.left_px.data() + i);
+    const auto is_row = hn::Lt(hn::Iota(D32(), i), hn::Set(D32(), end));
+    const V32 left_px = hn::IfThenElseZero(is_row, hn::LoadU(D32(), batch.left_px.data() + i));
     draw_block<Pixel, Address>(batch, block_of(batch, i, end), columns_of(slab, first.row, left_px),
                                surface);
     i = end;
