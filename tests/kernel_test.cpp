@@ -260,5 +260,13 @@ TEST(KernelOrder, EndsAtTheScalarKernel) {
   EXPECT_EQ(first_vector_kernels({}, kNearest), nullptr);
 }
 
+// Whatever the machine: no machine has both of these.
+TEST(FirstVectorKernels, PassOverWhatThereIsNotAndEndWithTheScalarOne) {
+  const selvage_kernel absent =
+      is_usable(SELVAGE_KERNEL_NEON) ? SELVAGE_KERNEL_AVX2 : SELVAGE_KERNEL_NEON;
+  const std::vector<selvage_kernel> order = {absent, SELVAGE_KERNEL_SCALAR};
+  EXPECT_EQ(first_vector_kernels(order, SELVAGE_FILTER_NEAREST), nullptr);
+}
+
 }  // namespace
 }  // namespace selvage::mapper
