@@ -125,6 +125,21 @@ TEST(ShortRuledRows, AreNotOfEdgesThatCross) {
   EXPECT_TRUE(is_directed(RuledMap(Slab{side, down, 1, 100})));
 }
 
+// One q cancels, so that numbers are no longer than those of q = 1; several do not.
+TEST(ExactSlab, AreThoseOfOneWhereAllEndsHaveOneQ) {
+  const auto row_of = [](int32_t q, int32_t last_q) {
+    const selvage_vertex v[] = {
+        {0, 0, 5, 6, q}, {100, 50000, 7, -9, q}, {900, 0, 9, 0, q}, {950, 50000, 99, 3, last_q}};
+    const RuledMap map(Slab{Edge(v[0], v[1]), Edge(v[2], v[3]), 0, 100});
+    const ExactRow row = RuledRowFinder(map).row_from(2, 30);
+    EXPECT_TRUE(are_equal(row, ExactMap(map).row_from(2, 30)));
+    return row;
+  };
+  const ExactRow one = row_of(1, 1);
+  EXPECT_TRUE(are_equal(row_of(SELVAGE_Q_MAX, SELVAGE_Q_MAX), one));
+  EXPECT_FALSE(are_equal(row_of(SELVAGE_Q_MAX, SELVAGE_Q_MAX - 1), one));
+}
+
 TEST(ExactSlab, AreOfTheSlabsRowsAlone) {
   const selvage_vertex v[] = {
       {0, 0, 0, 0, 1}, {0, 50000, 0, 0, 1}, {900, 0, 9, 0, 1}, {900, 50000, 99, 0, 1}};
