@@ -70,12 +70,14 @@ void draw_in_bands(const Request& request, const BandPlan& plan, Rows reach, int
     const Rows rows = all.rows(part);
     Painter painter(request, {request.visible.left, rows.first, request.visible.right, rows.end});
     plan.index.for_each(part, [&](size_t i) { painter.draw(request.prepared[i]); });
+    painter.finish();
   });
 }
 
 void draw_in_order(const Request& request) {
   Painter painter(request, request.visible);
   for (const Prepared& one : request.prepared) painter.draw(one);
+  painter.finish();
 }
 
 // Nothing is drawn unless all polygons pass their checks.
