@@ -50,6 +50,7 @@ class Painter {
     if (!is_small_triangle(polygon, part)) return false;
     const size_t next = 1 - last_;
     if (!found_[next].emplace(polygon, part, kernels).has_plane()) return false;
+    found_[next]->prefetch(surface_.target);
     finish();
     last_ = next;
     has_last_ = true;
