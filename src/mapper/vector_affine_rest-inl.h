@@ -7,6 +7,7 @@
 #define SELVAGE_VECTOR_AFFINE_REST_INL_H
 #endif
 
+#include "mapper/boundary.h"
 #include "mapper/vector_affine_exact-inl.h"
 #include "mapper/vector_affine_ties-inl.h"
 #include "mapper/vector_batch_ties-inl.h"
@@ -42,6 +43,84 @@ HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Su
 [[nodiscard]] HWY_INLINE bool is_small(const AffineField& field) {
   constexpr uint32_t kSmall_fx32 = 128;
   return field.margin_fx32 <= kSmall_fx32;
+}
+
+// Draws rows with many near-ties, from an index in the batch on, by what is in no doubt anywhere:
+// false where it costs less to decide vectors one by one.
+template <class Pixel, class Address>
+[[nodiscard]] HWY_INLINE bool draw_without_doubt(const AffineSpans& spans, const Surface& surface,
+                                                 int32_t first_index, int32_t window_rows) {
+  if (draw_near_ties<Pixel, Address>(spans, surface, first_index)) return true;
+  if (has_quotients(spans)) {
+    draw_exactly<Pixel, Address>(spans, surface, first_index, window_rows);
+    return true;
+  }
+  if (!is_small(spans.field)) return false;
+  scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(spans, surface);
+  return true;
+}
+
+[[nodiscard]] HWY_INLINE AffineBatchTies ties_of(const AffineSpans& spans) {
+  return {spans.exact, spans.batch, spare_bits_fx16(lack_fx16(spans.field.margin_fx32))};
+}
+
+// A row, and where one of its coordinates shows two texels alone: how many pixels at its left show
+// one of them; in that coordinate no pixel is in doubt.
+struct RowOfTwo {
+  int32_t left_px;  // -1 where there is no such coordinate, or it is not certain
+  int64_t Lane::*axis;
+  int32_t texel[2];
+
+  static HWY_INLINE RowOfTwo of(const AffineSpans& spans) {
+    const TexelRanges texels = texels_of(spans);
+    if (texels.t.count() == 2) return in(spans, &ExactRow::v, &Lane::v_fx32, texels.t);
+    if (texels.s.count() == 2) return in(spans, &ExactRow::u, &Lane::u_fx32, texels.s);
+    return {-1, nullptr, {}};
+  }
+
+  // The lanes of either part: in the middle of its texel.
+  [[nodiscard]] HWY_INLINE AffineField part(AffineField field, int32_t index) const {
+    constexpr int64_t kHalf_fx32 = int64_t{1} << (kLaneFraction - 1);
+    field.start.*axis = (int64_t{texel[index]} << kLaneFraction) + kHalf_fx32;
+    field.step_x.*axis = 0;
+    field.step_y.*axis = 0;
+    return field;
+  }
+
+ private:
+  static HWY_INLINE RowOfTwo in(const AffineSpans& spans, ExactLine ExactRow::*coordinate,
+                                int64_t Lane::*axis, const TexelRange& texels) {
+    const Span row = spans.batch.span(0);
+    const Boundary boundary(spans.exact, coordinate, 0, texels.last, row.left_px, row.row);
+    const auto [left_px, left_beyond] = boundary.sides_of(row);
+    if (left_beyond) return {left_px, axis, {texels.last, texels.first}};
+    return {left_px, axis, {texels.first, texels.last}};
+  }
+};
+
+// Draws a row with many near-ties, or so it is taken to be: all of its vectors are decided.
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_row_of_ties(const AffineSpans& spans, const Surface& surface) {
+  const int32_t window_rows = window_shape(spans.field.step_x, surface.texture).rows;
+  if (draw_without_doubt<Pixel, Address>(spans, surface, 0, window_rows)) return;
+  AffineBatchTies ties = ties_of(spans);
+  Left left;
+  const auto draw = [&](const AffineField& field, Span rest) HWY_ATTR {
+    const AffineSpans part{spans.batch, field, spans.texels, spans.exact};
+    const int32_t part_rows = window_shape(field.step_x, surface.texture).rows;
+    while (!rest.empty()) {
+      for (left.count = 0; left.count < Left::kMost && !rest.empty(); rest.left_px += kLanes) {
+        left.rest[static_cast<size_t>(left.count++)] = rest;
+      }
+      draw_left<Pixel, Address>(left, part, surface, part_rows, &ties);
+    }
+  };
+  const Span row = spans.batch.span(0);
+  const RowOfTwo two = RowOfTwo::of(spans);
+  if (two.left_px < 0) return draw(spans.field, row);
+  const int32_t middle_px = row.left_px + two.left_px;
+  draw(two.part(spans.field, 0), {row.row, row.left_px, middle_px});
+  draw(two.part(spans.field, 1), {row.row, middle_px, row.right_px});
 }
 
 // Draws what is left of a batch. Who leaves it need not know how, nor by which address mode, so
@@ -82,8 +161,7 @@ class AffineRest : public RestDraw {
         spans_(spans),
         surface_(surface),
         window_rows_(window_rows),
-        batch_ties_(spans.exact, spans.batch, spare_bits_fx16(lack_fx16(spans.field.margin_fx32))) {
-  }
+        batch_ties_(ties_of(spans)) {}
 
   template <class Pixel, class Address>
   static HWY_NOINLINE bool draw_as(RestDraw* of, const Left& left, int32_t first_index,
@@ -93,13 +171,7 @@ class AffineRest : public RestDraw {
     const Surface& surface = rest->surface_;
     if (are_many(left.count, of_vectors)) {
       rest->had_many_ = true;
-      if (draw_near_ties<Pixel, Address>(spans, surface, first_index)) return false;
-      if (has_quotients(spans)) {
-        draw_exactly<Pixel, Address>(spans, surface, first_index, rest->window_rows_);
-        return false;
-      }
-      if (is_small(spans.field)) {
-        scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(spans, surface);
+      if (draw_without_doubt<Pixel, Address>(spans, surface, first_index, rest->window_rows_)) {
         return false;
       }
     }

@@ -204,12 +204,22 @@ void draw_narrow_ruled(const RuledSpans& spans, const Surface& surface) {
   }
 }
 
-// Each row by itself, or all of them once one had many near-ties.
+// Each row by itself, or all of them once one had many near-ties. After such a row some others are
+// taken to have as many: to find them by lanes would cost as much as ordinary rows do.
 template <class Pixel, class Address>
 void draw_wide_ruled(const RuledSpans& spans, const Surface& surface) {
+  constexpr int32_t kTakenRows = 7;
   bool is_asked = false, are_drawn = false;
+  int32_t taken_rows = 0;
   for_each_row(spans, [&](const AffineSpans& row) {
-    if (are_drawn || !draw_affine_as<Pixel, Address>(row, surface) || is_asked) return;
+    if (are_drawn) return;
+    if (taken_rows > 0) {
+      --taken_rows;
+      return draw_row_of_ties<Pixel, Address>(row, surface);
+    }
+    if (!draw_affine_as<Pixel, Address>(row, surface)) return;
+    taken_rows = kTakenRows;
+    if (is_asked) return;
     is_asked = true;
     are_drawn = draw_between_boundaries<Pixel, Address>(spans, surface);
   });
