@@ -1,6 +1,7 @@
 # Which SIMD targets the vector kernels are built for.
-set(SELVAGE_KERNELS all CACHE STRING
-  "Vector kernels: all; or native, on x86-64: what this machine has of AVX2 and AVX-512, or SSE4 if it has neither; or best: AVX-512 alone if it has that")
+# native and best are for x86-64: what this machine has of AVX2 and AVX-512, or SSE4 if it has
+# neither; and AVX-512 alone if it has that.
+set(SELVAGE_KERNELS all CACHE STRING "Vector kernels: all, this machine's native ones, or its best")
 set_property(CACHE SELVAGE_KERNELS PROPERTY STRINGS all native best)
 
 # selvage_has_all(MACROS VARIABLE FEATURE...): whether the compiler defines a macro for each.

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
@@ -47,19 +48,23 @@ struct QuadCoordinate {
   spec::Random random(seed);
   spec::Case c;
   c.target_width_px = random.in(70, 320);
-  c.target_height_px = random.in(17, 40);
+  c.target_height_px = random.in(17, 65);
   c.texture_width_texel = random.pick({16, 24, 32, 64});
   c.texture_height_texel = random.pick({16, 24, 32, 64});
   c.address = random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP;
   c.format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
-  const int32_t right = (c.target_width_px + random.in(-4, 40)) * kPixel_fx8;
+  QuadCoordinate u = across_texels(random), v = along_boundaries(random);
+  // With corners far off denominators exceed 64 bits.
+  const bool far = std::abs(u.right_fx16) <= kTexel_fx16 && random.percent(70);
+  const int32_t right_px = far ? random.in(24000, 32000) : c.target_width_px + random.in(-4, 40);
+  const int32_t right = right_px * kPixel_fx8;
+  for (const size_t corner : {1U, 2U}) v.off_fx16[corner] *= right_px / c.target_width_px;
+  if (random.percent(50)) std::swap(u, v);
   const int32_t low = c.target_height_px * kPixel_fx8 + random.in(0, 300);
   const int32_t slant = random.percent(50) ? random.in(-3000, 3000) : 0;
   c.vertices = {
       {0, 0, 0, 0, 1}, {right, 0, 0, 0, 1}, {right + slant, low, 0, 0, 1}, {slant, low, 0, 0, 1}};
   const int32_t q = random.percent(50) ? 1 : SELVAGE_Q_MAX;
-  QuadCoordinate u = across_texels(random), v = along_boundaries(random);
-  if (random.percent(50)) std::swap(u, v);
   for (size_t i = 0; i < c.vertices.size(); ++i) {
     selvage_vertex& vertex = c.vertices[i];
     const auto at = [&](const QuadCoordinate& coordinate) {

@@ -50,7 +50,6 @@ class Painter {
     if (!is_small_triangle(polygon, part)) return false;
     const size_t next = 1 - last_;
     if (!found_[next].emplace(polygon, part, kernels).has_plane()) return false;
-    found_[next]->prefetch(surface_.target);
     finish();
     last_ = next;
     has_last_ = true;
@@ -58,8 +57,8 @@ class Painter {
   }
   [[nodiscard]] bool is_small_triangle(const mapper::Polygon& polygon,
                                        const selvage_rect& part) const {
-    return polygon.vertices.size() == 3 && mapper::PlaneDraw::fits(polygon, part) &&
-           !polygon.untransformed && finds_ahead_ && !mapper::is_empty(part);
+    return polygon.vertices.size() == 3 && !mapper::is_empty(part) &&
+           mapper::PlaneDraw::fits(polygon, part) && !polygon.untransformed && finds_ahead_;
   }
 
   void change_to(const selvage_texture* texture) {

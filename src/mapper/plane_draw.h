@@ -1,16 +1,12 @@
 // A small polygon of one affine map, drawn in two steps: its lanes and its spans, then its pixels.
 //
 // No processor foresees which row is a polygon's last, and what it has begun ahead is lost there.
-// With another polygon's pixels between the two steps, the first one is done by then; and the cache
-// has the target's lines that were asked for.
+// With another polygon's pixels between the two steps, the first one is done by then.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 
 #include "mapper/exact_row.h"
-#include "mapper/image.h"
 #include "mapper/kernel.h"
 #include "mapper/outline.h"
 #include "mapper/plane.h"
@@ -32,6 +28,7 @@ class PlaneDraw {
       : plane_(Plane::of(polygon, part, kernels.find_lanes)),
         polygon_(&polygon),
         kernels_(&kernels) {
+    if (!plane_) return;
     batch_.first_row = part.top;
     batch_.rows = part.bottom - part.top;
     Outline outline(polygon);
@@ -42,18 +39,6 @@ class PlaneDraw {
   [[nodiscard]] bool has_plane() const { return plane_.has_value(); }
   void draw(const Surface& surface) const {
     kernels_->draw_affine({batch_, plane_->lanes(), polygon_->texels, ExactMap(*plane_)}, surface);
-  }
-
-  // Asks for where each row begins on the target.
-  void prefetch(const selvage_image& target) const {
-    constexpr int kToWrite = 1;
-    const auto* const pixels = static_cast<const char*>(target.pixels);
-    const ptrdiff_t pixel_bytes = bytes_per_pixel(target.format);
-    ptrdiff_t row = batch_.first_row * target.pitch;
-    for (size_t i = 0; i < static_cast<size_t>(batch_.rows); ++i) {
-      __builtin_prefetch(pixels + row + batch_.left_px[i] * pixel_bytes, kToWrite);
-      row += target.pitch;
-    }
   }
 
  private:

@@ -98,7 +98,7 @@ struct RowOfTwo {
   }
 };
 
-// Draws a row with many near-ties, or so it is taken to be: all of its vectors are decided.
+// Draws a row, all of its vectors decided: any row, but it pays where near-ties are many.
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_row_of_ties(const AffineSpans& spans, const Surface& surface) {
   const int32_t window_rows = window_shape(spans.field.step_x, surface.texture).rows;

@@ -204,22 +204,35 @@ void draw_narrow_ruled(const RuledSpans& spans, const Surface& surface) {
   }
 }
 
-// Each row by itself, or all of them once one had many near-ties. After such a row some others are
-// taken to have as many: to find them by lanes would cost as much as ordinary rows do.
+// How many rows are taken to have many near-ties without being asked: to find that out by lanes
+// costs as much as ordinary rows do, and to decide a row in vain costs more. So many more each time
+// that the next row that is asked has them, too.
+class TakenRows {
+ public:
+  // Whether the next row is one.
+  [[nodiscard]] HWY_INLINE bool take() { return left_ > 0 && left_-- > 0; }
+  // Of a row that was asked.
+  HWY_INLINE void learn(bool had_many) {
+    run_ = had_many ? HWY_MIN(2 * run_ + 1, kMost) : 0;
+    left_ = run_ / 2;
+  }
+
+ private:
+  static constexpr int32_t kMost = 15;
+  int32_t run_ = 0, left_ = 0;
+};
+
+// Each row by itself, or all of them once one had many near-ties.
 template <class Pixel, class Address>
 void draw_wide_ruled(const RuledSpans& spans, const Surface& surface) {
-  constexpr int32_t kTakenRows = 7;
   bool is_asked = false, are_drawn = false;
-  int32_t taken_rows = 0;
+  TakenRows taken;
   for_each_row(spans, [&](const AffineSpans& row) {
     if (are_drawn) return;
-    if (taken_rows > 0) {
-      --taken_rows;
-      return draw_row_of_ties<Pixel, Address>(row, surface);
-    }
-    if (!draw_affine_as<Pixel, Address>(row, surface)) return;
-    taken_rows = kTakenRows;
-    if (is_asked) return;
+    if (taken.take()) return draw_row_of_ties<Pixel, Address>(row, surface);
+    const bool had_many = draw_affine_as<Pixel, Address>(row, surface);
+    taken.learn(had_many);
+    if (!had_many || is_asked) return;
     is_asked = true;
     are_drawn = draw_between_boundaries<Pixel, Address>(spans, surface);
   });
