@@ -49,8 +49,10 @@ TEST(DrawMany, DrawsAsOneAfterAnother) {
 
 TEST(DrawMany, ClipsAll) {
   const List list(200, /*seed=*/3);
-  for (const selvage_rect& clip : {selvage_rect{10, 20, 100, 250}, selvage_rect{-5, 100, 999, 101},
-                                   selvage_rect{50, 50, 50, 90}, selvage_rect{0, 90, 9, 20}}) {
+  for (const selvage_rect& clip :
+       {selvage_rect{10, 20, 100, 250}, selvage_rect{-5, 100, 999, 101},
+        selvage_rect{50, 50, 50, 90}, selvage_rect{0, 90, 9, 20}, selvage_rect{0, 0, 64, INT32_MIN},
+        selvage_rect{INT32_MAX, INT32_MAX, INT32_MIN, INT32_MIN}}) {
     expect_same(list, &clip, {});
   }
 }
