@@ -1,6 +1,7 @@
 // selvage_draw_many draws what selvage_draw does, whatever the number of threads.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <cstring>
 #include <optional>
 
