@@ -48,6 +48,17 @@ TEST(DrawMany, DrawsAsOneAfterAnother) {
   }
 }
 
+TEST(DrawMany, DrawsTrianglesThatShowTheTextureAsItIs) {
+  List list(500, /*seed=*/6);
+  for (size_t i = 0; i < list.vertices.size(); ++i) {
+    selvage_vertex& vertex = list.vertices[i];
+    if (i / 3 % 3 == 0) continue;
+    vertex.u = vertex.x * (SELVAGE_SUBTEXELS / SELVAGE_SUBPIXELS);
+    vertex.v = vertex.y * (SELVAGE_SUBTEXELS / SELVAGE_SUBPIXELS);
+  }
+  expect_same(list, nullptr, {});
+}
+
 TEST(DrawMany, ClipsAll) {
   const List list(200, /*seed=*/3);
   for (const selvage_rect& clip :
