@@ -59,6 +59,12 @@ TEST(DrawMany, DrawsTrianglesThatShowTheTextureAsItIs) {
   expect_same(list, nullptr, {});
 }
 
+TEST(DrawMany, DrawsNothingOfTrianglesWithoutArea) {
+  List list(500, /*seed=*/7);
+  for (size_t i = 2; i < list.vertices.size(); i += 6) list.vertices[i] = list.vertices[i - 1];
+  expect_same(list, nullptr, {});
+}
+
 TEST(DrawMany, ClipsAll) {
   const List list(200, /*seed=*/3);
   for (const selvage_rect& clip :
