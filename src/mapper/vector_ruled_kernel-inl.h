@@ -204,9 +204,9 @@ void draw_narrow_ruled(const RuledSpans& spans, const Surface& surface) {
   }
 }
 
-// How many rows are taken to have many near-ties without being asked: to find that out by lanes
-// costs as much as ordinary rows do, and to decide a row in vain costs more. So many more each time
-// that the next row that is asked has them, too.
+// Rows that are taken to have many near-ties without being asked: to ask by lanes costs as much as
+// an ordinary row, but to decide one in vain costs more. So none after the first row in turn that
+// was asked and had them, then 1, 3 and at most 7 after each further one.
 class TakenRows {
  public:
   // Whether the next row is one.

@@ -59,7 +59,7 @@ TEST(DrawMany, DrawsTrianglesThatShowTheTextureAsItIs) {
   expect_same(list, nullptr, {});
 }
 
-TEST(DrawMany, DrawsNothingOfTrianglesWithoutArea) {
+TEST(DrawMany, DrawsTrianglesWithoutAreaAsOneAfterAnother) {
   List list(500, /*seed=*/7);
   for (size_t i = 2; i < list.vertices.size(); i += 6) list.vertices[i] = list.vertices[i - 1];
   expect_same(list, nullptr, {});
