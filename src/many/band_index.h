@@ -1,9 +1,11 @@
 // Which polygons reach which bands: a bit for each of both.
 //
-// A word has the bits of 64 polygons that follow each other. The words of all bands lie side by
-// side, so that those of some bands are united while they are read.
+// A group is 64 polygons that follow each other: a word for each band, in which each of them has a
+// bit. The words of all bands lie side by side, so that those of some bands are united while they
+// are read.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -16,69 +18,82 @@ namespace selvage::many {
 
 class BandIndex {
  public:
-  static constexpr size_t kPolygonsPerWord = 64;
+  static constexpr size_t kPolygonsPerGroup = 64;
 
-  [[nodiscard]] static constexpr size_t words(size_t polygons) {
-    return (polygons + kPolygonsPerWord - 1) / kPolygonsPerWord * kMostBands;
+  struct Group {
+    BandRange reached;  // by any of them: words of other bands are neither written nor read
+    std::array<uint64_t, kMostBands> words;
+  };
+
+  [[nodiscard]] static constexpr size_t groups(size_t polygons) {
+    return (polygons + kPolygonsPerGroup - 1) / kPolygonsPerGroup;
   }
 
-  // `words` must be words(..) for all polygons. Each is written before it is read.
-  BandIndex(const Bands& bands, std::span<uint64_t> words) : bands_(bands), words_(words) {}
+  // As many as groups(..) for all polygons. Each is written before it is read.
+  BandIndex(const Bands& bands, std::span<Group> groups) : bands_(bands), groups_(groups) {}
 
   [[nodiscard]] const Bands& bands() const { return bands_; }
 
-  // Lists polygons one after another: from a multiple of kPolygonsPerWord on, up to another one or
+  // Lists polygons one after another: from a multiple of kPolygonsPerGroup on, up to another one or
   // the last of all. Others may list other ones at the same time.
   class Writer {
    public:
-    Writer(const BandIndex& index, size_t first)
-        : index_(&index), count_(index.bands_.count()), polygon_(first) {}
+    Writer(const BandIndex& index, size_t first) : groups_(index.groups_), polygon_(first) {}
 
-    // The next one, which reaches these bands.
+    // The next one, which reaches these bands. A loop over them would end each time where no
+    // processor foresees it.
     void add(BandRange bands) {
-      const uint64_t bit = uint64_t{1} << (polygon_ % kPolygonsPerWord);
-      for (size_t band = bands.first; band < bands.end; ++band) bits_[band] |= bit;
-      if (++polygon_ % kPolygonsPerWord == 0) write_words(polygon_ - 1);
+      const uint64_t bit = uint64_t{1} << (polygon_ % kPolygonsPerGroup);
+      turns_[bands.first] ^= bit;
+      turns_[bands.end] ^= bit;
+      reached_ = {std::min(reached_.first, bands.first), std::max(reached_.end, bands.end)};
+      if (++polygon_ % kPolygonsPerGroup == 0) write(polygon_ - 1);
     }
     void end() {
-      if (polygon_ % kPolygonsPerWord != 0) write_words(polygon_);
+      if (polygon_ % kPolygonsPerGroup != 0) write(polygon_);
     }
 
    private:
-    void write_words(size_t polygon) {
-      const auto words = index_->words_of(polygon / kPolygonsPerWord);
-      for (size_t band = 0; band < count_; ++band) {
-        words[band] = bits_[band];
-        bits_[band] = 0;
+    static constexpr BandRange kNone{kMostBands, 0};
+
+    void write(size_t polygon) {
+      Group& group = groups_[polygon / kPolygonsPerGroup];
+      group.reached = reached_;
+      uint64_t bits = 0;
+      for (size_t band = reached_.first; band < reached_.end; ++band) {
+        bits ^= turns_[band];
+        group.words[band] = bits;
+        turns_[band] = 0;
       }
+      turns_[reached_.end] = 0;
+      reached_ = kNone;
     }
 
-    const BandIndex* index_;
-    size_t count_, polygon_;
-    std::array<uint64_t, kMostBands> bits_{};
+    std::span<Group> groups_;
+    size_t polygon_;
+    BandRange reached_ = kNone;
+    std::array<uint64_t, kMostBands + 1> turns_{};  // bits in which a band differs from the last
   };
 
   // Calls visit(polygon) for those that reach one of these bands, in order.
   template <class Visit>
   void for_each(BandRange bands, const Visit& visit) const {
-    for (size_t word = 0; word < words_.size() / kMostBands; ++word) {
+    for (size_t i = 0; i < groups_.size(); ++i) {
+      const Group& group = groups_[i];
+      const size_t end = std::min(bands.end, group.reached.end);
       uint64_t bits = 0;
-      for (const uint64_t of_band : words_of(word).subspan(bands.first, bands.count())) {
-        bits |= of_band;
+      for (size_t band = std::max(bands.first, group.reached.first); band < end; ++band) {
+        bits |= group.words[band];
       }
       for (; bits != 0; bits &= bits - 1) {
-        visit(word * kPolygonsPerWord + static_cast<size_t>(std::countr_zero(bits)));
+        visit(i * kPolygonsPerGroup + static_cast<size_t>(std::countr_zero(bits)));
       }
     }
   }
 
  private:
-  [[nodiscard]] std::span<uint64_t> words_of(size_t word) const {
-    return words_.subspan(word * kMostBands, kMostBands);
-  }
-
   Bands bands_;
-  std::span<uint64_t> words_;
+  std::span<Group> groups_;
 };
 
 }  // namespace selvage::many

@@ -21,19 +21,21 @@
 namespace selvage::many {
 namespace {
 
-// The scratch memory holds first all that is Prepared, then the words of the index.
+// The scratch memory holds first all that is Prepared, then the groups of the index.
 inline constexpr size_t kMostPolygons =
     std::min<size_t>(400'000'000, SIZE_MAX / (2 * sizeof(Prepared)));
 static_assert(alignof(Prepared) <= alignof(std::max_align_t));
-static_assert(alignof(Prepared) % alignof(uint64_t) == 0);
+static_assert(alignof(Prepared) % alignof(BandIndex::Group) == 0);
 
 [[nodiscard]] constexpr size_t bytes_of(size_t polygons) {
-  return polygons * sizeof(Prepared) + BandIndex::words(polygons) * sizeof(uint64_t);
+  return polygons * sizeof(Prepared) + BandIndex::groups(polygons) * sizeof(BandIndex::Group);
 }
 static_assert(bytes_of(kMostPolygons) / sizeof(Prepared) >= kMostPolygons, "no overflow");
 
-// More tasks balance the threads better, and cost more set-up: a polygon's once in each.
-inline constexpr size_t kTasksPerWorker = 2;
+// A worker's share is two tasks, the first one three quarters of it: of a slower worker's, the rest
+// is done by one that has done all of its own. More tasks would balance them better, and cost more
+// set-up: a polygon's once in each.
+inline constexpr size_t kTasksPerWorker = 2, kQuarters = 4;
 // Below so many rows of polygons, waking another thread takes longer than drawing them.
 inline constexpr int64_t kLeastRowsToShare = 128;
 
@@ -59,14 +61,22 @@ inline constexpr int64_t kLeastRowsToShare = 128;
   return meet ? SELVAGE_ERROR_SCRATCH_OVERLAP : SELVAGE_OK;
 }
 
+[[nodiscard]] BandRange bands_of_task(const BandWork& work, BandRange bands, size_t task,
+                                      size_t workers) {
+  const bool is_rest = task % kTasksPerWorker != 0;
+  const size_t share = task / kTasksPerWorker * kQuarters, last = share + kQuarters - 1;
+  const auto quarter = [&](size_t i) { return work.part(bands, i, workers * kQuarters); };
+  return is_rest ? quarter(last) : BandRange{quarter(share).first, quarter(last - 1).end};
+}
+
 void draw_in_bands(const Request& request, const BandPlan& plan, Rows reach, int32_t workers) {
   const Bands& all = plan.index.bands();
   const BandRange bands = all.reached_by(reach);
   BandWork work;
   for (const BandWork& of_run : plan.work) work.add(of_run);
-  const size_t tasks = std::min(bands.count(), static_cast<size_t>(workers) * kTasksPerWorker);
-  share_out(tasks, workers, [&](size_t task) {
-    const BandRange part = work.part(bands, task, tasks);
+  const size_t useful = std::min(bands.count(), static_cast<size_t>(workers));
+  share_out(useful * kTasksPerWorker, static_cast<int32_t>(useful), [&](size_t task) {
+    const BandRange part = bands_of_task(work, bands, task, useful);
     const Rows rows = all.rows(part);
     Painter painter(request, {request.visible.left, rows.first, request.visible.right, rows.end});
     plan.index.for_each(part, [&](size_t i) { painter.draw(request.prepared[i]); });
@@ -83,10 +93,10 @@ void draw_in_order(const Request& request) {
 // Nothing is drawn unless all polygons pass their checks.
 [[nodiscard]] Preparation draw_all(const Request& request, int32_t workers) {
   const size_t count = request.prepared.size();
-  auto* const words = reinterpret_cast<uint64_t*>(request.prepared.data() + count);
+  auto* const groups = reinterpret_cast<BandIndex::Group*>(request.prepared.data() + count);
   const Bands bands({request.visible.top, request.visible.bottom});
   std::optional<BandPlan> plan;
-  if (workers > 1) plan.emplace(BandIndex(bands, {words, BandIndex::words(count)}));
+  if (workers > 1) plan.emplace(BandIndex(bands, {groups, BandIndex::groups(count)}));
 
   const Preparation preparation = prepare(request, Runs(count, workers), plan ? &*plan : nullptr);
   if (preparation.status != SELVAGE_OK) return preparation;

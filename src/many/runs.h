@@ -12,7 +12,7 @@ namespace selvage::many {
 
 inline constexpr size_t kMostRuns = 16;
 
-// Each begins with a polygon that a word of the index begins with.
+// Each begins where a group of the index begins.
 class Runs {
  public:
   // One run where a worker would be awake too late for its share.
@@ -33,11 +33,11 @@ class Runs {
 
  private:
   static constexpr size_t kLeastShared = 1024;
-  static constexpr size_t kLeastLength = 2 * BandIndex::kPolygonsPerWord;
+  static constexpr size_t kLeastLength = 2 * BandIndex::kPolygonsPerGroup;
 
   [[nodiscard]] static size_t length_of(size_t polygons) {
     const size_t least = std::max((polygons + kMostRuns - 1) / kMostRuns, kLeastLength);
-    constexpr size_t kUnit = BandIndex::kPolygonsPerWord;
+    constexpr size_t kUnit = BandIndex::kPolygonsPerGroup;
     return (least + kUnit - 1) / kUnit * kUnit;
   }
 

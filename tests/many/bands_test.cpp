@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 #include "many/band_index.h"
@@ -127,9 +128,10 @@ TEST(BandIndex, TellsThePolygonsOfBandsInOrder) {
     const size_t count = static_cast<size_t>(random.pick({0, 1, 63, 64, 65, 128, 300}));
     const std::vector<Rows> polygons = random_polygons(random, count);
     const int32_t top = random.in(0, 100);
-    std::vector<uint64_t> words(BandIndex::words(count), ~uint64_t{0});  // what lay there before
-    const BandIndex index(Bands({top, top + random.in(1, 1500)}), words);
-    write(index, polygons, BandIndex::kPolygonsPerWord * (random.below(3) + 1));
+    std::vector<BandIndex::Group> groups(BandIndex::groups(count));
+    std::memset(groups.data(), 0xFF, groups.size() * sizeof groups[0]);  // what lay there before
+    const BandIndex index(Bands({top, top + random.in(1, 1500)}), groups);
+    write(index, polygons, BandIndex::kPolygonsPerGroup * (random.below(3) + 1));
     const size_t bands = index.bands().count(), parts = random.below(bands) + 1;
     for (size_t i = 0; i < parts; ++i) {
       const BandRange part{bands * i / parts, bands * (i + 1) / parts};

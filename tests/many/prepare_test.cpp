@@ -29,8 +29,8 @@ namespace {
   std::array<Prepared, 2> prepared;
   const selvage_rect visible{0, 0, kWidth_px, kHeight_px};
   const Request request{target.image(), visible, selvage_options{}, polygons, prepared, {0, 0}};
-  std::vector<uint64_t> words(BandIndex::words(2));
-  BandPlan plan{BandIndex(Bands({0, kHeight_px}), words)};
+  std::vector<BandIndex::Group> groups(BandIndex::groups(2));
+  BandPlan plan{BandIndex(Bands({0, kHeight_px}), groups)};
   EXPECT_EQ(prepare(request, Runs(2, 2), &plan).status, SELVAGE_OK);
   return plan.work[0].part({0, plan.index.bands().count()}, 0, 2);
 }

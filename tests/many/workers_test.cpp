@@ -46,7 +46,7 @@ TEST(Runs, TileTheList) {
       std::vector<size_t> begins(runs.count());
       runs.for_each([&](size_t run, size_t first, size_t end) {
         begins[run] = first;
-        EXPECT_EQ(first % BandIndex::kPolygonsPerWord, 0U);
+        EXPECT_EQ(first % BandIndex::kPolygonsPerGroup, 0U);
         EXPECT_LT(first, end);
         for (size_t i = first; i < end; ++i) ++seen[i];
       });
