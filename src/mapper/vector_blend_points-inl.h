@@ -150,10 +150,6 @@ class ProjectivePoints {
   }
 
  private:
-  static HWY_INLINE hn::Mask<D32> all_if(bool near) {
-    return hn::FirstN(D32(), near ? size_t{kLanes} : 0);
-  }
-
   const ProjectiveSteps& steps_;
   int32_t px_;
   RowOfTies* ties_;

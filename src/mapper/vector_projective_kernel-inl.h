@@ -29,6 +29,11 @@ struct LowTexels {
   bool near_u, near_v;
 };
 
+// Where some of a vector's pixels are near, all may be asked about.
+[[nodiscard]] HWY_INLINE hn::Mask<D32> all_if(bool near) {
+  return hn::FirstN(D32(), near ? size_t{kLanes} : 0);
+}
+
 inline constexpr double kUnit_texel = 1.0 / (int64_t{1} << kLaneFraction);
 
 // What u and v of kDoubles pixels are quotients of.

@@ -145,13 +145,17 @@ HWY_NOINLINE void draw_loads(const DividedSpan& of, const Surface& surface, Fetc
       });
 }
 
+// Of pixels that are near-ties for lanes of 16.16, few are for the doubles that these are made of.
 HWY_NOINLINE void decide_left(const Left& left, const DividedSpan& of, LeftTexels* texels) {
-  const LowLanes low(DividedVectors::lack_fx16(of.lanes));
-  const DividedVectors vectors(of.lanes);
-  RowOfTies ties(of.exact, of.span, 0, low.spare_bits());
+  const ProjectiveRow row(of.lanes, 1.0);
+  RowOfTies ties(of.exact, of.span, 0, 0);
   for (int32_t i = 0; i < left.count; ++i) {
     const int32_t offset_px = left.at(i).left_px - of.span.left_px;
-    texels->put(i, low.decided(ties, offset_px, vectors.lanes_from(offset_px)), 0);
+    LowTexels low = row.low(offset_px);
+    if (low.near_u || low.near_v) {
+      ties.decide(offset_px, {all_if(low.near_u), all_if(low.near_v)}, &low.s, &low.t);
+    }
+    texels->put(i, {low.s, low.t}, 0);
   }
 }
 
