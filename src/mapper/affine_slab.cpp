@@ -74,8 +74,9 @@ void find_lanes(std::span<const Slab> slabs, const SpanBatch& batch, RuledRows* 
   rows->margin_fx32 = margin_of(batch);
 }
 
-void find_lanes_of(const Slab& slab, const SpanBatch& batch, int32_t index, RuledRows* rows) {
-  AffineSlab(slab).find_lanes(batch, index, index + 1, rows);
+void find_lanes_of(const Slab& slab, const SpanBatch& batch, int32_t first_index, int32_t end_index,
+                   RuledRows* rows) {
+  AffineSlab(slab).find_lanes(batch, first_index, end_index, rows);
   rows->margin_fx32 = margin_of(batch);
 }
 

@@ -71,7 +71,8 @@ class AffineSlab {
 
 // Of a batch of the slabs' rows.
 void find_lanes(std::span<const Slab> slabs, const SpanBatch& batch, RuledRows* rows);
-// Of a row of it, beside those that were found before.
-void find_lanes_of(const Slab& slab, const SpanBatch& batch, int32_t index, RuledRows* rows);
+// Of some rows of it that are one slab's, beside those that were found before.
+void find_lanes_of(const Slab& slab, const SpanBatch& batch, int32_t first_index, int32_t end_index,
+                   RuledRows* rows);
 
 }  // namespace selvage::mapper

@@ -77,6 +77,7 @@ class AffineLanes {
     return {span.left_px, span.row, start_, step_, {}, margin_fx32_};
   }
   [[nodiscard]] uint32_t margin_fx32() const { return margin_fx32_; }
+  [[nodiscard]] Lane step() const { return step_; }
   [[nodiscard]] Lane at(int32_t offset_px) const {
     return Lane{start_.u_fx32 + step_.u_fx32 * offset_px, start_.v_fx32 + step_.v_fx32 * offset_px};
   }

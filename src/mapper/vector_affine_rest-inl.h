@@ -12,21 +12,22 @@
 #include "mapper/vector_affine_ties-inl.h"
 #include "mapper/vector_batch_ties-inl.h"
 #include "mapper/vector_left-inl.h"
+#include "mapper/vector_whole_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
 template <class Ties>
-HWY_NOINLINE void decide_left(const Left& left, const AffineSpans& spans, const Surface& surface,
-                              int32_t window_rows, Ties* ties, LeftTexels* texels) {
-  const AffineBatch<Addressed<InsideVector>> batch(spans, surface);  // for its lanes alone
+HWY_NOINLINE void decide_left(const Left& left, const AffineSpans& spans, int32_t window_rows,
+                              Ties* ties, LeftTexels* texels) {
+  const WholeLanes lanes(spans.field.step_x, spans.field.margin_fx32);
   for (int32_t i = 0; i < left.count; ++i) {
     const Span& rest = left.at(i);
+    WholeTexels whole = lanes.from(spans.field.at(rest.left_px, rest.row));
     if (rest.row != ties->span().row) ties->go_to(rest);
-    const Lane anchor = batch.anchor(spans.field.at(rest.left_px, rest.row));
-    const int32_t offset_px = rest.left_px - ties->span().left_px;
-    texels->put(i, batch.decided(*ties, offset_px, batch.lanes_from(anchor)), window_rows);
+    ties->decide(rest.left_px - ties->span().left_px, whole.near, &whole.s, &whole.t);
+    texels->put(i, whole, window_rows);
   }
 }
 
@@ -34,8 +35,7 @@ template <class Pixel, class Address>
 HWY_NOINLINE void draw_left(const Left& left, const AffineSpans& spans, const Surface& surface,
                             int32_t window_rows, AffineBatchTies* batch_ties) {
   LeftTexels texels;
-  batch_ties->with_ties(
-      [&](auto* ties) { decide_left(left, spans, surface, window_rows, ties, &texels); });
+  batch_ties->with_ties([&](auto* ties) { decide_left(left, spans, window_rows, ties, &texels); });
   draw_left<Pixel, Address>(left, texels, surface);
 }
 

@@ -11,6 +11,7 @@
 #include "mapper/vector_entries-inl.h"
 #include "mapper/vector_left-inl.h"
 #include "mapper/vector_tie_columns-inl.h"
+#include "mapper/vector_whole_lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -163,15 +164,17 @@ HWY_NOINLINE int32_t draw_ruled_loads(const RuledSpans& spans, const Surface& su
 template <class Ties>
 HWY_NOINLINE void decide_left(const Left& left, const RuledSpans& spans, Ties* ties,
                               LeftTexels* texels) {
-  const LowLanes low(lack_fx16(spans.rows.margin_fx32));
   for (int32_t k = 0; k < left.count;) {
-    const int32_t row_px = left.at(k).row;
-    const Span span = spans.batch.span(row_px - spans.batch.first_row);
-    const RuledRow row(spans.rows, row_px - spans.batch.first_row);
+    const int32_t row_px = left.at(k).row, index = row_px - spans.batch.first_row;
+    const Span span = spans.batch.span(index);
+    const AffineLanes row = spans.rows.lanes(index);
+    const WholeLanes lanes(row.step(), row.margin_fx32());
     ties->go_to(span);
     for (; k < left.count && left.at(k).row == row_px; ++k) {
       const int32_t offset_px = left.at(k).left_px - span.left_px;
-      texels->put(k, low.decided(*ties, offset_px, row.lanes(offset_px)), 0);
+      WholeTexels whole = lanes.from(row.at(offset_px));
+      ties->decide(offset_px, whole.near, &whole.s, &whole.t);
+      texels->put(k, whole, 0);
     }
   }
 }
