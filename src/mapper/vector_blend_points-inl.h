@@ -144,7 +144,7 @@ class ProjectivePoints {
     const int32_t offset_px = px_ - steps_.left_px;
     LowTexels low = steps_.row.low(offset_px);
     if (HWY_UNLIKELY(low.near_u || low.near_v)) {
-      ties_->decide(offset_px, {all_if(low.near_u), all_if(low.near_v)}, &low.s, &low.t);
+      ties_->decide(offset_px, steps_.row.near(offset_px, low), &low.s, &low.t);
     }
     return {hn::Sub(low.s, half), hn::Sub(low.t, half)};
   }

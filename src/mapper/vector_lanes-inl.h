@@ -30,6 +30,11 @@ inline constexpr int kAnchorShift = kLaneFraction - kTexelFraction;
   return kTexelFraction - std::bit_width(static_cast<uint32_t>(lack_fx16));
 }
 
+// The same of whole 32.32 lanes.
+[[nodiscard]] HWY_INLINE int spare_bits_fx32(uint32_t margin_fx32) {
+  return kLaneFraction - std::bit_width(margin_fx32);
+}
+
 // Of 16.16 lanes that come from 32.32 ones.
 [[nodiscard]] HWY_INLINE int32_t lack_fx16(uint32_t margin_fx32) {
   return kVectorTruncations_fx16 + static_cast<int32_t>(margin_fx32 >> kAnchorShift) + 1;

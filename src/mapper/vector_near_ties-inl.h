@@ -127,7 +127,10 @@ class RowOfTies {
       ++known->vectors;
       return asked;
     }
-    if (known->vectors == KnownBoundary::kWorth) find(known, coordinate);
+    if (known->vectors == KnownBoundary::kWorth) {
+      if (!is_worth_finding(offset_px)) return asked;
+      find(known, coordinate);
+    }
     if (!known->is_row_known) find_sides(known);
     const Boundary::Sides sides = known->sides;
     if (sides.left_px < 0) return asked;
@@ -135,6 +138,10 @@ class RowOfTies {
     const auto beyond = sides.left_beyond ? hn::And(asked, is_left) : hn::AndNot(is_left, asked);
     *low = hn::IfThenElse(beyond, next, *low);
     return hn::FirstN(d, 0);
+  }
+  // It serves what is left of this row, and rows below if one map does.
+  [[nodiscard]] HWY_INLINE bool is_worth_finding(int32_t offset_px) const {
+    return !map_->is_ruled() || span_.width_px() - offset_px >= KnownBoundary::kWorth * kLanes;
   }
   HWY_NOINLINE void find(KnownBoundary* known, ExactLine ExactRow::*coordinate) const {
     known->line = {*map_, coordinate, bits_, known->whole, span_.left_px, span_.row};

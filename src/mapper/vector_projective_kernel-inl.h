@@ -9,7 +9,7 @@
 #define SELVAGE_VECTOR_PROJECTIVE_KERNEL_INL_H
 #endif
 
-#include "mapper/vector_kernel-inl.h"
+#include "mapper/vector_near_ties-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -28,11 +28,6 @@ struct LowTexels {
   V32 s, t;
   bool near_u, near_v;
 };
-
-// Where some of a vector's pixels are near, all may be asked about.
-[[nodiscard]] HWY_INLINE hn::Mask<D32> all_if(bool near) {
-  return hn::FirstN(D32(), near ? size_t{kLanes} : 0);
-}
 
 inline constexpr double kUnit_texel = 1.0 / (int64_t{1} << kLaneFraction);
 
@@ -76,6 +71,11 @@ class ProjectiveRow {
   // Of the pixels from an offset in the span on.
   HWY_INLINE LowTexels low(int32_t offset_px) const {
     return low_texels(parts(offset_px), parts(offset_px + kDoubles), error_);
+  }
+  // Which of them may have reached the next whole number.
+  HWY_INLINE NearTies near(int32_t offset_px, const LowTexels& low) const {
+    const LowTexels high = low_texels(parts(offset_px), parts(offset_px + kDoubles), -error_);
+    return {hn::Ne(high.s, low.s), hn::Ne(high.t, low.t)};
   }
 
  private:

@@ -78,7 +78,6 @@ inline constexpr double kTooSteep_fx32 = 0x1p33;  // two texels: no window is fo
 // What draws some vectors of a span.
 struct DividedSpan {
   const DividedLanes& lanes;
-  const ExactMap& exact;
   Span span;
 };
 
@@ -146,23 +145,24 @@ HWY_NOINLINE void draw_loads(const DividedSpan& of, const Surface& surface, Fetc
 }
 
 // Of pixels that are near-ties for lanes of 16.16, few are for the doubles that these are made of.
-HWY_NOINLINE void decide_left(const Left& left, const DividedSpan& of, LeftTexels* texels) {
+HWY_NOINLINE void decide_left(const Left& left, const DividedSpan& of, RowOfTies* ties,
+                              LeftTexels* texels) {
   const ProjectiveRow row(of.lanes, 1.0);
-  RowOfTies ties(of.exact, of.span, 0, 0);
   for (int32_t i = 0; i < left.count; ++i) {
     const int32_t offset_px = left.at(i).left_px - of.span.left_px;
     LowTexels low = row.low(offset_px);
     if (low.near_u || low.near_v) {
-      ties.decide(offset_px, {all_if(low.near_u), all_if(low.near_v)}, &low.s, &low.t);
+      ties->decide(offset_px, row.near(offset_px, low), &low.s, &low.t);
     }
     texels->put(i, {low.s, low.t}, 0);
   }
 }
 
 template <class Pixel, class Address>
-HWY_NOINLINE void draw_left(const Left& left, const DividedSpan& of, const Surface& surface) {
+HWY_NOINLINE void draw_left(const Left& left, const DividedSpan& of, const Surface& surface,
+                            RowOfTies* ties) {
   LeftTexels texels;
-  decide_left(left, of, &texels);
+  decide_left(left, of, ties, &texels);
   draw_left<Pixel, Address>(left, texels, surface);
 }
 
@@ -170,10 +170,13 @@ template <class Pixel, class Address, class Fetch>
 void draw_wide_projective(const ProjectiveSpans& spans, const Surface& surface) {
   Fetch fetch(surface.texture.texels);
   Left left;
+  const auto margin_fx32 = static_cast<uint32_t>(2 * spans.field.error_fx32);
+  RowOfTies ties(spans.exact, spans.batch.span(0), 0, spare_bits_fx32(margin_fx32));
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
     const DividedLanes lanes = spans.field.of(span);
-    const DividedSpan of{lanes, spans.exact, span};
+    const DividedSpan of{lanes, span};
+    ties.go_to(span);
     const int32_t rows = window_rows(lanes, span.width_px(), surface.texture);
     for (int32_t px = span.left_px; px < span.right_px;) {
       if (kHasWindows && rows != 0) {
@@ -181,7 +184,7 @@ void draw_wide_projective(const ProjectiveSpans& spans, const Surface& surface) 
       } else {
         draw_loads<Pixel, Address>(of, surface, &fetch, &px, &left);
       }
-      if (left.count != 0) draw_left<Pixel, Address>(left, of, surface);
+      if (left.count != 0) draw_left<Pixel, Address>(left, of, surface, &ties);
     }
   }
   fetch.finish();
