@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace selvage::mapper {
 
@@ -74,9 +75,22 @@ void find_lanes(std::span<const Slab> slabs, const SpanBatch& batch, RuledRows* 
   rows->margin_fx32 = margin_of(batch);
 }
 
-void find_lanes_of(const Slab& slab, const SpanBatch& batch, int32_t first_index, int32_t end_index,
+// A slab costs more than a row.
+void find_lanes_of(const RuledMap& map, const SpanBatch& batch, std::span<const Span> of,
                    RuledRows* rows) {
-  AffineSlab(slab).find_lanes(batch, first_index, end_index, rows);
+  const Slab* last_slab = nullptr;
+  std::optional<AffineSlab> lanes;
+  int32_t last_row = INT32_MIN;
+  rows->most_denominator = 0;
+  for (const Span& span : of) {
+    if (span.row == last_row) continue;
+    last_row = span.row;
+    const Slab& slab = map.slab_of(span.row);
+    if (&slab != last_slab) lanes.emplace(slab);
+    last_slab = &slab;
+    const int32_t index = span.row - batch.first_row;
+    lanes->find_lanes(batch, index, index + 1, rows);
+  }
   rows->margin_fx32 = margin_of(batch);
 }
 

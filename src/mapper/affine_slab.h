@@ -71,8 +71,8 @@ class AffineSlab {
 
 // Of a batch of the slabs' rows.
 void find_lanes(std::span<const Slab> slabs, const SpanBatch& batch, RuledRows* rows);
-// Of some rows of it that are one slab's, beside those that were found before.
-void find_lanes_of(const Slab& slab, const SpanBatch& batch, int32_t first_index, int32_t end_index,
+// Of some of its rows alone, those of these spans.
+void find_lanes_of(const RuledMap& map, const SpanBatch& batch, std::span<const Span> of,
                    RuledRows* rows);
 
 }  // namespace selvage::mapper

@@ -102,7 +102,8 @@ class NearPlaneRest : public RestDraw {
   HWY_NOINLINE void finish() {
     if (few_.count == 0) return;
     RuledRows rows;
-    find_lanes_of_few(&rows);
+    const std::span few(few_.rest.data(), static_cast<size_t>(few_.count));
+    find_lanes_of(spans_.exact.ruled(), spans_.batch, few, &rows);
     draw_left<Pixel, Address>(few_, RuledSpans{spans_.batch, rows, spans_.texels, spans_.exact},
                               surface_);
     few_.count = 0;
@@ -111,24 +112,6 @@ class NearPlaneRest : public RestDraw {
  private:
   HWY_INLINE NearPlaneRest(const AffineSpans& spans, const Surface& surface, DrawAs by)
       : RestDraw(by), spans_(spans), surface_(surface) {}
-
-  // Of all rows between them too: a slab costs more than its rows.
-  void find_lanes_of_few(RuledRows* rows) const {
-    const RuledMap& map = spans_.exact.ruled();
-    const SpanBatch& batch = spans_.batch;
-    int32_t first = few_.at(0).row, end = first + 1;
-    for (int32_t k = 1; k < few_.count; ++k) {
-      first = std::min(first, few_.at(k).row);
-      end = std::max(end, few_.at(k).row + 1);
-    }
-    rows->most_denominator = 0;
-    for (int32_t row = first; row < end;) {
-      const Slab& slab = map.slab_of(row);
-      const int32_t end_of_slab = std::min(slab.end_row, end);
-      find_lanes_of(slab, batch, row - batch.first_row, end_of_slab - batch.first_row, rows);
-      row = end_of_slab;
-    }
-  }
 
   template <class Pixel, class Address>
   static HWY_NOINLINE bool draw_as(RestDraw* of, const Left& left, int32_t first_index,
