@@ -21,7 +21,7 @@ class BandIndex {
   static constexpr size_t kPolygonsPerGroup = 64;
 
   struct Group {
-    BandRange reached;  // by any of them: words of other bands are neither written nor read
+    BandRange reached;  // all that are, and those between: other words are not written, nor read
     std::array<uint64_t, kMostBands> words;
   };
 
@@ -44,9 +44,11 @@ class BandIndex {
     // processor foresees it.
     void add(BandRange bands) {
       const uint64_t bit = uint64_t{1} << (polygon_ % kPolygonsPerGroup);
-      turns_[bands.first] ^= bit;
-      turns_[bands.end] ^= bit;
-      reached_ = {std::min(reached_.first, bands.first), std::max(reached_.end, bands.end)};
+      if (bands.count() != 0) {
+        turns_[bands.first] ^= bit;
+        turns_[bands.end] ^= bit;
+        reached_ = {std::min(reached_.first, bands.first), std::max(reached_.end, bands.end)};
+      }
       if (++polygon_ % kPolygonsPerGroup == 0) write(polygon_ - 1);
     }
     void end() {

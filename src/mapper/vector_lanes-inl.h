@@ -30,7 +30,7 @@ inline constexpr int kAnchorShift = kLaneFraction - kTexelFraction;
   return kTexelFraction - std::bit_width(static_cast<uint32_t>(lack_fx16));
 }
 
-// The same of whole 32.32 lanes.
+// The same of lanes of 32.32, or of what is as near.
 [[nodiscard]] HWY_INLINE int spare_bits_fx32(uint32_t margin_fx32) {
   return kLaneFraction - std::bit_width(margin_fx32);
 }
