@@ -108,6 +108,12 @@ TEST(BandWork, IsAboutTheSameInEachPart) {
   return polygons;
 }
 
+[[nodiscard]] BandIndex::Group what_lay_there() {
+  BandIndex::Group group;
+  std::memset(&group, 0xFF, sizeof group);
+  return group;
+}
+
 // Writers may write in any order, each its own words from the first to the last.
 void write(const BandIndex& index, const std::vector<Rows>& polygons, size_t polygons_each) {
   for (size_t end = polygons.size(); end > 0;) {
@@ -128,8 +134,7 @@ TEST(BandIndex, TellsThePolygonsOfBandsInOrder) {
     const size_t count = static_cast<size_t>(random.pick({0, 1, 63, 64, 65, 128, 300}));
     const std::vector<Rows> polygons = random_polygons(random, count);
     const int32_t top = random.in(0, 100);
-    std::vector<BandIndex::Group> groups(BandIndex::groups(count));
-    std::memset(groups.data(), 0xFF, groups.size() * sizeof groups[0]);  // what lay there before
+    std::vector<BandIndex::Group> groups(BandIndex::groups(count), what_lay_there());
     const BandIndex index(Bands({top, top + random.in(1, 1500)}), groups);
     write(index, polygons, BandIndex::kPolygonsPerGroup * (random.below(3) + 1));
     const size_t bands = index.bands().count(), parts = random.below(bands) + 1;
