@@ -72,7 +72,8 @@ class ProjectiveRow {
   HWY_INLINE LowTexels low(int32_t offset_px) const {
     return low_texels(parts(offset_px), parts(offset_px + kDoubles), error_);
   }
-  // Which of them may have reached the next whole number.
+  // Which of them may have reached the next whole number: where the floor of the upper end, that
+  // of an error below 0, is another.
   HWY_INLINE NearTies near(int32_t offset_px, const LowTexels& low) const {
     const LowTexels high = low_texels(parts(offset_px), parts(offset_px + kDoubles), -error_);
     return {hn::Ne(high.s, low.s), hn::Ne(high.t, low.t)};

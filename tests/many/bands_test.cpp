@@ -114,7 +114,7 @@ TEST(BandWork, IsAboutTheSameInEachPart) {
   return group;
 }
 
-// Writers may write in any order, each its own words from the first to the last.
+// Writers may write in any order, each its own groups from the first to the last.
 void write(const BandIndex& index, const std::vector<Rows>& polygons, size_t polygons_each) {
   for (size_t end = polygons.size(); end > 0;) {
     const size_t first = (end - 1) / polygons_each * polygons_each;
