@@ -14,7 +14,7 @@
 #include "mapper/span_batch.h"
 #include "mapper/span_walk.h"
 #include "mapper/texel_index.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "spec/exact.h"
 
 namespace selvage::fuzz {

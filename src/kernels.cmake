@@ -29,7 +29,7 @@ function(selvage_kernels_left_out variable)
   execute_process(
     COMMAND ${CMAKE_CXX_COMPILER} ${launched} -march=native -dM -E -x c++ /dev/null
     OUTPUT_VARIABLE macros COMMAND_ERROR_IS_FATAL ANY)
-  # What mapper/vector_kernel.cpp asks of the machine.
+  # What mapper/vector/kernel.cpp asks of the machine.
   selvage_has_all("${macros}" has_avx2 AVX2 FMA BMI2 F16C)
   selvage_has_all("${macros}" has_avx512 AVX512F AVX512VL AVX512DQ AVX512BW BMI2)
   set(left_out)

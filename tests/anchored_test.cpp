@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "mapper/projective_plane.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "spec/random.h"
 #include "tests/kernel_support.h"
 #include "tests/rounded.h"

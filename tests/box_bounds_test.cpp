@@ -9,7 +9,7 @@
 #include "mapper/channels.h"
 #include "mapper/filter_box.h"
 #include "mapper/layout.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "spec/random.h"
 #include "tests/fenced_bytes.h"
 #include "tests/kernel_support.h"

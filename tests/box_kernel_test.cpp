@@ -11,7 +11,7 @@
 #include "mapper/box_row.h"
 #include "mapper/channels.h"
 #include "mapper/filter_box.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "spec/random.h"
 #include "tests/kernel_support.h"
 #include "tests/span_support.h"

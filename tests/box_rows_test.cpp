@@ -9,7 +9,7 @@
 #include "mapper/plane.h"
 #include "mapper/polygon.h"
 #include "mapper/projective_plane.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "spec/picture.h"
 #include "tests/modelled.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "spec/random.h"
 #include "tests/kernel_support.h"
 #include "tests/span_support.h"

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "spec/random.h"
 #include "spec/vertex_units.h"
 #include "tests/floor_of.h"

@@ -7,7 +7,7 @@
 
 #include "mapper/kernel.h"
 #include "mapper/kernel_choice.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "spec/canvas.h"
 #include "spec/case.h"
 #include "spec/texture_memory.h"

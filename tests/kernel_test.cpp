@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "mapper/kernel_preference.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "spec/generate.h"
 #include "spec/laws.h"
 #include "tests/kernel_support.h"

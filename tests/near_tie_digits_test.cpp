@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mapper/gentle_pieces.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "spec/random.h"
 #include "tests/kernel_support.h"
 #include "tests/span_support.h"

@@ -1,7 +1,7 @@
 #include "mapper/plane.h"
 
 #include "mapper/exact_row.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 
 #include <gtest/gtest.h>
 

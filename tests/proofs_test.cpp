@@ -27,7 +27,7 @@
 #include "mapper/projective_slab.h"
 #include "mapper/to_double.h"
 #include "mapper/tolerance.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "spec/dda_bounds.h"
 #include "spec/oracle.h"
 #include "tests/gappa.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mapper/span_batch.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "spec/random.h"
 #include "tests/kernel_support.h"
 

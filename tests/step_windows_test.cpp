@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "mapper/stepped.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "tests/kernel_support.h"
 #include "tests/lane_units.h"
 

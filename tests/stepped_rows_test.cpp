@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "mapper/stepped.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "spec/random.h"
 #include "spec/vertex_units.h"
 #include "tests/kernel_support.h"

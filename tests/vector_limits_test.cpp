@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "tests/kernel_support.h"
 #include "tests/lane_units.h"
 

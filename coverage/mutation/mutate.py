@@ -17,7 +17,7 @@ from tokens import Source
 TOP = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 ROOMS = ["CMakeLists.txt", "src", "spec", "tests", "coverage"]
 BESIDE = ["src/snap.cpp", "src/fit.cpp"]  # mutated too, besides src/mapper
-NOT_BUILT = ["src/mapper/no_vector_kernel.cpp"]
+NOT_BUILT = ["src/mapper/vector/absent.cpp"]
 # The first number of a file is a multiple of this (and above 0), so that few others' numbers change
 # with one file and few are compiled anew.
 ROUND = 128
@@ -31,8 +31,9 @@ MACROS = re.compile(r"\bHWY_(MIN|MAX|LIKELY|UNLIKELY)\b(?=\()")
 
 
 def mutated_files():
-    files = sorted(f"src/mapper/{name}" for name in os.listdir("src/mapper"))
-    return [f for f in files + BESIDE if f not in NOT_BUILT]
+    files = sorted(os.path.join(folder, name)
+                   for folder, _, names in os.walk("src/mapper") for name in names)
+    return [f for f in files + BESIDE if f not in NOT_BUILT and f.endswith((".cpp", ".h"))]
 
 
 def clang_arguments():

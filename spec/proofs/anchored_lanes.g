@@ -6,7 +6,7 @@
 # Unit 2^-16 texel.
 # Claims: what is added in single precision is off by less than ROUNDINGS 2^-24 of the walk, so that
 # with `low`, twice the error, those roundings and SLACK, lane <= u < lane + 2 low + TRUNCATIONS - 1.
-# Used: src/mapper/vector_projective_anchors-inl.h, are_anchored in src/mapper/vector_kernel.h.
+# Used: src/mapper/vector/projective_anchors-inl.h, are_anchored in src/mapper/vector/kernel.h.
 # By hand: a rounding is a factor 1 + r, and i is exact. An anchor that is off by e is off by
 # e (1 - i d' / d_i) = e / (1 + x) at the i-th pixel. `error` is larger than it has to be by more than
 # what turns are rounded by. The gradients in double are off by less than 2^-48 of what the walk

@@ -4,7 +4,7 @@
 #   within   what u is more than that sum, less than `lack`
 # Unit that of the coarse lane; anchor and offset are whole multiples of 2^-BITS.
 # Claim: coarse <= u <= coarse + TRUNCATIONS (1 - 2^-BITS) + lack, and u is less, as within is.
-# Used: src/mapper/vector_coarse_lanes-inl.h, coarse_lack in src/mapper/vector_kernel.h.
+# Used: src/mapper/vector/coarse_lanes-inl.h, coarse_lack in src/mapper/vector/kernel.h.
 # By hand: the value's texel begins at a whole unit, and so less than the bound above the lane: that
 # many whole units at most is what the code adds. Sums modulo 2^16 are sums where the window holds the
 # texels, and those that reach beyond it change the texel's bits.

@@ -4,8 +4,8 @@
 # `lane` is the 32.32 lane of the same pixel, anchor + i step, for which the law of the filter holds
 # with `margin`: u - lane = within. Unit 2^-16 texel; 32.32 values are whole multiples of 2^-SHIFT.
 # Claim: narrow <= u < narrow + TRUNCATIONS + margin.
-# Used: src/mapper/vector_affine_lanes-inl.h, law of the lanes;
-# src/mapper/vector_blend_affine_windows-inl.h, of 8.24.
+# Used: src/mapper/vector/affine_lanes-inl.h, law of the lanes;
+# src/mapper/vector/blend_affine_windows-inl.h, of 8.24.
 # By hand: the code adds the floor of `margin` and 1 to TRUNCATIONS, which is more. Sums modulo 2^32
 # are sums, for |u| < 2^31 in fx16, and lanes of 8.24 are less than 2^31 from their window's origin;
 # the floor of i steps is taken as i whole steps and the floor of i fractions.

@@ -4,7 +4,7 @@
 #include "mapper/kernel.h"
 #include "mapper/kernel_choice.h"
 #include "mapper/polygon.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 
 namespace selvage::cli {
 

@@ -8,7 +8,7 @@
 #include "mapper/kernel.h"
 #include "mapper/kernel_preference.h"
 #include "mapper/polygon.h"
-#include "mapper/vector_kernel.h"
+#include "mapper/vector/kernel.h"
 #include "selvage.h"
 
 namespace selvage::mapper {

@@ -1,0 +1,52 @@
+// Affine spans by vectors, in whichever way is cheapest. Included once for each SIMD target.
+#if defined(SELVAGE_VECTOR_AFFINE_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_AFFINE_KERNEL_INL_H
+#undef SELVAGE_VECTOR_AFFINE_KERNEL_INL_H
+#else
+#define SELVAGE_VECTOR_AFFINE_KERNEL_INL_H
+#endif
+
+#include "mapper/vector/affine_narrow-inl.h"
+#include "mapper/vector/affine_ties-inl.h"
+#include "mapper/vector/affine_wide-inl.h"
+#include "mapper/vector/affine_window-inl.h"
+#include "mapper/vector/entries-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+template <class Pixel, class Address>
+HWY_INLINE void draw_by_vectors(const AffineSpans& spans, const Surface& surface,
+                                const WindowShape& shape, RestDraw* rest) {
+  if (is_narrow(spans.batch)) return draw_narrow<Pixel, Address>(spans, surface, shape, rest);
+  draw_wide<Pixel, Address>(spans, surface, shape, rest);
+}
+
+// Returns whether there were many near-ties.
+template <class Pixel, class Address>
+HWY_NOINLINE bool draw_affine_as(const AffineSpans& spans, const Surface& surface) {
+  const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface);
+  if (in_one == InOneWindow::kDrawn) return false;
+  if (in_one == InOneWindow::kManyNearTies && draw_near_ties<Pixel, Address>(spans, surface, 0)) {
+    return true;
+  }
+  const WindowShape shape = window_shape(spans.field.step_x, surface.texture);
+  auto rest = AffineRest::of<Pixel, Address>(spans, surface, shape.rows);
+  draw_by_vectors<Pixel, Address>(spans, surface, shape, &rest);
+  return rest.had_many();
+}
+
+}  // namespace
+
+void draw_affine(const AffineSpans& spans, const Surface& surface) {
+  with_address(surface, [&](auto address) {
+    with_pixel(surface.target.format, [&](auto pixel) {
+      draw_affine_as<decltype(pixel), decltype(address)>(spans, surface);
+    });
+  });
+}
+
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif

@@ -1,0 +1,12 @@
+// The filters over four texels: Highway includes this file again for each SIMD target.
+#include "mapper/vector/targets.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "mapper/vector/blend.cpp"
+#include <hwy/foreach_target.h>
+// after foreach_target.h, which chooses the target
+#include <hwy/highway.h>
+
+#if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+#include "mapper/vector/blend_kernel-inl.h"
+#endif
