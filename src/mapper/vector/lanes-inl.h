@@ -92,6 +92,25 @@ class LowLanes {
   int32_t lack_fx16_;
 };
 
+// Lanes raised by all that they lacked, less than a texel: a true value is below them, by lack_fx16
+// at most. Where a fraction is not less than that, both have one floor.
+class RaisedLanes {
+ public:
+  explicit HWY_INLINE RaisedLanes(int32_t lack_fx16)
+      : lack_(hn::BitCast(Halves(), hn::Set(D32(), lack_fx16))) {}
+
+  [[nodiscard]] HWY_INLINE bool any_near(const LaneVectors& raised) const {
+    const Halves d;  // fractions, and texels: of these none is below 0, the lack's upper half
+    const auto least = hn::Min(hn::BitCast(d, raised.u), hn::BitCast(d, raised.v));
+    return !hn::AllFalse(d, hn::Lt(least, lack_));
+  }
+
+ private:
+  using Halves = hn::Repartition<uint16_t, D32>;
+
+  hn::Vec<Halves> lack_;
+};
+
 // From lanes to places in the texture.
 template <class Address>
 class FixedLanes : public LowLanes {

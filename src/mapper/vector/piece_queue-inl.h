@@ -58,10 +58,11 @@ class PieceQueue {
   template <class Address>
   HWY_INLINE void find_windows_of(const Extent& extent, uint32_t at) {
     PieceBlock& block = blocks_[at % kBlocks];
+    const int32_t lack_fx16 = vectors_.lack_fx16();
     for (int32_t k = 0; k < block.pieces.count; k += kLanes) {
-      find_windows<Address, 0>(block.pieces, k, block.anchors, extent, &block.windows);
+      find_windows<Address, 0>(block.pieces, k, block.anchors, extent, lack_fx16, &block.windows);
       if constexpr (kVectorsPerPiece > 1) {
-        find_windows<Address, 1>(block.pieces, k, block.anchors, extent, &block.windows);
+        find_windows<Address, 1>(block.pieces, k, block.anchors, extent, lack_fx16, &block.windows);
       }
     }
   }

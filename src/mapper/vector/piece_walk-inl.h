@@ -24,7 +24,7 @@ inline constexpr int32_t kVectorsPerPiece = kPiece_px / kLanes;
 struct Pieces {
   int32_t count;  // beyond it, values mean nothing
   int32_t row[2 * kMostPieces], left_px[2 * kMostPieces];
-  int32_t right_px[2 * kMostPieces];  // the end of the span
+  int32_t width_px[2 * kMostPieces];  // from there to the end of the span
 
   // Rows of a batch are pieces, of the strip that is so many pixels right of their left ends. Some
   // may be empty.
@@ -35,7 +35,7 @@ struct Pieces {
       const StripEnds ends = strip_ends<kPiece_px>(batch, rows.first + k, right_by_px);
       hn::StoreU(hn::Iota(d, batch.first_row + rows.first + k), d, row + k);
       hn::StoreU(ends.from_px, d, left_px + k);
-      hn::StoreU(hn::Add(ends.from_px, ends.count_px), d, right_px + k);
+      hn::StoreU(ends.count_px, d, width_px + k);
     }
   }
 
@@ -48,7 +48,7 @@ struct Pieces {
       const V32 first_px = hn::Mul(hn::Iota(d, k), hn::Set(d, kPiece_px));
       hn::StoreU(hn::Set(d, span.row), d, row + count + k);
       hn::StoreU(hn::Add(first_px, hn::Set(d, span.left_px)), d, left_px + count + k);
-      hn::StoreU(hn::Set(d, span.right_px), d, right_px + count + k);
+      hn::StoreU(hn::Sub(hn::Set(d, span.width_px()), first_px), d, width_px + count + k);
     }
     count += pieces;
     return {span.row, span.left_px + pieces * kPiece_px, span.right_px};
@@ -56,7 +56,7 @@ struct Pieces {
 
   // From one of its vectors on.
   [[nodiscard]] HWY_INLINE Span rest(int32_t k, int32_t vector) const {
-    return {row[k], left_px[k] + vector * kLanes, right_px[k]};
+    return {row[k], left_px[k] + vector * kLanes, left_px[k] + width_px[k]};
   }
 };
 

@@ -13,10 +13,10 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// The windows of vectors of pieces: the lanes of the piece's anchor counted from there, less
-// kWholeNumbers, as bits; their places; and rows. Where they are kHalfWindow, half as many columns
-// are enough; where kNoWindow, it does not lie in the texture; where 0, there is a load for each
-// pixel.
+// The windows of vectors of pieces: the lanes of the piece's anchor counted from there, raised by
+// all that lanes lack, less kWholeNumbers, as bits; their places; and rows. Where they are
+// kHalfWindow, half as many columns are enough; where kNoWindow, it does not lie in the texture;
+// where 0, there is a load for each pixel.
 struct PieceWindows {
   int32_t u_fx16[kVectorsPerPiece][kMostPieces], v_fx16[kVectorsPerPiece][kMostPieces];
   int32_t place[kVectorsPerPiece][kMostPieces], rows[kVectorsPerPiece][kMostPieces];
@@ -61,11 +61,10 @@ struct WindowShapes {
 // have the least and the most.
 template <class Address, int32_t kVector>
 HWY_INLINE void find_windows(const Pieces& pieces, int32_t k, const Anchors& anchors,
-                             const Extent& extent, PieceWindows* windows) {
+                             const Extent& extent, int32_t lack_fx16, PieceWindows* windows) {
   const D32 d;
   const DFloat df;
-  const V32 width_px = hn::Sub(hn::LoadU(d, pieces.right_px + k), hn::LoadU(d, pieces.left_px + k));
-  const V32 end = hn::Min(width_px, hn::Set(d, (kVector + 1) * kLanes));
+  const V32 end = hn::Min(hn::LoadU(d, pieces.width_px + k), hn::Set(d, (kVector + 1) * kLanes));
   const VFloat turn = hn::LoadU(df, anchors.turn + k);
   const auto share = [&](V32 px) HWY_ATTR { return share_of(df, hn::ConvertTo(df, px), turn); };
   const VFloat first = kVector == 0 ? hn::Zero(df) : share(hn::Set(d, kVector * kLanes));
@@ -77,8 +76,9 @@ HWY_INLINE void find_windows(const Pieces& pieces, int32_t k, const Anchors& anc
   const WindowShapes shapes = shapes_of(s.count, t.count, extent.height_texel);
   const auto origins =
       window_origins<Address>(s.first, t.first, shapes.columns, shapes.rows, extent);
+  const V32 lack = hn::Set(d, lack_fx16);
   const auto from = [&](V32 anchor_fx16, V32 texel) HWY_ATTR {
-    return hn::Sub(anchor_fx16, hn::ShiftLeft<kTexelFraction>(texel));
+    return hn::Sub(hn::Add(anchor_fx16, lack), hn::ShiftLeft<kTexelFraction>(texel));
   };
   hn::StoreU(from(u, origins.s), d, windows->u_fx16[kVector] + k);
   hn::StoreU(from(v, origins.t), d, windows->v_fx16[kVector] + k);

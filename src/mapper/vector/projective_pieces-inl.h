@@ -63,6 +63,7 @@ class PieceDraw {
   HWY_INLINE PieceDraw(const AnchoredVectors& vectors, const Surface& surface, bool has_windows)
       : lanes_(vectors.lanes()),
         fixed_(surface.texture, vectors.lack_fx16()),
+        raised_(vectors.lack_fx16()),
         texels_(static_cast<const Pixel*>(surface.texture.texels)),
         pitch_texel_(pitch_texel_of(surface.texture)),
         has_windows_(has_windows) {}
@@ -78,23 +79,22 @@ class PieceDraw {
   HWY_INLINE bool draw(const PieceBlock& block, int32_t k, int32_t at, int32_t count_px,
                        Fetch* fetch, Pixel* to) const {
     const int32_t rows = window_rows(block, k, at);
-    const LaneVectors walk = lanes_.walk(block.anchors, k, at);
     if (kHasWindows && HWY_LIKELY(rows == kHalfWindow)) {
-      const LaneVectors lanes = from_window(block.windows, k, at, walk);
-      if (HWY_UNLIKELY(fixed_.any_near(lanes))) return false;
+      const LaneVectors lanes = in_window(block, k, at);
+      if (HWY_UNLIKELY(raised_.any_near(lanes))) return false;
       const V32 index = Fixed::template window_index<kHalfColumnBits>(lanes, kHalfWindowRows);
       const Pixel* const window = texels_ + block.windows.place[at][k];
       store_pixels(pick<kHalfColumnBits>(window, pitch_texel_, kHalfWindowRows, index), count_px,
                    to);
     } else if (kHasWindows && rows != 0) {
-      const LaneVectors lanes = from_window(block.windows, k, at, walk);
-      if (HWY_UNLIKELY(rows == kNoWindow || fixed_.any_near(lanes))) return false;
+      if (HWY_UNLIKELY(rows == kNoWindow)) return false;
+      const LaneVectors lanes = in_window(block, k, at);
+      if (HWY_UNLIKELY(raised_.any_near(lanes))) return false;
       const V32 index = Fixed::template window_index<kWindowColumnBits>(lanes, rows);
       const Pixel* const window = texels_ + block.windows.place[at][k];
       store_pixels(pick_few(window, pitch_texel_, rows, index), count_px, to);
     } else {
-      const LaneVectors lanes =
-          PieceLanes::plus(walk, block.anchors.u_fx16[k], block.anchors.v_fx16[k]);
+      const LaneVectors lanes = this->lanes(block, k, at);
       if (HWY_UNLIKELY(fixed_.any_near(lanes))) return false;
       fetch->add(fixed_.places(lanes), count_px, reinterpret_cast<char*>(to));
     }
@@ -103,13 +103,16 @@ class PieceDraw {
 
  private:
   using Fixed = FixedLanes<Address>;
-  static HWY_INLINE LaneVectors from_window(const PieceWindows& windows, int32_t k, int32_t at,
-                                            const LaneVectors& walk) {
-    return PieceLanes::plus(walk, windows.u_fx16[at][k], windows.v_fx16[at][k]);
+  // Raised lanes, counted from the window.
+  HWY_INLINE LaneVectors in_window(const PieceBlock& block, int32_t k, int32_t at) const {
+    const PieceWindows& windows = block.windows;
+    return PieceLanes::plus(lanes_.walk(block.anchors, k, at), windows.u_fx16[at][k],
+                            windows.v_fx16[at][k]);
   }
 
   PieceLanes lanes_;
   Fixed fixed_;
+  RaisedLanes raised_;
   const Pixel* texels_;
   ptrdiff_t pitch_texel_;
   bool has_windows_;
@@ -134,7 +137,7 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
     if (!more) break;
     piece_count += pieces.count;
     for (int32_t k = 0, count = pieces.count; k < count; ++k) {
-      int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
+      int32_t count_px = pieces.width_px[k];
       Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.row[k] * pitch) + pieces.left_px[k];
       for (int32_t at = 0; at < kVectorsPerPiece && count_px > 0; ++at) {
         if (HWY_UNLIKELY(!by.draw(block, k, at, count_px, &fetch, to))) {

@@ -35,7 +35,7 @@ template <class Pixel, class Low, class OneWindow>
       vectors.find(pieces, k, window.origin(), &anchors);
     }
     for (int32_t k = 0; k < pieces.count; ++k) {
-      int32_t count_px = pieces.right_px[k] - pieces.left_px[k];
+      int32_t count_px = pieces.width_px[k];
       Pixel* to =
           reinterpret_cast<Pixel*>(pixels + static_cast<ptrdiff_t>(row)) + pieces.left_px[k];
       for (int32_t at = 0; at < kVectorsPerPiece && (at == 0 || count_px > 0); ++at) {
