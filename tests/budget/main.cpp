@@ -25,9 +25,9 @@ constexpr const char* kUsage =
     "Draws each KIND (mesh-52, mesh-484, tilted-52, tilted-484, affine, perspective, bilinear,\n"
     "bilinear-any, area, area-tilted, area-ruled, area-sums, quads, quad-tilted; an adversarial "
     "item\n"
-    "of the report, A1 to A14, or its twin, A1-ordinary to A14-ordinary) twice with KERNEL "
-    "(scalar,\n"
-    "sse4, avx2). Under valgrind's callgrind with --instr-atstart=no the second drawing alone is\n"
+    "of the report, A1 to A14, or its twin, A1-ordinary to A14-ordinary; a map of `selvage bench\n"
+    "--near-ties`, seed-N, or a twin of it, seed-N-ordinary) twice with KERNEL (scalar, sse4,\n"
+    "avx2). Under valgrind's callgrind with --instr-atstart=no the second drawing alone is\n"
     "counted, and dumped under the KIND's name. After each, prints what was drawn: KIND UNITS "
     "UNIT.\n"
     "With --build, prints the compiler and the kind of build.\n\n"
@@ -110,6 +110,7 @@ int draw_and_count(const char* kind, const Work& work, selvage_kernel kernel) {
                              work.target_width_px * kPixelBytes, SELVAGE_RGBA8888};
   selvage_options options{};
   options.filter = work.filter;
+  options.address = work.address;
   options.kernel = kernel;
   selvage_status status = draw(work, target, texture.get(), options);
   if (status != SELVAGE_OK) return failed(status);

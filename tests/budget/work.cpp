@@ -1,12 +1,15 @@
 #include "work.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
 #include <random>
 #include <string>
+#include <system_error>
 
+#include "reports/bench/near_tie_maps.h"
 #include "reports/bench/workloads.h"
 
 namespace selvage::budget {
@@ -14,6 +17,7 @@ namespace selvage::budget {
 namespace {
 
 constexpr uint64_t kSeed = 1;
+constexpr std::string_view kOrdinary = "-ordinary";
 constexpr int32_t kMostTriangles = 2000;
 constexpr int32_t kTargetWidth_px = 1024;
 constexpr int32_t kTextureSide_texel = 256;
@@ -160,6 +164,24 @@ std::optional<Work> adversarial(std::string_view id) {
   return work;
 }
 
+// A map of the search for near-ties that cost the most, or one of its ordinary twins.
+std::optional<Work> near_tie_map(std::string_view seed_or_twin) {
+  const bool is_twin = seed_or_twin.ends_with(kOrdinary);
+  if (is_twin) seed_or_twin.remove_suffix(kOrdinary.size());
+  const char* const end = seed_or_twin.data() + seed_or_twin.size();
+  uint64_t seed = 0;
+  const auto [stop, error] = std::from_chars(seed_or_twin.data(), end, seed);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  const reports::NearTieMap map = reports::near_tie_map(seed);
+  return Work{"px",
+              {is_twin ? map.ordinary[0] : map.hard},
+              reports::kMapWidth_px,
+              reports::kMapHeight_px,
+              reports::kMapTexture_texel,
+              SELVAGE_FILTER_NEAREST,
+              map.address};
+}
+
 }  // namespace
 
 std::optional<Work> work_of(std::string_view kind) {
@@ -185,6 +207,8 @@ std::optional<Work> work_of(std::string_view kind) {
   if (kind == "area-sums") return area_sums();
   if (kind == "quads") return report_item("W9");
   if (kind == "quad-tilted") return report_item("W4-rounded");
+  constexpr std::string_view kMap = "seed-";
+  if (kind.starts_with(kMap)) return near_tie_map(kind.substr(kMap.size()));
   return adversarial(kind);
 }
 

@@ -18,6 +18,7 @@ struct Work {
   int32_t target_width_px, target_height_px;
   int32_t texture_side_texel;
   selvage_filter filter;
+  selvage_address address = SELVAGE_ADDRESS_CLAMP;
   bool with_sums = false;
   bool flips_texture = false;  // its bottom row is stored first
 };
@@ -26,7 +27,8 @@ struct Work {
 // tilted-484: the same in perspective; affine, perspective and bilinear: 64 spans of 1024 px; area,
 // area-tilted, area-ruled and area-sums: minified spans, the last by looking boxes up; A1 and so
 // on, A1-ordinary and so on: 64 rows of an adversarial item of the report, and of its ordinary
-// twin. With -flipped behind it, from a texture stored bottom row first. Nothing for another name.
+// twin; seed-N and seed-N-ordinary: a map of `selvage bench --near-ties`, and one of its twins.
+// With -flipped behind it, from a texture stored bottom row first. Nothing for another name.
 [[nodiscard]] std::optional<Work> work_of(std::string_view kind);
 
 }  // namespace selvage::budget
