@@ -134,17 +134,17 @@ template <bool kWhole>
   }
 }
 
-// Where the first vectors of a strip are all left, so many of them, it is asked first whether all
-// of it is: else much is drawn in vain.
-// With fewer lanes than the most that was measured to cost meshes more.
-inline constexpr int32_t kNever = INT32_MAX;
-inline constexpr int32_t kFirstLeft = kLanes == kMostLanes ? 8 : kNever;
+// Where the first vectors of a strip are all left, so many of them, the others are not drawn: they
+// are many, for which RestDraw draws all rows, as it does wherever there is more than one.
+// With fewer lanes than the most it was measured to cost meshes more.
+inline constexpr bool kEndsEarly = kLanes == kMostLanes;
+inline constexpr int32_t kFirstLeft = 8;
+static_assert(are_many(kFirstLeft, kFirstLeft));
 
-// Calls by->draw(strip, row, count_px, to) for the vectors of some rows of a strip, and puts those
-// down for which it returns false. `kWhole`: all are whole, and count_px is a WholeVector. Returns
-// the row behind the last one: behind the first kFirstLeft where all of them are left and so many
-// are kEnough.
-template <class Pixel, bool kWhole, int32_t kEnough, class AnyStrip, class By>
+// Calls by->draw(strip, row, count_px, to) for the vectors of a strip, and puts those down for
+// which it returns false. `kWhole`: all are whole, and count_px is a WholeVector. Returns the row
+// behind the last one of which a vector was drawn or left.
+template <class Pixel, bool kWhole, class AnyStrip, class By>
 HWY_INLINE int32_t draw_strip(const AnyStrip& strip, const RowBlock& rows, const SpanBatch& batch,
                               const selvage_image& target, By* by, Left* left) {
   char* const pixels = static_cast<char*>(target.pixels);
@@ -158,24 +158,12 @@ HWY_INLINE int32_t draw_strip(const AnyStrip& strip, const RowBlock& rows, const
     if (HWY_UNLIKELY(!by->draw(strip, i, count_for<kWhole>(count_px), to)) && count_px > 0) {
       left->rest[static_cast<size_t>(left_count++)] = {batch.first_row + i, from_px,
                                                        from_px + count_px};
-      if constexpr (kEnough != kNever) {
-        if (left_count == kEnough && i + 1 - rows.first == kEnough) end = i + 1;
-      }
+      if (kEndsEarly && left_count == kFirstLeft && i + 1 - rows.first == kFirstLeft) end = i + 1;
     }
     row += pitch;
   }
   left->count = left_count;
   return end;
-}
-
-// Goes on with a strip from an index in the batch on. Returns what rest->draw() does.
-template <class Pixel, class AnyStrip, class By, class Rest>
-HWY_NOINLINE bool draw_rest_of_strip(const AnyStrip& strip, const RowBlock& rows, int32_t from,
-                                     const SpanBatch& batch, const selvage_image& target, By by,
-                                     Left* left, Rest* rest) {
-  draw_strip<Pixel, false, kNever>(strip, {from, rows.end, rows.widest_px}, batch, target, &by,
-                                   left);
-  return left->count == 0 || rest->draw(*left, rows.first, rows.end - from);
 }
 
 // Draws a batch by strips, whole ones apart where By::kTellsWhole. Where some vectors of one are
@@ -192,18 +180,13 @@ HWY_INLINE By draw_strips(By by, AnyStrip* strip, Anchors anchors, const SpanBat
     for (int32_t px = 0; px < block.widest_px; px += kLanes) {
       const RowBlock rows = px == 0 ? block : rows_with(batch, block, px);
       const bool is_whole = find_strip(batch, rows, px, anchors, strip);
-      const int32_t end = By::kTellsWhole && is_whole
-                              ? draw_strip<Pixel, By::kTellsWhole, kFirstLeft>(
-                                    *strip, rows, batch, surface.target, &by, &left)
-                              : draw_strip<Pixel, false, kFirstLeft>(*strip, rows, batch,
-                                                                     surface.target, &by, &left);
+      const int32_t end =
+          By::kTellsWhole && is_whole
+              ? draw_strip<Pixel, By::kTellsWhole>(*strip, rows, batch, surface.target, &by, &left)
+              : draw_strip<Pixel, false>(*strip, rows, batch, surface.target, &by, &left);
       if (HWY_UNLIKELY(by.is_in_vain())) return false;
-      if (HWY_UNLIKELY(left.count != 0)) {
-        if (!rest->draw(left, rows.first, end - rows.first)) return false;
-        if (end < rows.end &&
-            !draw_rest_of_strip<Pixel>(*strip, rows, end, batch, surface.target, by, &left, rest)) {
-          return false;
-        }
+      if (HWY_UNLIKELY(left.count != 0) && !rest->draw(left, rows.first, end - rows.first)) {
+        return false;
       }
     }
     return true;

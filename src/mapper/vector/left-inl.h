@@ -29,7 +29,7 @@ struct Left {
 
 // Whether so many of some vectors hold near-ties that what decides all pixels costs less.
 inline constexpr int32_t kLeastNear = 4;
-[[nodiscard]] HWY_INLINE bool are_many(int32_t near, int32_t of_vectors) {
+[[nodiscard]] constexpr bool are_many(int32_t near, int32_t of_vectors) {
   constexpr int32_t kManyOf = 4;
   return near >= kLeastNear && near * kManyOf > of_vectors;
 }
