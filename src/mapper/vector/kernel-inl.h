@@ -74,20 +74,25 @@ struct InsideVector : ClampVector {
   }
 };
 
-struct WrapMaskedVector {
-  using Scalar = WrapMasked;
+// A run keeps the texels that it asks for, and only where it begins is brought into the texture.
+template <class Address, class ScalarAddress>
+struct Wrapping {
+  using Scalar = ScalarAddress;
   static constexpr bool kClampsWindows = false;
   static HWY_INLINE Origin origin(int32_t texel, int32_t /*last*/, int32_t size_texel) {
     return {texel, Scalar::index(texel, size_texel)};
   }
   template <class V>
   static HWY_INLINE Origins<V> origins(V texel, V /*last*/, int32_t size_texel) {
-    return {texel, index(texel, size_texel)};
+    return {texel, Address::index(texel, size_texel)};
   }
   template <class V>
   static HWY_INLINE V window_texel(V texel, int32_t /*size_texel*/) {
     return texel;
   }
+};
+
+struct WrapMaskedVector : Wrapping<WrapMaskedVector, WrapMasked> {
   template <class V>
   static HWY_INLINE V index(V texel, int32_t size_texel) {
     return hn::And(texel, hn::Set(hn::DFromV<V>(), size_texel - 1));
@@ -96,20 +101,7 @@ struct WrapMaskedVector {
 
 // |texel| <= 2^23: roundings move a quotient by less than 1 / size, which is what it lacks of the
 // next whole number at least, so that its floor is never too high, and too low by one at most.
-struct WrapVector {
-  using Scalar = Wrap;
-  static constexpr bool kClampsWindows = false;
-  static HWY_INLINE Origin origin(int32_t texel, int32_t /*last*/, int32_t size_texel) {
-    return {texel, Scalar::index(texel, size_texel)};
-  }
-  template <class V>
-  static HWY_INLINE Origins<V> origins(V texel, V /*last*/, int32_t size_texel) {
-    return {texel, index(texel, size_texel)};
-  }
-  template <class V>
-  static HWY_INLINE V window_texel(V texel, int32_t /*size_texel*/) {
-    return texel;
-  }
+struct WrapVector : Wrapping<WrapVector, Wrap> {
   template <class V>
   static HWY_INLINE V index(V texel, int32_t size_texel) {
     const hn::DFromV<V> d;
