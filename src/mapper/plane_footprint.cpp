@@ -82,10 +82,8 @@ PlaneFootprint::PlaneFootprint(const Polygon& polygon, const selvage_rect& visib
       rows_(std::min(visible.bottom, polygon.bottom_row) - lanes.first_row),
       u_terms_(terms(frame_, &selvage_vertex::u)),
       v_terms_(terms(frame_, &selvage_vertex::v)) {
-  int32_t least_q = SELVAGE_Q_MAX;
-  for (const selvage_vertex& vertex : polygon.vertices) least_q = std::min(least_q, vertex.q);
-  const double unit =
-      1 / (static_cast<double>(frame_.doubled_area()) * (double{1} * least_q * least_q));
+  const double least_q = polygon.least_q;
+  const double unit = 1 / (static_cast<double>(frame_.doubled_area()) * (least_q * least_q));
   u_ = line(u_terms_, unit);
   v_ = line(v_terms_, unit);
 }

@@ -13,6 +13,12 @@ namespace selvage::mapper {
 // The least and the most of u and v at the vertices, and so of all that lies between them.
 struct TexelBox {
   int32_t least_u_fx16, least_v_fx16, most_u_fx16, most_v_fx16;
+
+  // The furthest from 0.
+  [[nodiscard]] int64_t furthest_fx16() const {
+    return std::max(std::max(-int64_t{least_u_fx16}, -int64_t{least_v_fx16}),
+                    int64_t{std::max(most_u_fx16, most_v_fx16)});
+  }
 };
 
 struct Polygon {
@@ -21,6 +27,7 @@ struct Polygon {
   // Columns and rows whose centres lie in [least x, greatest x) and [least y, greatest y).
   int32_t left_px = 0, top_row = 0, right_px = 0, bottom_row = 0;
   TexelBox texels{};
+  int32_t least_q = 1, most_q = 1;
   bool affine = true;          // all q are equal
   bool untransformed = false;  // u = x + ds and v = y + dt, ds and dt whole, everywhere
   int32_t ds = 0, dt = 0;      // texels; of an untransformed polygon

@@ -74,16 +74,9 @@ bool ProjectivePlane::set_lanes(const Polygon& polygon, const selvage_rect& visi
   lanes_.first_row = std::max(visible.top, polygon.top_row);
   const double columns = std::max(std::min(visible.right, polygon.right_px) - lanes_.first_px, 0);
   const double rows = std::max(std::min(visible.bottom, polygon.bottom_row) - lanes_.first_row, 0);
-  int32_t least_q = SELVAGE_Q_MAX;
-  double furthest_texel_fx16 = 0;
-  for (const selvage_vertex& vertex : polygon.vertices) {
-    least_q = std::min(least_q, vertex.q);
-    furthest_texel_fx16 = std::max({furthest_texel_fx16, std::abs(static_cast<double>(vertex.u)),
-                                    std::abs(static_cast<double>(vertex.v))});
-  }
 
   // Denominators are in units of the least one.
-  const double unit = 1 / (static_cast<double>(doubled_area_) * least_q);
+  const double unit = 1 / (static_cast<double>(doubled_area_) * polygon.least_q);
   constexpr double kTexelsPerUnit = kLaneUnit / (1 << kTexelFraction);
   lanes_.u_fx32 = line(uq_, unit * kTexelsPerUnit);
   lanes_.v_fx32 = line(vq_, unit * kTexelsPerUnit);
@@ -95,8 +88,9 @@ bool ProjectivePlane::set_lanes(const Polygon& polygon, const selvage_rect& visi
   lanes_.error_fx32 = static_cast<int64_t>(reach) + kProjectiveTruncations_fx32;
   // u' = (N' - u D') / D, and D is at least a unit.
   lanes_.turn = std::abs(lanes_.denominator.step_x);
-  lanes_.steepest_fx32 = std::max(std::abs(lanes_.u_fx32.step_x), std::abs(lanes_.v_fx32.step_x)) +
-                         furthest_texel_fx16 * kTexelsPerUnit * lanes_.turn;
+  lanes_.steepest_fx32 =
+      std::max(std::abs(lanes_.u_fx32.step_x), std::abs(lanes_.v_fx32.step_x)) +
+      static_cast<double>(polygon.texels.furthest_fx16()) * kTexelsPerUnit * lanes_.turn;
   return true;
 }
 

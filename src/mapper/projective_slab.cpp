@@ -32,18 +32,13 @@ inline constexpr double kMostTexel_fx32 = kLaneUnit * (1 << (kTexelBits - kTexel
 
 // What the outline's vertices have at most and, of q, at least.
 struct Extremes {
-  double texel_fx16 = 0;
-  int32_t least_q = SELVAGE_Q_MAX, most_q = 1;
+  double texel_fx16;
+  int32_t least_q, most_q;
 
-  explicit Extremes(const Polygon& outline) {
-    for (const selvage_vertex& vertex : outline.vertices) {
-      texel_fx16 = std::max({texel_fx16, std::abs(static_cast<double>(vertex.u)),
-                             std::abs(static_cast<double>(vertex.v))});
-      least_q = std::min(least_q, vertex.q);
-      most_q = std::max(most_q, vertex.q);
-    }
-    if (least_q == most_q) least_q = most_q = 1;  // as Slab::at() has it
-  }
+  explicit Extremes(const Polygon& outline)
+      : texel_fx16(static_cast<double>(outline.texels.furthest_fx16())),
+        least_q(outline.affine ? 1 : outline.least_q),  // as Slab::at() has it
+        most_q(outline.affine ? 1 : outline.most_q) {}
 };
 
 [[nodiscard]] double height_fx8(const Edge& edge) {
