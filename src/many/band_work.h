@@ -13,35 +13,55 @@ class BandWork {
  public:
   // In each of these bands, if there are any; not negative.
   void add(BandRange bands, double cost_px) {
-    steps_[bands.first] += cost_px;
-    steps_[bands.end] -= cost_px;
+    steps_px_[bands.first] += cost_px;
+    steps_px_[bands.end] -= cost_px;
   }
   void add(const BandWork& other) {
-    for (size_t band = 0; band < steps_.size(); ++band) steps_[band] += other.steps_[band];
+    for (size_t band = 0; band < steps_px_.size(); ++band) steps_px_[band] += other.steps_px_[band];
   }
 
-  // One of so many parts of these bands, with about as much work as each other; one may be empty.
-  // All of them together are all bands, in order.
-  [[nodiscard]] BandRange part(BandRange bands, size_t index, size_t parts) const {
-    std::array<double, kMostBands + 1> before{};  // the work of these bands up to each
-    double of_band = 0;
-    for (size_t band = 0; band < bands.end; ++band) {
-      of_band += steps_[band];
-      // Where many costs were rounded, of_band may be a little below 0.
-      before[band + 1] = before[band] + (band < bands.first ? 0 : std::max(of_band, 0.0));
+  // Calls visit(band, cost_px) for each band below `end`.
+  template <class Visit>
+  void for_each(size_t end, const Visit& visit) const {
+    double of_band_px = 0;
+    for (size_t band = 0; band < end; ++band) {
+      of_band_px += steps_px_[band];
+      // Where many costs were rounded, of_band_px may be a little below 0.
+      visit(band, std::max(of_band_px, 0.0));
     }
-    const double share = before[bands.end] / static_cast<double>(parts);
-    const auto boundary = [&](size_t i) {
-      const auto first = before.begin() + static_cast<ptrdiff_t>(bands.first),
-                 end = before.begin() + static_cast<ptrdiff_t>(bands.end);
-      const double wanted = share * static_cast<double>(i);
-      return static_cast<size_t>(std::lower_bound(first, end, wanted) - before.begin());
-    };
-    return {boundary(index), index + 1 == parts ? bands.end : boundary(index + 1)};
   }
 
  private:
-  std::array<double, kMostBands + 1> steps_{};  // by how much a band has more than the one before
+  // By how much a band has more than the one before.
+  std::array<double, kMostBands + 1> steps_px_{};
+};
+
+// Some bands, cut where about as much work lies on both sides.
+class BandShares {
+ public:
+  BandShares(const BandWork& work, BandRange bands) : bands_(bands) {
+    work.for_each(bands.end, [&](size_t band, double cost_px) {
+      before_px_[band + 1] = before_px_[band] + (band < bands.first ? 0 : cost_px);
+    });
+  }
+
+  // The parts [first, end) of so many with about as much work as each other; some may be empty. All
+  // of them together are all bands, in order.
+  [[nodiscard]] BandRange parts(size_t first, size_t end, size_t parts) const {
+    return {begin_of(first, parts), end == parts ? bands_.end : begin_of(end, parts)};
+  }
+
+ private:
+  [[nodiscard]] size_t begin_of(size_t part, size_t parts) const {
+    const double part_px = before_px_[bands_.end] / static_cast<double>(parts);
+    const auto first = before_px_.begin() + static_cast<ptrdiff_t>(bands_.first),
+               end = before_px_.begin() + static_cast<ptrdiff_t>(bands_.end);
+    const auto at = std::lower_bound(first, end, part_px * static_cast<double>(part));
+    return static_cast<size_t>(at - before_px_.begin());
+  }
+
+  BandRange bands_;
+  std::array<double, kMostBands + 1> before_px_{};  // the work of these bands up to each
 };
 
 }  // namespace selvage::many

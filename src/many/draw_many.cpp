@@ -61,22 +61,28 @@ inline constexpr int64_t kLeastRowsToShare = 128;
   return meet ? SELVAGE_ERROR_SCRATCH_OVERLAP : SELVAGE_OK;
 }
 
-[[nodiscard]] BandRange bands_of_task(const BandWork& work, BandRange bands, size_t task,
-                                      size_t workers) {
+[[nodiscard]] BandRange bands_of_task(const BandShares& shares, size_t task, size_t workers) {
   const bool is_rest = task % kTasksPerWorker != 0;
-  const size_t share = task / kTasksPerWorker * kQuarters, last = share + kQuarters - 1;
-  const auto quarter = [&](size_t i) { return work.part(bands, i, workers * kQuarters); };
-  return is_rest ? quarter(last) : BandRange{quarter(share).first, quarter(last - 1).end};
+  const size_t first = task / kTasksPerWorker * kQuarters, rest = first + kQuarters - 1;
+  const size_t quarters = workers * kQuarters;
+  return is_rest ? shares.parts(rest, rest + 1, quarters) : shares.parts(first, rest, quarters);
+}
+
+[[nodiscard]] BandWork work_of(const BandPlan& plan) {
+  BandWork work;
+  for (const std::optional<BandWork>& of_run : plan.work) {
+    if (of_run) work.add(*of_run);
+  }
+  return work;
 }
 
 void draw_in_bands(const Request& request, const BandPlan& plan, Rows reach, int32_t workers) {
   const Bands& all = plan.index.bands();
   const BandRange bands = all.reached_by(reach);
-  BandWork work;
-  for (const BandWork& of_run : plan.work) work.add(of_run);
+  const BandShares shares(work_of(plan), bands);
   const size_t useful = std::min(bands.count(), static_cast<size_t>(workers));
   share_out(useful * kTasksPerWorker, static_cast<int32_t>(useful), [&](size_t task) {
-    const BandRange part = bands_of_task(work, bands, task, useful);
+    const BandRange part = bands_of_task(shares, task, useful);
     const Rows rows = all.rows(part);
     Painter painter(request, {request.visible.left, rows.first, request.visible.right, rows.end});
     plan.index.for_each(part, [&](size_t i) { painter.draw(request.prepared[i]); });

@@ -72,7 +72,7 @@ class Planner {
       : visible_(visible),
         bands_(plan->index.bands()),
         writer_(plan->index, first),
-        work_(&plan->work[run]) {}
+        work_(&plan->work[run].emplace()) {}
 
   void add(const mapper::Polygon& polygon, Rows reach) {
     const BandRange bands = bands_.reached_by(reach);

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "many/band_index.h"
@@ -40,10 +41,11 @@ struct Preparation {
   int64_t row_count = 0;  // visible rows of all polygons together
 };
 
-// Where bands are drawn side by side: what reaches them, and how much each run has there.
+// Where bands are drawn side by side: what reaches them, and how much each run that there is has
+// there.
 struct BandPlan {
   BandIndex index;
-  std::array<BandWork, kMostRuns> work{};
+  std::array<std::optional<BandWork>, kMostRuns> work{};
 };
 
 // The rows that a polygon may write, visible or not.

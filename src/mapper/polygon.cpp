@@ -142,7 +142,6 @@ selvage_status examine(std::span<const selvage_vertex> vertices, Polygon* polygo
   const Numbers texels = box.texels();
   polygon->texels = {texels[0], texels[1], texels[2], texels[3]};
   polygon->least_q = box.least_q;
-  polygon->most_q = box.most_q;
   polygon->affine = box.least_q == box.most_q;
   find_shift(polygon);
   return SELVAGE_OK;

@@ -27,7 +27,7 @@ struct Polygon {
   // Columns and rows whose centres lie in [least x, greatest x) and [least y, greatest y).
   int32_t left_px = 0, top_row = 0, right_px = 0, bottom_row = 0;
   TexelBox texels{};
-  int32_t least_q = 1, most_q = 1;
+  int32_t least_q = 1;
   bool affine = true;          // all q are equal
   bool untransformed = false;  // u = x + ds and v = y + dt, ds and dt whole, everywhere
   int32_t ds = 0, dt = 0;      // texels; of an untransformed polygon

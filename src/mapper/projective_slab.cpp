@@ -33,12 +33,14 @@ inline constexpr double kMostTexel_fx32 = kLaneUnit * (1 << (kTexelBits - kTexel
 // What the outline's vertices have at most and, of q, at least.
 struct Extremes {
   double texel_fx16;
-  int32_t least_q, most_q;
+  int32_t least_q = 1, most_q = 1;  // of an affine one, as Slab::at() has it
 
   explicit Extremes(const Polygon& outline)
-      : texel_fx16(static_cast<double>(outline.texels.furthest_fx16())),
-        least_q(outline.affine ? 1 : outline.least_q),  // as Slab::at() has it
-        most_q(outline.affine ? 1 : outline.most_q) {}
+      : texel_fx16(static_cast<double>(outline.texels.furthest_fx16())) {
+    if (outline.affine) return;
+    least_q = outline.least_q;
+    for (const selvage_vertex& vertex : outline.vertices) most_q = std::max(most_q, vertex.q);
+  }
 };
 
 [[nodiscard]] double height_fx8(const Edge& edge) {

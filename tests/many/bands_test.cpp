@@ -60,16 +60,18 @@ TEST(Bands, AreAsManyAsCanBe) {
   return work;
 }
 
-TEST(BandWork, IsPartedWithoutGapOrOverlap) {
+TEST(BandShares, HaveNoGapOrOverlap) {
   for (uint64_t seed = 1; seed <= 300; ++seed) {
     spec::Random random(seed);
     const BandWork work = seed == 1 ? BandWork() : random_work(random);
     const size_t first = random.below(kMostBands);
     const BandRange bands{first, first + random.below(kMostBands - first) + 1};
+    const BandShares shares(work, bands);
     const size_t parts = random.below(bands.count()) + 1;
     size_t next = bands.first;
-    for (size_t i = 0; i < parts; ++i) {
-      const BandRange part = work.part(bands, i, parts);
+    for (size_t i = 0, end; i < parts; i = end) {
+      end = i + random.below(parts - i) + 1;
+      const BandRange part = shares.parts(i, end, parts);
       ASSERT_EQ(part.first, next) << "seed " << seed;
       ASSERT_GE(part.end, part.first);
       next = part.end;
@@ -78,7 +80,7 @@ TEST(BandWork, IsPartedWithoutGapOrOverlap) {
   }
 }
 
-TEST(BandWork, IsAboutTheSameInEachPart) {
+TEST(BandShares, HaveAboutTheSameWorkInEachPart) {
   BandWork work;
   work.add({0, 64}, 1);
   work.add({48, 64}, 2);
@@ -86,7 +88,8 @@ TEST(BandWork, IsAboutTheSameInEachPart) {
   upper.add({0, 10}, 4);
   work.add(upper);                                   // 136
   const std::vector<size_t> ends = {7, 28, 53, 64};  // 35, 33, 35 and 33 of it
-  for (size_t i = 0; i < 4; ++i) EXPECT_EQ(work.part({0, 64}, i, 4).end, ends[i]) << i;
+  const BandShares shares(work, {0, 64});
+  for (size_t i = 0; i < 4; ++i) EXPECT_EQ(shares.parts(0, i + 1, 4).end, ends[i]) << i;
 }
 
 // Which polygons reach some rows, by looking at each.

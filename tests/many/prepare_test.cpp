@@ -32,7 +32,7 @@ namespace {
   std::vector<BandIndex::Group> groups(BandIndex::groups(2));
   BandPlan plan{BandIndex(Bands({0, kHeight_px}), groups)};
   EXPECT_EQ(prepare(request, Runs(2, 2), &plan).status, SELVAGE_OK);
-  return plan.work[0].part({0, plan.index.bands().count()}, 0, 2);
+  return BandShares(plan.work[0].value(), {0, plan.index.bands().count()}).parts(0, 1, 2);
 }
 
 // What lies off screen is no work.
