@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -87,7 +88,7 @@ TEST(Polygon, RefusesEachNumberOutOfRange) {
 // Whichever vertex comes first.
 TEST(Polygon, TellsItsExtents) {
   std::vector<selvage_vertex> v = {
-      {-300, 0, 7, -5, 1}, {128, -129, 70, 9, 1}, {1000, 640, 70, 90, 1}, {129, 641, -6, 90, 1}};
+      {-300, 0, 7, -5, 9}, {128, -129, 70, 9, 4}, {1000, 640, 70, 90, 9}, {129, 641, -6, 90, 5}};
   for (size_t turn = 0; turn < 2 * v.size(); ++turn) {
     if (turn == v.size()) {
       for (selvage_vertex& each : v) std::swap(each.u, each.v);
@@ -105,8 +106,19 @@ TEST(Polygon, TellsItsExtents) {
     EXPECT_EQ(std::tuple(least_u, most_u), std::tuple(u.u, u_end.u));
     EXPECT_EQ(std::tuple(least_v, most_v), std::tuple(w.v, w_end.v));
     EXPECT_EQ(std::min(least_u, least_v), -6);
+    EXPECT_EQ(polygon.least_q, 4);
+    EXPECT_FALSE(polygon.affine);
     std::ranges::rotate(v, v.begin() + 1);
   }
+}
+
+TEST(TexelBox, IsAsFarFromZeroAsItsFurthestSide) {
+  EXPECT_EQ((TexelBox{-9, -2, 3, 4}).furthest_fx16(), 9);
+  EXPECT_EQ((TexelBox{-2, -9, 3, 4}).furthest_fx16(), 9);
+  EXPECT_EQ((TexelBox{1, 2, 9, 4}).furthest_fx16(), 9);
+  EXPECT_EQ((TexelBox{1, 2, 3, 9}).furthest_fx16(), 9);
+  EXPECT_EQ((TexelBox{-9, -9, -3, -4}).furthest_fx16(), 9);
+  EXPECT_EQ((TexelBox{INT32_MIN, 0, INT32_MAX, 0}).furthest_fx16(), -int64_t{INT32_MIN});
 }
 
 TEST(Polygon, IsUntransformedByWholeTexelsAlone) {

@@ -36,7 +36,7 @@ class BandWork {
   std::array<double, kMostBands + 1> steps_px_{};
 };
 
-// Some bands, cut where about as much work lies on both sides.
+// Some bands, cut into parts with about as much work as each other.
 class BandShares {
  public:
   BandShares(const BandWork& work, BandRange bands) : bands_(bands) {
@@ -45,15 +45,15 @@ class BandShares {
     });
   }
 
-  // The parts [first, end) of so many with about as much work as each other; some may be empty. All
-  // of them together are all bands, in order.
-  [[nodiscard]] BandRange parts(size_t first, size_t end, size_t parts) const {
-    return {begin_of(first, parts), end == parts ? bands_.end : begin_of(end, parts)};
+  // The parts [first, end) of `count`; some may be empty. All of them together are all bands, in
+  // order.
+  [[nodiscard]] BandRange parts(size_t first, size_t end, size_t count) const {
+    return {begin_of(first, count), end == count ? bands_.end : begin_of(end, count)};
   }
 
  private:
-  [[nodiscard]] size_t begin_of(size_t part, size_t parts) const {
-    const double part_px = before_px_[bands_.end] / static_cast<double>(parts);
+  [[nodiscard]] size_t begin_of(size_t part, size_t count) const {
+    const double part_px = before_px_[bands_.end] / static_cast<double>(count);
     const auto first = before_px_.begin() + static_cast<ptrdiff_t>(bands_.first),
                end = before_px_.begin() + static_cast<ptrdiff_t>(bands_.end);
     const auto at = std::lower_bound(first, end, part_px * static_cast<double>(part));

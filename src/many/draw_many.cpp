@@ -68,7 +68,7 @@ inline constexpr int64_t kLeastRowsToShare = 128;
   return is_rest ? shares.parts(rest, rest + 1, quarters) : shares.parts(first, rest, quarters);
 }
 
-[[nodiscard]] BandWork work_of(const BandPlan& plan) {
+[[nodiscard]] BandWork work_of_all_runs(const BandPlan& plan) {
   BandWork work;
   for (const std::optional<BandWork>& of_run : plan.work) {
     if (of_run) work.add(*of_run);
@@ -79,7 +79,7 @@ inline constexpr int64_t kLeastRowsToShare = 128;
 void draw_in_bands(const Request& request, const BandPlan& plan, Rows reach, int32_t workers) {
   const Bands& all = plan.index.bands();
   const BandRange bands = all.reached_by(reach);
-  const BandShares shares(work_of(plan), bands);
+  const BandShares shares(work_of_all_runs(plan), bands);
   const size_t useful = std::min(bands.count(), static_cast<size_t>(workers));
   share_out(useful * kTasksPerWorker, static_cast<int32_t>(useful), [&](size_t task) {
     const BandRange part = bands_of_task(shares, task, useful);

@@ -41,8 +41,8 @@ struct Preparation {
   int64_t row_count = 0;  // visible rows of all polygons together
 };
 
-// Where bands are drawn side by side: what reaches them, and how much each run that there is has
-// there.
+// Where bands are drawn side by side: what reaches them, and how much of it is each run's, if there
+// is such a run.
 struct BandPlan {
   BandIndex index;
   std::array<std::optional<BandWork>, kMostRuns> work{};

@@ -14,7 +14,7 @@ namespace selvage::mapper {
 struct TexelBox {
   int32_t least_u_fx16, least_v_fx16, most_u_fx16, most_v_fx16;
 
-  // The furthest from 0.
+  // The most of |u| and |v|.
   [[nodiscard]] int64_t furthest_fx16() const {
     return std::max(std::max(-int64_t{least_u_fx16}, -int64_t{least_v_fx16}),
                     int64_t{std::max(most_u_fx16, most_v_fx16)});

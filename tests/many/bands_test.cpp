@@ -69,12 +69,17 @@ TEST(BandShares, HaveNoGapOrOverlap) {
     const BandShares shares(work, bands);
     const size_t parts = random.below(bands.count()) + 1;
     size_t next = bands.first;
-    for (size_t i = 0, end; i < parts; i = end) {
-      end = i + random.below(parts - i) + 1;
-      const BandRange part = shares.parts(i, end, parts);
+    for (size_t i = 0; i < parts; ++i) {
+      const BandRange part = shares.parts(i, i + 1, parts);
       ASSERT_EQ(part.first, next) << "seed " << seed;
       ASSERT_GE(part.end, part.first);
       next = part.end;
+      const BandRange from_there = shares.parts(i, parts, parts),
+                      up_to_there = shares.parts(0, i + 1, parts);
+      ASSERT_EQ(from_there.first, part.first);
+      ASSERT_EQ(from_there.end, bands.end);
+      ASSERT_EQ(up_to_there.first, bands.first);
+      ASSERT_EQ(up_to_there.end, part.end);
     }
     ASSERT_EQ(next, bands.end);
   }
@@ -89,7 +94,7 @@ TEST(BandShares, HaveAboutTheSameWorkInEachPart) {
   work.add(upper);                                   // 136
   const std::vector<size_t> ends = {7, 28, 53, 64};  // 35, 33, 35 and 33 of it
   const BandShares shares(work, {0, 64});
-  for (size_t i = 0; i < 4; ++i) EXPECT_EQ(shares.parts(0, i + 1, 4).end, ends[i]) << i;
+  for (size_t i = 0; i < 4; ++i) EXPECT_EQ(shares.parts(i, i + 1, 4).end, ends[i]) << i;
 }
 
 // Which polygons reach some rows, by looking at each.
