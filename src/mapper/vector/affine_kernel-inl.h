@@ -19,7 +19,9 @@ namespace {
 template <class Pixel, class Address>
 HWY_INLINE void draw_by_vectors(const AffineSpans& spans, const Surface& surface,
                                 const WindowShape& shape, RestDraw* rest) {
-  if (is_narrow(spans.batch)) return draw_narrow<Pixel, Address>(spans, surface, shape, rest);
+  if (pays_strips(spans.batch, shape)) {
+    return draw_by_strips<Pixel, Address>(spans, surface, shape, rest);
+  }
   draw_wide<Pixel, Address>(spans, surface, shape, rest);
 }
 

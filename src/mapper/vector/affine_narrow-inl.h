@@ -1,4 +1,5 @@
-// Narrow affine spans, by strips. Included once for each SIMD target.
+// Affine spans by strips: narrow ones, and wider ones where vectors have windows. Included once for
+// each SIMD target.
 #if defined(SELVAGE_VECTOR_AFFINE_NARROW_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_AFFINE_NARROW_INL_H
 #undef SELVAGE_VECTOR_AFFINE_NARROW_INL_H
@@ -13,6 +14,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
+
+// Where vectors have windows, rows that are not narrow are drawn by strips, too, if they are many:
+// those of a strip are found with every lane in use and read long after they were written, those of
+// a row are not. So wide rows gained by it where it was measured.
+inline constexpr int32_t kMostWindowStrips_px = kLanes == 16 ? 512 : 128, kLeastWindowStripRows = 8;
+
+[[nodiscard]] HWY_INLINE bool pays_strips(const SpanBatch& batch, const WindowShape& shape) {
+  const bool by_windows = shape.rows != 0 && batch.widest_px <= kMostWindowStrips_px &&
+                          batch.rows >= kLeastWindowStripRows;
+  return by_windows || is_narrow(batch);
+}
 
 // A load for each pixel.
 template <class Pixel, class Address, class Fetch>
@@ -45,8 +57,8 @@ HWY_NOINLINE void draw_load_strips(const AffineSpans& spans, const Surface& surf
 
 // By itself, so that small polygons, which one window holds, do without the room that this takes.
 template <class Pixel, class Address>
-HWY_NOINLINE void draw_narrow(const AffineSpans& spans, const Surface& surface,
-                              const WindowShape& shape, RestDraw* rest) {
+HWY_NOINLINE void draw_by_strips(const AffineSpans& spans, const Surface& surface,
+                                 const WindowShape& shape, RestDraw* rest) {
   const bool inside = TexelRanges(spans.texels).within(surface.texture);
   if (kHasWindows && shape.rows != 0) {
     with_window_shape<Pixel>(surface, shape, inside, WindowStrips{spans, surface, inside, rest});
