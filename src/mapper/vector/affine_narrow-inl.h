@@ -15,9 +15,9 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// Where vectors have windows, rows that are not narrow are drawn by strips, too, if they are many:
-// those of a strip are found with every lane in use and read long after they were written, those of
-// a row are not. So wide rows gained by it where it was measured.
+// Where vectors have windows, wider rows are drawn by strips, too, if there are some: windows of a
+// strip are found with every lane in use and read long after they were written, those of a row are
+// not. Up to such widths this was measured to cost less.
 inline constexpr int32_t kMostWindowStrips_px = kLanes == 16 ? 512 : 128, kLeastWindowStripRows = 8;
 
 [[nodiscard]] HWY_INLINE bool pays_strips(const SpanBatch& batch, const WindowShape& shape) {
