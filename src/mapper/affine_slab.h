@@ -20,9 +20,10 @@ inline constexpr double kRuledError_fx32 = 0.35, kRuledSlack_fx32 = 0.5;
 inline constexpr uint32_t kRuledErrorPerPixel_fx32 = 2;
 static_assert(kWidestMargin_fx32 >= int64_t{kRuledErrorPerPixel_fx32} << 16);
 
-// The lanes of spans' first pixels, and their steps.
+// The lanes of spans' first pixels, and their steps. With room for a vector that begins in the last
+// row.
 struct RuledRows {
-  std::array<Lane, kRowsPerBatch> start, step;
+  std::array<Lane, kRowsPerBatch + kMostLanes> start, step;
   uint32_t margin_fx32;     // of the lane furthest from its start
   double most_denominator;  // that of a row's exact map is no greater, but for 2^-50 of it
 

@@ -61,7 +61,10 @@ HWY_NOINLINE void draw_by_strips(const AffineSpans& spans, const Surface& surfac
                                  const WindowShape& shape, RestDraw* rest) {
   const bool inside = TexelRanges(spans.texels).within(surface.texture);
   if (kHasWindows && shape.rows != 0) {
-    with_window_shape<Pixel>(surface, shape, inside, WindowStrips{spans, surface, inside, rest});
+    const Lane first = spans.field.at(0, spans.batch.first_row);
+    const WideAnchors anchors(spans.field, plus(first, 1, way_to_anchor(spans.field.step_x)));
+    with_window_shape<Pixel>(surface, shape, inside,
+                             WindowStrips<WideAnchors>{spans, anchors, surface, inside, rest});
   } else if (!is_cached(surface.texture)) {
     draw_load_strips<Pixel, Address, FetchAhead<Pixel>>(spans, surface, rest);
   } else if (inside) {

@@ -17,14 +17,36 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
+using Wide = hn::Repartition<int64_t, D32>;
+using WideVector = hn::Vec<Wide>;
+
+// px step, modulo 2^64, by 32 bits of the step at a time. Pixels are not negative.
+class PixelWalk {
+ public:
+  explicit HWY_INLINE PixelWalk(WideVector step_fx32)
+      : step_(hn::BitCast(Unsigned(), step_fx32)), high_(hn::ShiftRight<32>(step_)) {}
+
+  HWY_INLINE WideVector by(WideVector px) const {
+    const hn::Repartition<uint32_t, D32> words;
+    const auto times = [&](hn::Vec<Unsigned> digit) HWY_ATTR {
+      return hn::MulEven(hn::BitCast(words, px), hn::BitCast(words, digit));
+    };
+    return hn::BitCast(Wide(), hn::Add(times(step_), hn::ShiftLeft<32>(times(high_))));
+  }
+
+ private:
+  using Unsigned = hn::RebindToUnsigned<Wide>;
+
+  hn::Vec<Unsigned> step_, high_;
+};
+
 // One coordinate of the anchors, modulo 2^64, of kLanes rows at a time, of vectors that begin at
 // some pixels of them.
 class WideAnchorLine {
  public:
   // `first_fx32`: that of the first row's vector that begins at pixel 0.
   HWY_INLINE WideAnchorLine(int64_t first_fx32, int64_t step_x_fx32, int64_t step_y_fx32)
-      : step_(hn::Set(Unsigned(), static_cast<uint64_t>(step_x_fx32))),
-        step_high_(hn::ShiftRight<32>(step_)),
+      : walk_(hn::Set(Wide(), step_x_fx32)),
         down_(hn::ShiftLeft<kRowBits>(hn::Set(Wide(), step_y_fx32))),
         rows_(hn::Add(hn::Set(Wide(), first_fx32),
                       hn::Mul(hn::Iota(Wide(), 0), hn::Set(Wide(), step_y_fx32)))) {}
@@ -32,30 +54,24 @@ class WideAnchorLine {
   // Pixels are not negative. Goes down to the rows below.
   HWY_INLINE WideLanes next(V32 px) {
     const hn::Half<D32> half;
-    const auto low = hn::Add(rows_, walk(hn::PromoteTo(Wide(), hn::LowerHalf(half, px))));
+    const auto low = hn::Add(rows_, walk_.by(hn::PromoteTo(Wide(), hn::LowerHalf(half, px))));
     rows_ = hn::Add(rows_, down_);
-    const auto high = hn::Add(rows_, walk(hn::PromoteTo(Wide(), hn::UpperHalf(half, px))));
+    const auto high = hn::Add(rows_, walk_.by(hn::PromoteTo(Wide(), hn::UpperHalf(half, px))));
     rows_ = hn::Add(rows_, down_);
     return {hn::BitCast(D32(), low), hn::BitCast(D32(), high)};
   }
 
  private:
-  using Wide = hn::Repartition<int64_t, D32>;
-  using Unsigned = hn::RebindToUnsigned<Wide>;
   static constexpr int kRowBits = kLanes == 16 ? 3 : kLanes == 8 ? 2 : 1;
   static_assert(1 << kRowBits == kLanes / 2);
 
-  // px step, by 32 bits of the step at a time.
-  HWY_INLINE hn::Vec<Wide> walk(hn::Vec<Wide> px) const {
-    const hn::Repartition<uint32_t, D32> words;
-    const auto by = [&](hn::Vec<Unsigned> digit) HWY_ATTR {
-      return hn::MulEven(hn::BitCast(words, px), hn::BitCast(words, digit));
-    };
-    return hn::BitCast(Wide(), hn::Add(by(step_), hn::ShiftLeft<32>(by(step_high_))));
-  }
+  PixelWalk walk_;
+  WideVector down_, rows_;
+};
 
-  hn::Vec<Unsigned> step_, step_high_;
-  hn::Vec<Wide> down_, rows_;
+// Of both coordinates.
+struct WidePair {
+  WideLanes u, v;
 };
 
 // Anchors of both coordinates, as wide as the lanes of the map. `anchor`: of the vector that begins
@@ -63,10 +79,7 @@ class WideAnchorLine {
 class WideAnchors {
  public:
   struct Lines {
-    struct Anchors {
-      WideLanes u, v;
-    };
-    HWY_INLINE Anchors next(V32 px) { return {u.next(px), v.next(px)}; }
+    HWY_INLINE WidePair next(V32 px) { return {u.next(px), v.next(px)}; }
 
     WideAnchorLine u, v;
   };
@@ -99,7 +112,7 @@ struct Strip {
 struct AnchoredStrip : Strip {
   HWY_ALIGN int32_t u_fx16[kRowsPerBatch + kLanes], v_fx16[kRowsPerBatch + kLanes];
 
-  HWY_INLINE void put(int32_t row, const StripEnds& ends, const WideAnchors::Lines::Anchors& at) {
+  HWY_INLINE void put(int32_t row, const StripEnds& ends, const WidePair& at) {
     Strip::put(row, ends);
     hn::StoreU(at.u.floors_fx16(), D32(), u_fx16 + row);
     hn::StoreU(at.v.floors_fx16(), D32(), v_fx16 + row);

@@ -22,7 +22,7 @@ struct WindowStrip : Strip {
   FoundWindows found;
 
   HWY_INLINE explicit WindowStrip(const Finder& by) : finder(by) {}
-  HWY_INLINE void put(int32_t row, const StripEnds& ends, const WideAnchors::Lines::Anchors& at) {
+  HWY_INLINE void put(int32_t row, const StripEnds& ends, const WidePair& at) {
     Strip::put(row, ends);
     finder.find(at.u, at.v, row, &found);
   }
@@ -42,9 +42,13 @@ struct WindowStripDraw {
   }
 };
 
-// Draws a batch by windows of one shape, and what does not lie in one by rest->draw().
+// Draws a batch by windows of one shape, and what does not lie in one by rest->draw(). Rows are
+// under one map, or those whose anchors these are, from which on lanes of the spans' step are as
+// near as their margin says.
+template <class Anchors>
 struct WindowStrips {
   const AffineSpans& spans;
+  Anchors anchors;
   const Surface& surface;
   bool inside;
   RestDraw* rest;
@@ -54,9 +58,7 @@ struct WindowStrips {
     using Window = WindowDraw<Pixel, InWindow, kColumnBits, kRows>;
     using Finder = WindowFinder<typename Window::Coarse>;
     const WindowStripDraw<Pixel, Window> by{Window(spans, surface, shape.rows)};
-    const Lane first = spans.field.at(0, spans.batch.first_row);
     WindowStrip<Finder> strip(Finder(surface, shape, inside));
-    const WideAnchors anchors(spans.field, plus(first, 1, by.window.to_anchor()));
     draw_strips<Pixel>(by, &strip, anchors, spans.batch, surface, rest);
   }
 };

@@ -7,6 +7,7 @@
 #define SELVAGE_VECTOR_LEFT_INL_H
 #endif
 
+#include <algorithm>
 #include <array>
 
 #include "mapper/vector/fetch-inl.h"
@@ -25,6 +26,27 @@ struct Left {
   std::array<Span, kMost> rest;
 
   [[nodiscard]] HWY_INLINE const Span& at(int32_t i) const { return rest[static_cast<size_t>(i)]; }
+};
+
+// What is left of some vectors after others, to be drawn at once.
+class KeptLeft {
+ public:
+  // Calls draw(left) with what was kept before, where there is no room for more.
+  template <class Draw>
+  HWY_INLINE void keep(const Left& left, const Draw& draw) {
+    if (kept_.count + left.count > Left::kMost) finish(draw);
+    std::copy_n(left.rest.begin(), left.count, kept_.rest.begin() + kept_.count);
+    kept_.count += left.count;
+  }
+  // And here with all of it, if there is any.
+  template <class Draw>
+  HWY_INLINE void finish(const Draw& draw) {
+    if (kept_.count != 0) draw(kept_);
+    kept_.count = 0;
+  }
+
+ private:
+  Left kept_;
 };
 
 // Whether so many of some vectors hold near-ties that what decides all pixels costs less.

@@ -7,7 +7,6 @@
 #define SELVAGE_VECTOR_NEAR_PLANE_INL_H
 #endif
 
-#include <algorithm>
 #include <span>
 
 #include "mapper/near_plane.h"
@@ -99,14 +98,8 @@ class NearPlaneRest : public RestDraw {
 
   // Draws those that were few. Most are in no doubt by the lanes of their own rows.
   template <class Pixel, class Address>
-  HWY_NOINLINE void finish() {
-    if (few_.count == 0) return;
-    RuledRows rows;
-    const std::span few(few_.rest.data(), static_cast<size_t>(few_.count));
-    find_lanes_of(spans_.exact.ruled(), spans_.batch, few, &rows);
-    draw_left<Pixel, Address>(few_, RuledSpans{spans_.batch, rows, spans_.texels, spans_.exact},
-                              surface_);
-    few_.count = 0;
+  HWY_INLINE void finish() {
+    few_.finish([this](const Left& few) { draw_few<Pixel, Address>(few); });
   }
 
  private:
@@ -121,10 +114,17 @@ class NearPlaneRest : public RestDraw {
       rest->draw_all<Pixel, Address>(first_index);
       return false;
     }
-    if (rest->few_.count + left.count > Left::kMost) rest->finish<Pixel, Address>();
-    std::copy_n(left.rest.begin(), left.count, rest->few_.rest.begin() + rest->few_.count);
-    rest->few_.count += left.count;
+    rest->few_.keep(left, [rest](const Left& few) { rest->draw_few<Pixel, Address>(few); });
     return true;
+  }
+
+  template <class Pixel, class Address>
+  HWY_NOINLINE void draw_few(const Left& few) const {
+    RuledRows rows;
+    const std::span of(few.rest.data(), static_cast<size_t>(few.count));
+    find_lanes_of(spans_.exact.ruled(), spans_.batch, of, &rows);
+    draw_left<Pixel, Address>(few, RuledSpans{spans_.batch, rows, spans_.texels, spans_.exact},
+                              surface_);
   }
 
   // The rows from an index in the batch on.
@@ -161,7 +161,7 @@ class NearPlaneRest : public RestDraw {
 
   const AffineSpans& spans_;
   const Surface& surface_;
-  Left few_;
+  KeptLeft few_;
 };
 
 template <class Pixel, class Address>

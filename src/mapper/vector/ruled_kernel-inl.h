@@ -10,6 +10,7 @@
 #include "mapper/vector/boundaries-inl.h"
 #include "mapper/vector/entries-inl.h"
 #include "mapper/vector/left-inl.h"
+#include "mapper/vector/ruled_strips-inl.h"
 #include "mapper/vector/tie_columns-inl.h"
 #include "mapper/vector/whole_lanes-inl.h"
 
@@ -241,14 +242,59 @@ void draw_wide_ruled(const RuledSpans& spans, const Surface& surface) {
   });
 }
 
+// Rows with many near-ties.
+template <class Pixel, class Address>
+HWY_NOINLINE void draw_ruled_ties(const RuledSpans& spans, const Surface& surface) {
+  if (draw_near_ties<Pixel, Address>(spans, surface)) return;
+  if (!is_narrow(spans.batch)) return draw_wide_ruled<Pixel, Address>(spans, surface);
+  ties_of(spans).with_ties([&](auto* ties) { draw_decided<Pixel, Address>(spans, surface, ties); });
+}
+
+// What window strips leave.
+class RuledRest : public RestDraw {
+ public:
+  template <class Pixel, class Address>
+  static HWY_INLINE RuledRest of(const RuledSpans& spans, const Surface& surface) {
+    return {spans, surface, draw_as<Pixel, Address>};
+  }
+
+  // Draws what was kept.
+  template <class Pixel, class Address>
+  HWY_INLINE void finish() {
+    kept_.finish([this](const Left& left) { draw_left<Pixel, Address>(left, spans_, surface_); });
+  }
+
+ private:
+  HWY_INLINE RuledRest(const RuledSpans& spans, const Surface& surface, DrawAs by)
+      : RestDraw(by), spans_(spans), surface_(surface) {}
+
+  template <class Pixel, class Address>
+  static HWY_NOINLINE bool draw_as(RestDraw* of, const Left& left, int32_t /*first_index*/,
+                                   int32_t of_vectors) {
+    auto* const rest = static_cast<RuledRest*>(of);
+    if (are_many(left.count, of_vectors)) {
+      draw_ruled_ties<Pixel, Address>(rest->spans_, rest->surface_);
+      return false;
+    }
+    rest->kept_.keep(left, [rest](const Left& kept) {
+      draw_left<Pixel, Address>(kept, rest->spans_, rest->surface_);
+    });
+    return true;
+  }
+
+  const RuledSpans& spans_;
+  const Surface& surface_;
+  KeptLeft kept_;
+};
+
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_ruled_as(const RuledSpans& spans, const Surface& surface) {
   const InOneWindow in_one = draw_one_window<Pixel, Address>(spans, surface);
   if (in_one == InOneWindow::kDrawn) return;
-  if (in_one == InOneWindow::kManyNearTies) {
-    if (draw_near_ties<Pixel, Address>(spans, surface)) return;
-    return ties_of(spans).with_ties(
-        [&](auto* ties) { draw_decided<Pixel, Address>(spans, surface, ties); });
+  if (in_one == InOneWindow::kManyNearTies) return draw_ruled_ties<Pixel, Address>(spans, surface);
+  auto rest = RuledRest::of<Pixel, Address>(spans, surface);
+  if (draw_window_strips<Pixel>(spans, surface, &rest)) {
+    return rest.template finish<Pixel, Address>();
   }
   if (is_narrow(spans.batch)) {
     return draw_narrow_ruled<Pixel, Address>(spans, surface);
