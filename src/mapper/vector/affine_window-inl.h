@@ -19,20 +19,13 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// Lanes of rows that one window holds, 8.24 modulo 2^32, counted from its origin.
-class FineLanes {
+// Of rows that one window holds, lanes of 8.24 modulo 2^32, counted from its origin.
+class LowFineLanes {
  public:
   static constexpr int kFraction = kWindowFraction;
 
-  HWY_INLINE FineLanes(Lane step_x, int32_t lack_fx24)
-      : lack_fx24_(lack_fx24),
-        offset_u_(offsets_from_anchor<kWindowShift>(step_x.u_fx32)),
-        offset_v_(offsets_from_anchor<kWindowShift>(step_x.v_fx32)) {}
+  explicit HWY_INLINE LowFineLanes(int32_t lack_fx24) : lack_fx24_(lack_fx24) {}
 
-  HWY_INLINE LaneVectors lanes_from(int32_t u_fx24, int32_t v_fx24) const {
-    const D32 d;
-    return {hn::Add(hn::Set(d, u_fx24), offset_u_), hn::Add(hn::Set(d, v_fx24), offset_v_)};
-  }
   // What adding all that they may lack changes in either lane: above the low 24 bits, texels.
   [[nodiscard]] HWY_INLINE V32 changes(const LaneVectors& lanes) const {
     return hn::Or(change(lanes.u), change(lanes.v));
@@ -44,7 +37,6 @@ class FineLanes {
   }
 
   int32_t lack_fx24_;
-  V32 offset_u_, offset_v_;
 };
 
 // One coordinate of their anchors, of kLanes rows at a time, of vectors that begin at some pixels
@@ -125,6 +117,24 @@ struct FineStrip : Strip {
   }
 };
 
+// Under one map.
+class FineLanes : public LowFineLanes {
+ public:
+  HWY_INLINE FineLanes(Lane step_x, int32_t lack_fx24)
+      : LowFineLanes(lack_fx24),
+        offset_u_(offsets_from_anchor<kWindowShift>(step_x.u_fx32)),
+        offset_v_(offsets_from_anchor<kWindowShift>(step_x.v_fx32)) {}
+
+  HWY_INLINE LaneVectors of(const FineStrip& strip, int32_t row) const {
+    const D32 d;
+    return {hn::Add(hn::Set(d, strip.u_fx24[row]), offset_u_),
+            hn::Add(hn::Set(d, strip.v_fx24[row]), offset_v_)};
+  }
+
+ private:
+  V32 offset_u_, offset_v_;
+};
+
 static_assert(kPlaneErrorPerStep_fx32 == 1, "a plane's margin counts its steps");
 
 // How many steps right and down there are to a pixel of the batch from the field's first column in
@@ -141,31 +151,29 @@ static_assert(kPlaneErrorPerStep_fx32 == 1, "a plane's margin counts its steps")
   return right_px - spans.field.first_px + spans.batch.rows;
 }
 
-// Draws vectors from one window, and keeps what the lanes of pixels lack changes in them.
-template <class Pixel, class OneWindow>
+// Draws vectors from one window, and keeps what the lanes of pixels lack changes in them. Lanes are
+// those that lanes.of(strip, row) tells.
+template <class Pixel, class OneWindow, class Lanes>
 struct WindowPainter {
   static constexpr bool kTellsWhole = !kHasMask;  // by a mask a part costs no more than all
 
   OneWindow window;
-  FineLanes lanes;
+  Lanes lanes;
   V32 changed = hn::Zero(D32());
 
-  HWY_INLINE bool draw(const FineStrip& strip, int32_t row, int32_t count_px, Pixel* to) {
-    changed = draw_some(window, lanes, lanes_of(strip, row), count_px, changed, to);
+  template <class AnyStrip>
+  HWY_INLINE bool draw(const AnyStrip& strip, int32_t row, int32_t count_px, Pixel* to) {
+    changed = draw_some(window, lanes, lanes.of(strip, row), count_px, changed, to);
     return true;
   }
-  HWY_INLINE bool draw(const FineStrip& strip, int32_t row, WholeVector /*count_px*/, Pixel* to) {
-    changed = draw_whole(window, lanes, lanes_of(strip, row), changed, to);
+  template <class AnyStrip>
+  HWY_INLINE bool draw(const AnyStrip& strip, int32_t row, WholeVector /*count_px*/, Pixel* to) {
+    changed = draw_whole(window, lanes, lanes.of(strip, row), changed, to);
     return true;
   }
   // Whether there is a near-tie: all are drawn once more then.
   [[nodiscard]] HWY_INLINE bool is_in_vain() const {
     return changes_texels<kWindowFraction>(changed);
-  }
-
- private:
-  HWY_INLINE LaneVectors lanes_of(const FineStrip& strip, int32_t row) const {
-    return lanes.lanes_from(strip.u_fx24[row], strip.v_fx24[row]);
   }
 };
 
@@ -187,7 +195,7 @@ template <class Pixel, class OneWindow>
   const FineAnchors anchors(field, field.first_px, plus(first, 1, way_to_anchor(field.step_x)));
   FineStrip strip;
   NoRest none;
-  const WindowPainter<Pixel, OneWindow> painter{window, lanes};
+  const WindowPainter<Pixel, OneWindow, FineLanes> painter{window, lanes};
   return draw_strips<Pixel>(painter, &strip, anchors, spans.batch, surface, &none).changed;
 }
 

@@ -11,6 +11,7 @@
 #include "mapper/vector/entries-inl.h"
 #include "mapper/vector/left-inl.h"
 #include "mapper/vector/ruled_strips-inl.h"
+#include "mapper/vector/ruled_window-inl.h"
 #include "mapper/vector/tie_columns-inl.h"
 #include "mapper/vector/whole_lanes-inl.h"
 
@@ -31,9 +32,8 @@ namespace {
 // The lanes of vectors of a row.
 class RuledRow {
  public:
-  // Counted from a texel.
-  HWY_INLINE RuledRow(const RuledRows& rows, int32_t index, Lane origin = {0, 0})
-      : start_(plus(rows.start[static_cast<size_t>(index)], -1, origin)),
+  HWY_INLINE RuledRow(const RuledRows& rows, int32_t index)
+      : start_(rows.start[static_cast<size_t>(index)]),
         step_(rows.step[static_cast<size_t>(index)]),
         steps_{steps_fx16(step_.u_fx32), steps_fx16(step_.v_fx32)} {}
 
@@ -49,43 +49,6 @@ class RuledRow {
   Lane start_, step_;
   LaneVectors steps_;
 };
-
-// Draws a batch from one window, row by row.
-template <class Pixel>
-struct RuledFromWindow {
-  const RuledSpans& spans;
-  const Surface& surface;
-  V32* changed_by_near;
-
-  template <class OneWindow>
-  [[nodiscard]] HWY_INLINE bool operator()(const OneWindow& window) const {
-    const LowLanes low(lack_fx16(spans.rows.margin_fx32));
-    V32 changed = hn::Zero(D32());
-    for (int32_t i = 0; i < spans.batch.rows; ++i) {
-      const Span span = spans.batch.span(i);
-      const RuledRow row(spans.rows, i, window.origin());
-      auto* const to = reinterpret_cast<Pixel*>(first_pixel(surface, span));
-      for_each_vector_of(span, [&](int32_t px, int32_t count_px) HWY_ATTR {
-        changed = draw_first(window, low, row.lanes(px), count_px, changed, to + px);
-      });
-    }
-    *changed_by_near = changed;
-    return true;
-  }
-};
-
-// Draws a batch, if one window holds its texels and no pixel is a near-tie.
-template <class Pixel, class Address>
-[[nodiscard]] HWY_INLINE InOneWindow draw_one_window(const RuledSpans& spans,
-                                                     const Surface& surface) {
-  if (!pays_one_window(spans.batch)) return InOneWindow::kNotInOne;
-  V32 changed;
-  if (!with_one_window<Pixel, Address>(spans.texels, surface.texture,
-                                       RuledFromWindow<Pixel>{spans, surface, &changed})) {
-    return InOneWindow::kNotInOne;
-  }
-  return in_one_window<kTexelFraction>(changed, spans.batch.widest_px);
-}
 
 template <class Pixel, class Address, class Ties>
 HWY_NOINLINE void draw_decided(const RuledSpans& spans, const Surface& surface, Ties* ties) {

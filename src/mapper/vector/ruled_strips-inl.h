@@ -17,22 +17,11 @@
 #include <optional>
 
 #include "mapper/vector/affine_narrow-inl.h"
+#include "mapper/vector/ruled_window-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
-
-// Both coordinates of some rows' lanes.
-struct RuledLanes {
-  WideVector u, v;
-
-  static HWY_INLINE RuledLanes of(const Lane* rows) {
-    static_assert(sizeof(Lane) == sizeof(int64_t[2]));
-    RuledLanes lanes;
-    hn::LoadInterleaved2(Wide(), &rows->u_fx32, lanes.u, lanes.v);
-    return lanes;
-  }
-};
 
 // Anchors of kLanes rows at a time, of vectors that begin at some pixels of them.
 class RuledAnchors {
