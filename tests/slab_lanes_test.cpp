@@ -44,7 +44,7 @@ TEST(AffineSlab, LanesAreLowByLessThanTheirMargin) {
     SpanBatch batch;
     ASSERT_TRUE(batches.next(&batch));
     RuledRows rows;
-    find_lanes(std::span(&slab, 1), batch, &rows);
+    find_lanes(std::span(&slab, 1), batch, find_ruled_lanes_scalar, &rows);
     EXPECT_EQ(rows.margin_fx32, kRuledErrorPerPixel_fx32 * static_cast<uint32_t>(batch.widest_px));
     double most_denominator = 0;
     for (int32_t i = 0; i < batch.rows; ++i) {
@@ -66,6 +66,41 @@ TEST(AffineSlab, LanesAreLowByLessThanTheirMargin) {
   EXPECT_GT(pixels, 20000);
 }
 
+// All of their rows, those without pixels or with one among them.
+TEST(AffineSlab, EveryKernelFindsTheSameLanes) {
+  int rows_of_none = 0, rows_of_one = 0;
+  for_each_slab(
+      3000, true, [&](const auto& /*vertices*/, const Polygon& polygon, const Slab& slab) {
+        const selvage_rect part =
+            part_of(polygon, {-40000, slab.first_row, 40000,
+                              std::min(slab.end_row, slab.first_row + kRowsPerBatch)});
+        if (is_empty(part)) return;
+        BatchWalk batches(polygon, part, find_spans_scalar);
+        SpanBatch batch;
+        ASSERT_TRUE(batches.next(&batch));
+        RuledRows wanted;
+        find_lanes(std::span(&slab, 1), batch, find_ruled_lanes_scalar, &wanted);
+        for (const selvage_kernel kernel : usable_kernels()) {
+          RuledRows rows;
+          find_lanes(std::span(&slab, 1), batch,
+                     kernels_of(kernel, SELVAGE_FILTER_NEAREST)->find_ruled_lanes, &rows);
+          EXPECT_EQ(rows.most_denominator, wanted.most_denominator) << "kernel " << kernel;
+          for (size_t i = 0; i < static_cast<size_t>(batch.rows); ++i) {
+            ASSERT_EQ(rows.start[i].u_fx32, wanted.start[i].u_fx32) << "kernel " << kernel;
+            ASSERT_EQ(rows.start[i].v_fx32, wanted.start[i].v_fx32) << "kernel " << kernel;
+            ASSERT_EQ(rows.step[i].u_fx32, wanted.step[i].u_fx32) << "kernel " << kernel;
+            ASSERT_EQ(rows.step[i].v_fx32, wanted.step[i].v_fx32) << "kernel " << kernel;
+          }
+        }
+        for (int32_t i = 0; i < batch.rows; ++i) {
+          const int32_t width_px = batch.span(i).width_px();
+          (width_px == 0 ? rows_of_none : rows_of_one) += width_px <= 1 ? 1 : 0;
+        }
+      });
+  EXPECT_GT(rows_of_none, 100);
+  EXPECT_GT(rows_of_one, 100);
+}
+
 // Of a batch that begins above some slabs and ends in others, each row has its own; none is 0.
 TEST(AffineSlab, FindsTheRowsOfAllSlabsInABatch) {
   const std::vector<selvage_vertex> vertices = {{0, 0, 0, 0, 1},
@@ -82,7 +117,7 @@ TEST(AffineSlab, FindsTheRowsOfAllSlabsInABatch) {
   SpanBatch batch;
   ASSERT_TRUE(batches.next(&batch));
   RuledRows rows;
-  find_lanes(map.slabs(), batch, &rows);
+  find_lanes(map.slabs(), batch, find_ruled_lanes_scalar, &rows);
   for (int32_t i = 0; i < batch.rows; ++i) {
     const Span span = batch.span(i);
     if (span.empty()) {
@@ -113,7 +148,7 @@ TEST(AffineSlab, LeavesRowsOfOtherBatchesAlone) {
   }
   RuledRows lanes;
   for (size_t i = 0; i < 5; ++i) lanes.start[i].u_fx32 = lanes.step[i].u_fx32 = -77;
-  find_lanes(slabs, batch, &lanes);
+  find_lanes(slabs, batch, find_ruled_lanes_scalar, &lanes);
   for (size_t i = 0; i < 3; ++i) EXPECT_GT(lanes.start[i].u_fx32, 0);
   for (size_t i = 3; i < 5; ++i) EXPECT_EQ(lanes.start[i].u_fx32, -77);
 }
@@ -273,7 +308,7 @@ TEST(RuledRows, AreNotDecidedWhereTheyAreEmpty) {
     ASSERT_TRUE(batch.span(0).empty());
     ASSERT_GT(batch.widest_px, 0);
     RuledRows rows;
-    find_lanes(map.slabs(), batch, &rows);
+    find_lanes(map.slabs(), batch, find_ruled_lanes_scalar, &rows);
     const RuledSpans spans{batch, rows, polygon.texels, ExactMap(map)};
     for_each_row(spans, [&](const AffineSpans& row) {
       scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(row, surface);

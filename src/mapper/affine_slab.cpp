@@ -36,18 +36,20 @@ namespace {
 
 // The spec's numbers for q = 1 (8.2). Both weights have the same sign at a pixel, whichever edge is
 // on the left, so that nothing cancels (spec/proofs/ruled_rows.g).
-void AffineSlab::find_lanes(const SpanBatch& batch, int32_t first_index, int32_t end_index,
-                            RuledRows* rows) const {
+void find_ruled_lanes_scalar(const AffineSlab& slab, const SpanBatch& batch, int32_t first_index,
+                             int32_t end_index, RuledRows* rows) {
   constexpr double kUnit_fx32 = 1 << (kLaneFraction - kTexelFraction);
   for (int32_t i = first_index; i < end_index; ++i) {
     const auto row = static_cast<size_t>(i);
     const Span span = batch.span(i);
     rows->start[row] = rows->step[row] = {};
     if (span.empty()) continue;
-    const AffineEdge::Point a = a_.at(span.row - first_row_), b = b_.at(span.row - first_row_);
+    const int32_t below = span.row - slab.first_row;
+    const AffineEdge::Point a = slab.a.at(below), b = slab.b.at(below);
     const double centre = centre_fx8(span.left_px);
-    const double weight_a = b.x - centre * b_.height(), weight_b = centre * a_.height() - a.x;
-    const double width = weight_a * a_.height() + weight_b * b_.height();
+    const double weight_a = b.x - centre * slab.b.height(),
+                 weight_b = centre * slab.a.height() - a.x;
+    const double width = weight_a * slab.a.height() + weight_b * slab.b.height();
     const double denominator = std::abs(width) * (1 << kTexelFraction);
     rows->most_denominator = std::max(rows->most_denominator, denominator);
     const double per_width = kUnit_fx32 / width;
@@ -58,19 +60,20 @@ void AffineSlab::find_lanes(const SpanBatch& batch, int32_t first_index, int32_t
     if (span.width_px() == 1) continue;  // only from pixel to pixel is a step below 2^16
     const double per_px = per_width * kSubpixels;
     const auto step = [&](double of_a, double of_b) {
-      return floor_fx32((of_b * a_.height() - of_a * b_.height()) * per_px);
+      return floor_fx32((of_b * slab.a.height() - of_a * slab.b.height()) * per_px);
     };
     rows->step[row] = {step(a.u, b.u), step(a.v, b.v)};
   }
 }
 
-void find_lanes(std::span<const Slab> slabs, const SpanBatch& batch, RuledRows* rows) {
+void find_lanes(std::span<const Slab> slabs, const SpanBatch& batch,
+                FindRuledLanes find_ruled_lanes, RuledRows* rows) {
   const int32_t end_row = batch.first_row + batch.rows;
   rows->most_denominator = 0;
   for (const Slab& slab : slabs) {
     const int32_t first = std::max(slab.first_row, batch.first_row);
     const int32_t end = std::min(slab.end_row, end_row);  // before the first one: no row
-    AffineSlab(slab).find_lanes(batch, first - batch.first_row, end - batch.first_row, rows);
+    find_ruled_lanes(AffineSlab(slab), batch, first - batch.first_row, end - batch.first_row, rows);
   }
   rows->margin_fx32 = margin_of(batch);
 }
@@ -89,7 +92,7 @@ void find_lanes_of(const RuledMap& map, const SpanBatch& batch, std::span<const 
     if (&slab != last_slab) lanes.emplace(slab);
     last_slab = &slab;
     const int32_t index = span.row - batch.first_row;
-    lanes->find_lanes(batch, index, index + 1, rows);
+    find_ruled_lanes_scalar(*lanes, batch, index, index + 1, rows);
   }
   rows->margin_fx32 = margin_of(batch);
 }

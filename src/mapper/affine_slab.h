@@ -49,6 +49,9 @@ class AffineEdge {
     const double n = rows_below;
     return {first_.x + n * down_.x, first_.u + n * down_.u, first_.v + n * down_.v};
   }
+  // In the first row, and how much more a row.
+  [[nodiscard]] const Point& first() const { return first_; }
+  [[nodiscard]] const Point& down() const { return down_; }
   [[nodiscard]] double height() const { return height_; }
 
  private:
@@ -56,22 +59,25 @@ class AffineEdge {
   Point first_, down_;
 };
 
-class AffineSlab {
- public:
+struct AffineSlab {
   explicit AffineSlab(const Slab& slab)
-      : first_row_(slab.first_row), a_(slab.a, slab.first_row), b_(slab.b, slab.first_row) {}
+      : first_row(slab.first_row), a(slab.a, slab.first_row), b(slab.b, slab.first_row) {}
 
-  // Of some of a batch's rows, the slab's. Those of empty spans are 0. Raises most_denominator.
-  void find_lanes(const SpanBatch& batch, int32_t first_index, int32_t end_index,
-                  RuledRows* rows) const;
-
- private:
-  int32_t first_row_;
-  AffineEdge a_, b_;
+  int32_t first_row;
+  AffineEdge a, b;
 };
 
-// Of a batch of the slabs' rows.
-void find_lanes(std::span<const Slab> slabs, const SpanBatch& batch, RuledRows* rows);
+// Of some of a batch's rows, the slab's. Those of empty spans are 0. Raises most_denominator, and
+// may write rows behind end_index, too.
+using FindRuledLanes = void (*)(const AffineSlab& slab, const SpanBatch& batch, int32_t first_index,
+                                int32_t end_index, RuledRows* rows);
+
+void find_ruled_lanes_scalar(const AffineSlab& slab, const SpanBatch& batch, int32_t first_index,
+                             int32_t end_index, RuledRows* rows);
+
+// Of a batch of the slabs' rows, each slab's by find_ruled_lanes.
+void find_lanes(std::span<const Slab> slabs, const SpanBatch& batch,
+                FindRuledLanes find_ruled_lanes, RuledRows* rows);
 // Of some of its rows alone, those of these spans.
 void find_lanes_of(const RuledMap& map, const SpanBatch& batch, std::span<const Span> of,
                    RuledRows* rows);

@@ -73,6 +73,7 @@ struct ProjectiveSpans {
 struct Kernels {
   FindSpans find_spans;
   FindLanes find_lanes;
+  FindRuledLanes find_ruled_lanes;
   void (*draw_affine)(const AffineSpans& spans, const Surface& surface);
   void (*draw_projective)(const ProjectiveSpans& spans, const Surface& surface);
   void (*draw_ruled)(const RuledSpans& spans, const Surface& surface) = nullptr;

@@ -19,7 +19,7 @@ inline void draw_ruled_affine(const RuledMap& map, const Polygon& polygon, const
   SpanBatch batch;
   RuledRows rows;
   while (walk.next(&batch)) {
-    find_lanes(map.slabs(), batch, &rows);
+    find_lanes(map.slabs(), batch, kernels.find_ruled_lanes, &rows);
     const RuledSpans spans{batch, rows, polygon.texels, ExactMap(map)};
     if (kernels.draw_ruled != nullptr) {
       kernels.draw_ruled(spans, surface);

@@ -45,13 +45,14 @@ void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
 
 }  // namespace
 
-constexpr Kernels kFourScalar = {find_spans_scalar, find_lanes_scalar, draw_affine<blend_four>,
-                                 draw_projective<blend_four>};
-constexpr Kernels kBilinearScalar = {find_spans_scalar, find_lanes_scalar,
+constexpr Kernels kFourScalar = {find_spans_scalar, find_lanes_scalar, find_ruled_lanes_scalar,
+                                 draw_affine<blend_four>, draw_projective<blend_four>};
+constexpr Kernels kBilinearScalar = {find_spans_scalar, find_lanes_scalar, find_ruled_lanes_scalar,
                                      draw_affine<blend_bilinear>, draw_projective<blend_bilinear>};
 constexpr Kernels kAreaScalar = {
     .find_spans = find_spans_scalar,
     .find_lanes = find_lanes_scalar,
+    .find_ruled_lanes = find_ruled_lanes_scalar,
     .draw_affine = draw_affine<blend_bilinear>,
     .draw_projective = draw_projective<blend_bilinear>,
     .draw_boxes_affine = draw_boxes_affine_scalar,

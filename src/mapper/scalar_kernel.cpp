@@ -105,6 +105,7 @@ void draw_projective(const ProjectiveSpans& spans, const Surface& surface) {
 constexpr Kernels kScalar = {
     .find_spans = find_spans_scalar,
     .find_lanes = find_lanes_scalar,
+    .find_ruled_lanes = find_ruled_lanes_scalar,
     .draw_affine = draw_affine,
     .draw_projective = draw_projective,
     .pays_near_plane = always_pays,

@@ -17,6 +17,8 @@ namespace selvage::mapper::HWY_NAMESPACE {
 // vector/setup.cpp
 void find_spans(Outline* outline, int32_t left_px, int32_t right_px, SpanBatch* batch);
 [[nodiscard]] bool find_lanes(const PlaneFrame& frame, AffineField* lanes);
+void find_ruled_lanes(const AffineSlab& slab, const SpanBatch& batch, int32_t first_index,
+                      int32_t end_index, RuledRows* rows);
 
 // vector/affine.cpp
 void draw_affine(const AffineSpans& spans, const Surface& surface);

@@ -17,6 +17,7 @@ namespace selvage::mapper::HWY_NAMESPACE {
 constexpr Kernels kNearest = {
     .find_spans = find_spans,
     .find_lanes = find_lanes,
+    .find_ruled_lanes = find_ruled_lanes,
     .draw_affine = draw_affine,
     .draw_projective = draw_projective,
     .draw_ruled = draw_ruled,
@@ -25,12 +26,14 @@ constexpr Kernels kNearest = {
     .draw_stepped = draw_stepped,
     .stepping = HWY_TARGET == HWY_AVX3 ? kWideStepping : kUsualStepping,
 };
-constexpr Kernels kFour = {find_spans, find_lanes, draw_four_affine, draw_four_projective};
-constexpr Kernels kBilinear = {find_spans, find_lanes, draw_bilinear_affine,
+constexpr Kernels kFour = {find_spans, find_lanes, find_ruled_lanes, draw_four_affine,
+                           draw_four_projective};
+constexpr Kernels kBilinear = {find_spans, find_lanes, find_ruled_lanes, draw_bilinear_affine,
                                draw_bilinear_projective};
 constexpr Kernels kArea = {
     .find_spans = find_spans,
     .find_lanes = find_lanes,
+    .find_ruled_lanes = find_ruled_lanes,
     .draw_affine = draw_bilinear_affine,
     .draw_projective = draw_bilinear_projective,
     .draw_boxes_affine = draw_boxes_affine,

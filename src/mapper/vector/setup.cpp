@@ -1,4 +1,4 @@
-// Spans between edges, and the lanes of planes: Highway includes this file again for each SIMD
+// Spans between edges, and the lanes of planes and of slabs' rows: Highway includes this file again for each SIMD
 // target.
 #include "mapper/vector/targets.h"
 
@@ -11,4 +11,5 @@
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
 #include "mapper/vector/plane_kernel-inl.h"
 #include "mapper/vector/row_kernel-inl.h"
+#include "mapper/vector/ruled_rows-inl.h"
 #endif
