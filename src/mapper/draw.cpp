@@ -106,31 +106,38 @@ void draw_slabs(const Polygon& polygon, const selvage_rect& part, const Surface&
   return true;
 }
 
-// A polygon in no plane by one that is near, if there is one. Those of more vertices have mostly
-// too many slabs; n have n - 1 of them at most.
-[[nodiscard]] bool draw_near_plane(const Polygon& polygon, const selvage_rect& part,
-                                   const Surface& surface, const Kernels& kernels) {
+// A plane near a polygon that lies in none, if there is one and kernels make use of it. Polygons of
+// more vertices have mostly too many slabs; n have n - 1 of them at most.
+[[nodiscard]] std::optional<AffineField> find_near_plane(const Polygon& polygon,
+                                                         const selvage_rect& part,
+                                                         const Kernels& kernels) {
   constexpr size_t kMostVertices = RuledMap::kMostSlabs + 1;
-  if (kernels.draw_near_plane == nullptr || polygon.vertices.size() > kMostVertices) return false;
-  const std::optional<AffineField> lanes = near_plane(polygon, part);
-  if (!lanes || !kernels.pays_near_plane(*lanes, surface)) return false;
+  if (kernels.draw_near_plane == nullptr || polygon.vertices.size() > kMostVertices) {
+    return std::nullopt;
+  }
+  return near_plane(polygon, part);
+}
+
+void draw_near_plane(const AffineField& lanes, const Polygon& polygon, const selvage_rect& part,
+                     const Surface& surface, const Kernels& kernels) {
   RuledMap map;
   static_cast<void>(find_map(polygon, part, &map));
   BatchWalk walk(polygon, part, kernels.find_spans);
   SpanBatch batch;
   while (walk.next(&batch)) {
-    kernels.draw_near_plane({batch, *lanes, polygon.texels, ExactMap(map)}, surface);
+    kernels.draw_near_plane({batch, lanes, polygon.texels, ExactMap(map)}, surface);
   }
-  return true;
 }
 
-// All of a small affine polygon of few slabs at once: a plane for each would cost more than its
-// rows do.
-[[nodiscard]] bool draw_small(const Polygon& polygon, const selvage_rect& part,
+// Up to so many rows a plane for each slab would cost more than its rows do; near a plane, where
+// kernels draw rows as fast as those of one, up to more.
+inline constexpr int32_t kMostSmallRows = 32, kMostNearRows = 128;
+
+// All of an affine polygon of few slabs at once, if it has no more rows.
+[[nodiscard]] bool draw_small(const Polygon& polygon, const selvage_rect& part, int32_t most_rows,
                               const Surface& surface, const Kernels& kernels) {
-  constexpr int32_t kMostRows = 32;
   RuledMap map;
-  if (!polygon.affine || part.bottom - part.top > kMostRows || !find_map(polygon, part, &map)) {
+  if (!polygon.affine || part.bottom - part.top > most_rows || !find_map(polygon, part, &map)) {
     return false;
   }
   draw_ruled_affine(map, polygon, part, surface, kernels);
@@ -158,8 +165,11 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
     return draw_tolerantly(surface, part, polygon, kernels, options.tolerance);
   }
   if (draw_plane(polygon, part, surface, kernels)) return;
-  if (draw_near_plane(polygon, part, surface, kernels)) return;
-  if (draw_small(polygon, part, surface, kernels)) return;
+  const std::optional<AffineField> near = find_near_plane(polygon, part, kernels);
+  if (near && kernels.pays_near_plane(*near, surface)) {
+    return draw_near_plane(*near, polygon, part, surface, kernels);
+  }
+  if (draw_small(polygon, part, near ? kMostNearRows : kMostSmallRows, surface, kernels)) return;
   draw_slabs(polygon, part, surface, kernels);
 }
 

@@ -79,13 +79,20 @@ template <class Pixel, class Address>
                                                  spans.exact, spans.rows.most_denominator, surface);
 }
 
+// Wider rows are decided one by one at more cost than those of a plane: columns pay where half of a
+// block has rows, as far as strips go.
+[[nodiscard]] HWY_INLINE bool pays_ruled_columns(const SpanBatch& batch) {
+  if (is_narrow(batch)) return pays_columns(batch);
+  return batch.widest_px <= kMostWindowStrips_px && 2 * batch.rows > kLanes;
+}
+
 // Draws a batch with many near-ties by columns or by boundaries. False where it is drawn by
 // neither.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_near_ties(const RuledSpans& spans, const Surface& surface) {
   const LowLanes low(lack_fx16(spans.rows.margin_fx32));
   const bool has_columns =
-      pays_columns(spans.batch) &&
+      pays_ruled_columns(spans.batch) &&
       is_one_limb_enough(spans.exact.ruled(), spans.rows.most_denominator, low.spare_bits());
   const bool beats = has_columns && beat_boundaries(spans.batch, TexelRanges(spans.texels));
   if (!beats && draw_between_boundaries<Pixel, Address>(spans, surface)) return true;
