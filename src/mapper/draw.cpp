@@ -129,17 +129,20 @@ void draw_near_plane(const AffineField& lanes, const Polygon& polygon, const sel
   }
 }
 
-// Up to so many rows a plane for each slab would cost more than its rows do; near a plane, where
-// kernels draw rows as fast as those of one, up to more.
-inline constexpr int32_t kMostSmallRows = 32, kMostNearRows = 128;
+// Whether a plane for each slab would cost more than its rows do: where rows are few; near a plane,
+// where kernels draw narrow rows as fast as those of one, up to more.
+[[nodiscard]] bool is_small(const selvage_rect& part, bool is_near_plane) {
+  constexpr int32_t kMostRows = 32, kMostNearRows = 128, kMostNear_px = 128;
+  const int32_t rows = part.bottom - part.top;
+  return rows <= kMostRows ||
+         (is_near_plane && rows <= kMostNearRows && part.right - part.left <= kMostNear_px);
+}
 
-// All of an affine polygon of few slabs at once, if it has no more rows.
-[[nodiscard]] bool draw_small(const Polygon& polygon, const selvage_rect& part, int32_t most_rows,
+// All of an affine polygon of few slabs at once.
+[[nodiscard]] bool draw_small(const Polygon& polygon, const selvage_rect& part,
                               const Surface& surface, const Kernels& kernels) {
   RuledMap map;
-  if (!polygon.affine || part.bottom - part.top > most_rows || !find_map(polygon, part, &map)) {
-    return false;
-  }
+  if (!polygon.affine || !find_map(polygon, part, &map)) return false;
   draw_ruled_affine(map, polygon, part, surface, kernels);
   return true;
 }
@@ -169,7 +172,9 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
   if (near && kernels.pays_near_plane(*near, surface)) {
     return draw_near_plane(*near, polygon, part, surface, kernels);
   }
-  if (draw_small(polygon, part, near ? kMostNearRows : kMostSmallRows, surface, kernels)) return;
+  if (is_small(part, near.has_value()) && draw_small(polygon, part, surface, kernels)) {
+    return;
+  }
   draw_slabs(polygon, part, surface, kernels);
 }
 

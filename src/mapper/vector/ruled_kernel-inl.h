@@ -79,11 +79,12 @@ template <class Pixel, class Address>
                                                  spans.exact, spans.rows.most_denominator, surface);
 }
 
-// Wider rows are decided one by one at more cost than those of a plane: columns pay where half of a
-// block has rows, as far as strips go.
+// Rows that are not narrow are decided one by one, at less cost only if they are wide: columns pay
+// up to there, where half of a block has rows.
 [[nodiscard]] HWY_INLINE bool pays_ruled_columns(const SpanBatch& batch) {
+  constexpr int32_t kMost_px = 128;
   if (is_narrow(batch)) return pays_columns(batch);
-  return batch.widest_px <= kMostWindowStrips_px && 2 * batch.rows > kLanes;
+  return batch.widest_px <= kMost_px && 2 * batch.rows > kLanes;
 }
 
 // Draws a batch with many near-ties by columns or by boundaries. False where it is drawn by

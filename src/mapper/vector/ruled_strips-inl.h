@@ -4,6 +4,7 @@
 // Vectors begin with their rows' lanes, and go on by one step for all, no row's greater:
 //
 //     lane <= true value < lane + margin + (kLanes - 1) (greatest step - least one)
+//                                                               (spec/proofs/common_step.g)
 //
 // which leaves little in doubt where rows are those of a polygon that nearly lies in a plane, as
 // those do whose corners were rounded to the grid.
