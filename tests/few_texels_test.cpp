@@ -7,6 +7,7 @@
 
 #include "spec/random.h"
 #include "spec/vertex_units.h"
+#include "tests/any_surfaces.h"
 #include "tests/kernel_support.h"
 
 namespace selvage::mapper {
@@ -16,15 +17,11 @@ using spec::kPixel_fx8;
 using spec::kTexel_fx16;
 
 [[nodiscard]] spec::Case any_target(spec::Random& random) {
-  spec::Case c;
-  c.format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
-  c.address = random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP;
+  spec::Case c = any_surfaces(random);
   c.target_width_px = random.percent(20) ? random.in(70, 400) : random.in(1, 70);
   c.target_height_px = random.in(4, 140);
   c.texture_width_texel = random.pick({1, 3, 8, 17, 64});
   c.texture_height_texel = random.pick({1, 2, 8, 17, 64});
-  c.flip_target = random.percent(20);
-  c.flip_texture = random.percent(20);
   return c;
 }
 

@@ -7,6 +7,7 @@
 
 #include "spec/random.h"
 #include "spec/vertex_units.h"
+#include "tests/any_surfaces.h"
 #include "tests/kernel_support.h"
 #include "tests/rounded.h"
 #include "tests/texel_map.h"
@@ -24,9 +25,7 @@ using spec::kTexel_fx16;
 // A column of a target, its rows maybe a pitch apart that puts many into one set of a cache, and a
 // texture that is seldom larger than what is fetched at once.
 [[nodiscard]] spec::Case any_target(spec::Random& random) {
-  spec::Case c;
-  c.format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
-  c.address = random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP;
+  spec::Case c = any_surfaces(random);
   c.target_width_px = random.in(1, 75);
   c.target_height_px = random.in(1, 140);
   c.texture_width_texel = random.pick({1, 7, 8, 15, 16, 17, 20, 64, 100, 256, 256});
@@ -36,8 +35,6 @@ using spec::kTexel_fx16;
     const int32_t pitch_px = random.pick({512, 1024, 2048, 4096}) / bytes_of(c.format);
     c.padding_px = pitch_px - c.target_width_px;
   }
-  c.flip_target = random.percent(20);
-  c.flip_texture = random.percent(20);
   return c;
 }
 

@@ -3,12 +3,11 @@
 // their pixels, steps that are nearly the same or too far apart for that.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 #include "spec/random.h"
 #include "spec/vertex_units.h"
+#include "tests/any_surfaces.h"
 #include "tests/kernel_support.h"
 #include "tests/modelled.h"
 #include "tests/rounded.h"
@@ -21,16 +20,12 @@ using spec::kPixel_fx8;
 using spec::kTexel_fx16;
 
 [[nodiscard]] spec::Case any_target(spec::Random& random) {
-  spec::Case c;
-  c.format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
-  c.address = random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP;
+  spec::Case c = any_surfaces(random);
   c.target_width_px = random.pick({random.in(4, 70), random.in(60, 140), random.in(120, 560)});
   c.target_height_px = random.in(2, c.target_width_px > 140 ? 20 : 140);
   c.texture_width_texel = random.pick({7, 8, 16, 17, 64, 100, 256, 256});
   c.texture_height_texel = random.pick({2, 3, 4, 10, 64, 100, 256, 256});
   c.padding_px = random.in(0, 4);
-  c.flip_target = random.percent(20);
-  c.flip_texture = random.percent(20);
   return c;
 }
 

@@ -8,6 +8,7 @@
 
 #include "spec/random.h"
 #include "spec/vertex_units.h"
+#include "tests/any_surfaces.h"
 #include "tests/kernel_support.h"
 
 namespace selvage::mapper {
@@ -17,16 +18,12 @@ using spec::kPixel_fx8;
 using spec::kTexel_fx16;
 
 [[nodiscard]] spec::Case narrow_target(spec::Random& random) {
-  spec::Case c;
-  c.format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
-  c.address = random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP;
+  spec::Case c = any_surfaces(random);
   c.target_width_px = random.percent(20) ? random.in(40, 90) : random.in(1, 40);
   c.target_height_px = random.in(2, 180);
   c.texture_width_texel = random.pick({3, 17, 64, 256});
   c.texture_height_texel = random.pick({2, 17, 64, 256});
   c.padding_px = random.in(0, 3);
-  c.flip_target = random.percent(20);
-  c.flip_texture = random.percent(20);
   return c;
 }
 

@@ -8,6 +8,7 @@
 
 #include "spec/random.h"
 #include "spec/vertex_units.h"
+#include "tests/any_surfaces.h"
 #include "tests/kernel_support.h"
 #include "tests/rounded.h"
 #include "tests/texel_map.h"
@@ -20,16 +21,12 @@ using spec::kTexel_fx16;
 
 // A long target of few rows, and a texture about as large as a window, or larger.
 [[nodiscard]] spec::Case any_target(spec::Random& random) {
-  spec::Case c;
-  c.format = random.pick({SELVAGE_INDEX8, SELVAGE_RGB565, SELVAGE_RGBA8888});
-  c.address = random.percent(50) ? SELVAGE_ADDRESS_CLAMP : SELVAGE_ADDRESS_WRAP;
+  spec::Case c = any_surfaces(random);
   c.target_width_px = random.in(250, 1400);
   c.target_height_px = random.in(1, 12);  // by strips from 8 on, where they are not too wide
   c.texture_width_texel = random.pick({8, 15, 16, 17, 20, 64, 100, 256, 256});
   c.texture_height_texel = random.pick({1, 2, 3, 4, 5, 10, 64, 100, 256, 256});
   c.padding_px = random.in(0, 4);
-  c.flip_target = random.percent(20);
-  c.flip_texture = random.percent(20);
   return c;
 }
 

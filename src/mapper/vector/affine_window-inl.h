@@ -210,10 +210,10 @@ template <class Pixel, class OneWindow>
   return within(texels.s, origin.u_fx32) && within(texels.t, origin.v_fx32);
 }
 
-// Draws a batch from one window, if that is near its texels.
-template <class Pixel>
-struct AffineFromWindow {
-  const AffineSpans& spans;
+// Draws a batch by draw_from(), if a window is near its texels.
+template <class Pixel, class Spans>
+struct FromWindow {
+  const Spans& spans;
   const Surface& surface;
   V32* changed;  // by near-ties
 
@@ -226,13 +226,12 @@ struct AffineFromWindow {
 };
 
 // Draws a batch, if one window holds its texels and no pixel is a near-tie.
-template <class Pixel, class Address>
-[[nodiscard]] HWY_INLINE InOneWindow draw_one_window(const AffineSpans& spans,
-                                                     const Surface& surface) {
+template <class Pixel, class Address, class Spans>
+[[nodiscard]] HWY_INLINE InOneWindow draw_one_window(const Spans& spans, const Surface& surface) {
   if (!pays_one_window(spans.batch)) return InOneWindow::kNotInOne;
   V32 changed;
   if (!with_one_window<Pixel, Address>(spans.texels, surface.texture,
-                                       AffineFromWindow<Pixel>{spans, surface, &changed})) {
+                                       FromWindow<Pixel, Spans>{spans, surface, &changed})) {
     return InOneWindow::kNotInOne;
   }
   return in_one_window<kWindowFraction>(changed, spans.batch.widest_px);

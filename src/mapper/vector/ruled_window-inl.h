@@ -114,37 +114,16 @@ class RuledFineLanes : public LowFineLanes {
   }
 };
 
-// Draws a batch from one window, if that is near its texels.
-template <class Pixel>
-struct RuledFromWindow {
-  const RuledSpans& spans;
-  const Surface& surface;
-  V32* changed;  // by near-ties
-
-  template <class OneWindow>
-  [[nodiscard]] HWY_INLINE bool operator()(const OneWindow& window) const {
-    if (OneWindow::kClamps && !are_near(spans.texels, window.origin())) return false;
-    const RuledFineLanes lanes(fine_lack_fx24(spans.batch.widest_px, spans.rows.margin_fx32));
-    const RuledFineAnchors anchors(spans, window.origin());
-    RuledFineStrip strip;
-    NoRest none;
-    const WindowPainter<Pixel, OneWindow, RuledFineLanes> painter{window, lanes};
-    *changed = draw_strips<Pixel>(painter, &strip, anchors, spans.batch, surface, &none).changed;
-    return true;
-  }
-};
-
-// Draws a batch, if one window holds its texels and no pixel is a near-tie.
-template <class Pixel, class Address>
-[[nodiscard]] HWY_INLINE InOneWindow draw_one_window(const RuledSpans& spans,
-                                                     const Surface& surface) {
-  if (!pays_one_window(spans.batch)) return InOneWindow::kNotInOne;
-  V32 changed;
-  if (!with_one_window<Pixel, Address>(spans.texels, surface.texture,
-                                       RuledFromWindow<Pixel>{spans, surface, &changed})) {
-    return InOneWindow::kNotInOne;
-  }
-  return in_one_window<kWindowFraction>(changed, spans.batch.widest_px);
+// Returns what the lanes of pixels lack changes in them, those that were drawn up to a near-tie.
+template <class Pixel, class OneWindow>
+[[nodiscard]] HWY_INLINE V32 draw_from(const OneWindow& window, const RuledSpans& spans,
+                                       const Surface& surface) {
+  const RuledFineLanes lanes(fine_lack_fx24(spans.batch.widest_px, spans.rows.margin_fx32));
+  const RuledFineAnchors anchors(spans, window.origin());
+  RuledFineStrip strip;
+  NoRest none;
+  const WindowPainter<Pixel, OneWindow, RuledFineLanes> painter{window, lanes};
+  return draw_strips<Pixel>(painter, &strip, anchors, spans.batch, surface, &none).changed;
 }
 
 }  // namespace
