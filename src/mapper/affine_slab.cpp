@@ -25,7 +25,8 @@ namespace {
 
 [[nodiscard]] int64_t floor_fx32(double estimate_fx32) {
   const double lowered = estimate_fx32 - kRuledSlack_fx32;
-  return static_cast<int64_t>(lowered) - (lowered < 0 ? 1 : 0);  // of a whole one, one less
+  const auto whole = static_cast<int64_t>(lowered);
+  return whole - (lowered < static_cast<double>(whole) ? 1 : 0);
 }
 
 [[nodiscard]] uint32_t margin_of(const SpanBatch& batch) {

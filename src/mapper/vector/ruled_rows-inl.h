@@ -8,6 +8,7 @@
 #endif
 
 #include "mapper/affine_slab.h"
+#include "mapper/plane_lanes.h"
 #include "mapper/vector/entries-inl.h"
 #include "mapper/vector/kernel-inl.h"
 
@@ -36,13 +37,15 @@ struct EdgeRows {
   }
 };
 
+// Of less than kMostRounded_fx32: lanes, or steps from pixel to pixel.
 [[nodiscard]] HWY_INLINE RowLanes floors_fx32(Rows estimates_fx32) {
   const RowTag d;
-  const Rows lowered = hn::Sub(estimates_fx32, hn::Set(d, kRuledSlack_fx32));
-  const auto is_negative = hn::Lt(lowered, hn::Zero(d));
-  return hn::Add(hn::ConvertTo(RowLaneTag(), lowered),
-                 hn::BitCast(RowLaneTag(), hn::VecFromMask(d, is_negative)));
+  const RowLaneTag whole;
+  const Rows lowered = hn::Floor(hn::Sub(estimates_fx32, hn::Set(d, kRuledSlack_fx32)));
+  const Rows to_whole = hn::Set(d, kRoundToWhole);
+  return hn::Sub(hn::BitCast(whole, hn::Add(lowered, to_whole)), hn::BitCast(whole, to_whole));
 }
+static_assert(kTexelBits - kTexelFraction + 1 + kLaneFraction < 50);
 
 // Where `has` is not, 0.
 HWY_INLINE void store_lanes(hn::Mask<RowTag> has, RowLanes u, RowLanes v, Lane* to) {

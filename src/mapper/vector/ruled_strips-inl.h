@@ -107,12 +107,21 @@ inline constexpr int64_t kMostStepsApart_fx32 = int64_t{1} << (kLaneFraction - 9
 }
 static_assert(kTexelBits - kTexelFraction + 2 + kLaneFraction + 5 < 63, "15 differences of steps");
 
+// Whether near-ties are decided by few bits, as they are but for edges of some thousand pixels:
+// otherwise that would cost more than six times what window strips do.
+[[nodiscard]] HWY_INLINE bool has_short_ties(const RuledSpans& spans) {
+  constexpr int kMostBits = OneLimb::kBits - 4;
+  return are_enough(kMostBits, spans.rows.most_denominator,
+                    spare_bits_fx16(lack_fx16(spans.rows.margin_fx32)));
+}
+
 // Draws a batch from windows, but for vectors that rest->draw() draws. False where rows have no
 // windows that are alike.
 template <class Pixel>
 [[nodiscard]] HWY_INLINE bool draw_window_strips(const RuledSpans& spans, const Surface& surface,
                                                  RestDraw* rest) {
-  if (!may_have_windows(surface.texture) || spans.batch.widest_px > kMostWindowStrips_px) {
+  if (!may_have_windows(surface.texture) || spans.batch.widest_px > kMostWindowStrips_px ||
+      !has_short_ties(spans)) {
     return false;
   }
   const std::optional<AffineField> field = common_steps(spans);
