@@ -1,8 +1,8 @@
 #@ -Eprecision=200 -Eno-auto-dichotomy
-# Lanes of a row that go on from a pixel's own, i pixels of it, by the least step of some rows and not
-# by the row's, `step`. By its own they would hold the law of the filter: u - own = within. `apart` is
-# how far the greatest step of the rows is from the least, LAST the most pixels of a vector from its
-# first. Unit 2^-32 texel.
+# Lanes of a row that go on from a pixel's own, i pixels of it, by the least step of some rows and
+# not by the row's, `step`. By its own they would hold the law of the filter: u - own = within.
+# `apart` is how far the greatest step of the rows is from the least, LAST the most pixels of a
+# vector from its first. Unit 2^-32 texel.
 # Claim: lane <= u < lane + margin + STEPS apart.
 # Used: src/mapper/vector/ruled_strips-inl.h, the law of the filter.
 

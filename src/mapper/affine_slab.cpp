@@ -79,7 +79,7 @@ void find_lanes(std::span<const Slab> slabs, const SpanBatch& batch,
   rows->margin_fx32 = margin_of(batch);
 }
 
-// A slab costs more than a row.
+// A slab costs more than a row. Rows are found in any order, so that no other may be written.
 void find_lanes_of(const RuledMap& map, const SpanBatch& batch, std::span<const Span> of,
                    RuledRows* rows) {
   const Slab* last_slab = nullptr;

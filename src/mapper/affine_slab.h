@@ -67,8 +67,8 @@ struct AffineSlab {
   AffineEdge a, b;
 };
 
-// Of some of a batch's rows, the slab's. Those of empty spans are 0. Raises most_denominator, and
-// may write rows behind end_index, too.
+// Of some of a batch's rows, the slab's. Those of empty spans are 0. Raises most_denominator. Less
+// than kMostLanes rows behind end_index may be written, too: slabs are asked from top to bottom.
 using FindRuledLanes = void (*)(const AffineSlab& slab, const SpanBatch& batch, int32_t first_index,
                                 int32_t end_index, RuledRows* rows);
 

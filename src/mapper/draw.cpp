@@ -129,9 +129,10 @@ void draw_near_plane(const AffineField& lanes, const Polygon& polygon, const sel
   }
 }
 
-// Whether a plane for each slab would cost more than its rows do: where rows are few; near a plane,
-// where kernels draw narrow rows as fast as those of one, up to more.
-[[nodiscard]] bool is_small(const selvage_rect& part, bool is_near_plane) {
+// Whether a plane for each slab would cost more than its rows do. So it does where rows are few.
+// Near a plane kernels draw narrow rows as fast as if they lay in it: there it does up to more
+// rows.
+[[nodiscard]] bool pays_at_once(const selvage_rect& part, bool is_near_plane) {
   constexpr int32_t kMostRows = 32, kMostNearRows = 128, kMostNear_px = 128;
   const int32_t rows = part.bottom - part.top;
   return rows <= kMostRows ||
@@ -139,8 +140,8 @@ void draw_near_plane(const AffineField& lanes, const Polygon& polygon, const sel
 }
 
 // All of an affine polygon of few slabs at once.
-[[nodiscard]] bool draw_small(const Polygon& polygon, const selvage_rect& part,
-                              const Surface& surface, const Kernels& kernels) {
+[[nodiscard]] bool draw_at_once(const Polygon& polygon, const selvage_rect& part,
+                                const Surface& surface, const Kernels& kernels) {
   RuledMap map;
   if (!polygon.affine || !find_map(polygon, part, &map)) return false;
   draw_ruled_affine(map, polygon, part, surface, kernels);
@@ -172,7 +173,7 @@ void draw(const Surface& surface, const selvage_rect& visible, const Polygon& po
   if (near && kernels.pays_near_plane(*near, surface)) {
     return draw_near_plane(*near, polygon, part, surface, kernels);
   }
-  if (is_small(part, near.has_value()) && draw_small(polygon, part, surface, kernels)) {
+  if (pays_at_once(part, near.has_value()) && draw_at_once(polygon, part, surface, kernels)) {
     return;
   }
   draw_slabs(polygon, part, surface, kernels);

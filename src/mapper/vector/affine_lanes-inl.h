@@ -54,10 +54,13 @@ struct WideLanes {
     return unsigned_shift(hn::ConcatEven(D32(), high, low));
   }
   // Modulo 2^32.
-  [[nodiscard]] HWY_INLINE V32 floors_fx16() const {
+  [[nodiscard]] HWY_INLINE V32 floors_fx16() const { return floors<kAnchorShift>(); }
+  // The same in units of 2^kShift fx32.
+  template <int kShift>
+  [[nodiscard]] HWY_INLINE V32 floors() const {
     const auto shifted = [](V32 half) HWY_ATTR {
       const hn::Repartition<uint64_t, D32> wide;
-      return hn::BitCast(D32(), hn::ShiftRight<kAnchorShift>(hn::BitCast(wide, half)));
+      return hn::BitCast(D32(), hn::ShiftRight<kShift>(hn::BitCast(wide, half)));
     };
     return hn::ConcatEven(D32(), shifted(high), shifted(low));
   }

@@ -20,7 +20,8 @@ namespace {
 using Wide = hn::Repartition<int64_t, D32>;
 using WideVector = hn::Vec<Wide>;
 
-// px step, modulo 2^64, by 32 bits of the step at a time. Pixels are not negative.
+// px step, modulo 2^64, by 32 bits of the step at a time. Pixels are not negative, but for those
+// behind a batch's last row, which are anything.
 class PixelWalk {
  public:
   explicit HWY_INLINE PixelWalk(WideVector step_fx32)

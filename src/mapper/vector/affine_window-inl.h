@@ -24,19 +24,15 @@ class LowFineLanes {
  public:
   static constexpr int kFraction = kWindowFraction;
 
-  explicit HWY_INLINE LowFineLanes(int32_t lack_fx24) : lack_fx24_(lack_fx24) {}
+  explicit HWY_INLINE LowFineLanes(int32_t lack_fx24) : low_(lack_fx24) {}
 
   // What adding all that they may lack changes in either lane: above the low 24 bits, texels.
   [[nodiscard]] HWY_INLINE V32 changes(const LaneVectors& lanes) const {
-    return hn::Or(change(lanes.u), change(lanes.v));
+    return low_.changes(lanes);
   }
 
  private:
-  HWY_INLINE V32 change(V32 lane_fx24) const {
-    return hn::Xor(hn::Add(lane_fx24, hn::Set(D32(), lack_fx24_)), lane_fx24);
-  }
-
-  int32_t lack_fx24_;
+  LowLanes low_;  // no fraction enters there
 };
 
 // One coordinate of their anchors, of kLanes rows at a time, of vectors that begin at some pixels

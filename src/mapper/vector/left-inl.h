@@ -38,11 +38,12 @@ class KeptLeft {
     std::copy_n(left.rest.begin(), left.count, kept_.rest.begin() + kept_.count);
     kept_.count += left.count;
   }
+  HWY_INLINE void clear() { kept_.count = 0; }
   // And here with all of it, if there is any.
   template <class Draw>
   HWY_INLINE void finish(const Draw& draw) {
     if (kept_.count != 0) draw(kept_);
-    kept_.count = 0;
+    clear();
   }
 
  private:

@@ -197,10 +197,10 @@ class TakenRows {
   int32_t run_ = 0, left_ = 0;
 };
 
-// Each row by itself, or all of them once one had many near-ties.
+// Each row by itself, or all of them once one had many near-ties, if it is not known to be in vain.
 template <class Pixel, class Address>
-void draw_wide_ruled(const RuledSpans& spans, const Surface& surface) {
-  bool is_asked = false, are_drawn = false;
+void draw_wide_ruled(const RuledSpans& spans, const Surface& surface, bool is_asked = false) {
+  bool are_drawn = false;
   TakenRows taken;
   for_each_row(spans, [&](const AffineSpans& row) {
     if (are_drawn) return;
@@ -217,7 +217,7 @@ void draw_wide_ruled(const RuledSpans& spans, const Surface& surface) {
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_ruled_ties(const RuledSpans& spans, const Surface& surface) {
   if (draw_near_ties<Pixel, Address>(spans, surface)) return;
-  if (!is_narrow(spans.batch)) return draw_wide_ruled<Pixel, Address>(spans, surface);
+  if (!is_narrow(spans.batch)) return draw_wide_ruled<Pixel, Address>(spans, surface, true);
   ties_of(spans).with_ties([&](auto* ties) { draw_decided<Pixel, Address>(spans, surface, ties); });
 }
 
@@ -245,6 +245,7 @@ class RuledRest : public RestDraw {
     auto* const rest = static_cast<RuledRest*>(of);
     if (are_many(left.count, of_vectors)) {
       draw_ruled_ties<Pixel, Address>(rest->spans_, rest->surface_);
+      rest->kept_.clear();  // drawn with all others
       return false;
     }
     rest->kept_.keep(left, [rest](const Left& kept) {

@@ -7,6 +7,8 @@
 #define SELVAGE_VECTOR_RULED_ROWS_INL_H
 #endif
 
+#include <cstddef>
+
 #include "mapper/affine_slab.h"
 #include "mapper/plane_lanes.h"
 #include "mapper/vector/entries-inl.h"
@@ -49,7 +51,7 @@ static_assert(kTexelBits - kTexelFraction + 1 + kLaneFraction < 50);
 
 // Where `has` is not, 0.
 HWY_INLINE void store_lanes(hn::Mask<RowTag> has, RowLanes u, RowLanes v, Lane* to) {
-  static_assert(sizeof(Lane) == sizeof(int64_t[2]));
+  static_assert(sizeof(Lane) == sizeof(int64_t[2]) && offsetof(Lane, v_fx32) == sizeof(int64_t));
   const RowLaneTag d;
   const auto kept = hn::RebindMask(d, has);
   hn::StoreInterleaved2(hn::IfThenElseZero(kept, u), hn::IfThenElseZero(kept, v), d, &to->u_fx32);

@@ -1,7 +1,8 @@
 // Spans of which each has a map of its own, by windows and by strips. Included once for each SIMD
 // target.
 //
-// Vectors begin with their rows' lanes, and go on by one step for all, no row's greater:
+// Vectors begin with their rows' lanes, and go on by one step for all, the least of the rows' steps
+// of each coordinate:
 //
 //     lane <= true value < lane + margin + (kLanes - 1) (greatest step - least one)
 //                                                               (spec/proofs/common_step.g)
@@ -15,6 +16,7 @@
 #define SELVAGE_VECTOR_RULED_STRIPS_INL_H
 #endif
 
+#include <bit>
 #include <optional>
 
 #include "mapper/vector/affine_narrow-inl.h"
@@ -71,11 +73,12 @@ class RuledAnchors {
   Lane to_anchor_;
 };
 
-// What is further apart is drawn row by row: near-ties would be many. In 2^-32 texel, 1/512.
-inline constexpr int64_t kMostStepsApart_fx32 = int64_t{1} << (kLaneFraction - 9);
+// What lanes of vectors' last pixels may lack by it, 1/512 texel: by more, near-ties would be many.
+inline constexpr int64_t kMostDrift_fx32 = int64_t{1} << (kLaneFraction - 9);
 
-// The step of all rows and their margin; empty where their steps are too far apart. Those of a row
-// of one pixel or none mean nothing.
+// The step of all rows and the margin, the only numbers of a field that vectors ask for once they
+// have their anchors; empty where steps are too far apart. That of a row of one pixel or none means
+// nothing, and what is behind the batch's last row even less.
 [[nodiscard]] HWY_INLINE std::optional<AffineField> common_steps(const RuledSpans& spans) {
   const Wide d;
   const hn::Half<D32> half;
@@ -99,13 +102,15 @@ inline constexpr int64_t kMostStepsApart_fx32 = int64_t{1} << (kLaneFraction - 9
                            HWY_ATTR { return hn::GetLane(hn::MaxOfLanes(Wide(), of)); };
   const Lane from{least_of(least.u), least_of(least.v)}, to{most_of(most.u), most_of(most.v)};
   if (from.u_fx32 > to.u_fx32) return std::nullopt;
-  const int64_t apart_fx32 =
-      (kLanes - 1) * HWY_MAX(to.u_fx32 - from.u_fx32, to.v_fx32 - from.v_fx32);
-  if (apart_fx32 > kMostStepsApart_fx32) return std::nullopt;
-  const auto margin_fx32 = spans.rows.margin_fx32 + static_cast<uint32_t>(apart_fx32);
+  const int64_t apart_fx32 = HWY_MAX(to.u_fx32 - from.u_fx32, to.v_fx32 - from.v_fx32);
+  const int64_t drift_fx32 = (kLanes - 1) * apart_fx32;
+  if (drift_fx32 > kMostDrift_fx32) return std::nullopt;
+  const auto margin_fx32 = spans.rows.margin_fx32 + static_cast<uint32_t>(drift_fx32);
   return AffineField{0, spans.batch.first_row, {}, from, {}, margin_fx32};
 }
-static_assert(kTexelBits - kTexelFraction + 2 + kLaneFraction + 5 < 63, "15 differences of steps");
+// 15 differences of steps fit 64 bits.
+inline constexpr int kStepBits = kTexelBits - kTexelFraction + 2 + kLaneFraction;
+static_assert(kStepBits + 1 + std::bit_width(static_cast<uint32_t>(kMostLanes)) < 63);
 
 // Whether near-ties are decided by few bits, as they are but for edges of some thousand pixels:
 // otherwise that would cost more than six times what window strips do.
@@ -116,7 +121,7 @@ static_assert(kTexelBits - kTexelFraction + 2 + kLaneFraction + 5 < 63, "15 diff
 }
 
 // Draws a batch from windows, but for vectors that rest->draw() draws. False where rows have no
-// windows that are alike.
+// windows that are alike. Few rows, too: one by one they cost more than those of a plane.
 template <class Pixel>
 [[nodiscard]] HWY_INLINE bool draw_window_strips(const RuledSpans& spans, const Surface& surface,
                                                  RestDraw* rest) {

@@ -6,6 +6,8 @@
 #define SELVAGE_VECTOR_RULED_WINDOW_INL_H
 #endif
 
+#include <cstddef>
+
 #include "mapper/vector/affine_window-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -17,7 +19,7 @@ struct RuledLanes {
   WideVector u, v;
 
   static HWY_INLINE RuledLanes of(const Lane* rows) {
-    static_assert(sizeof(Lane) == sizeof(int64_t[2]));
+    static_assert(sizeof(Lane) == sizeof(int64_t[2]) && offsetof(Lane, v_fx32) == sizeof(int64_t));
     RuledLanes lanes;
     hn::LoadInterleaved2(Wide(), &rows->u_fx32, lanes.u, lanes.v);
     return lanes;
@@ -29,14 +31,19 @@ struct FineSteps {
   V32 first_fx24, step_fx24;
 };
 
-// Floors in 2^-24 texel, modulo 2^32.
-[[nodiscard]] HWY_INLINE V32 floors_fx24(WideVector low_fx32, WideVector high_fx32) {
-  const auto shifted = [](WideVector lanes) HWY_ATTR {
-    const hn::Repartition<uint64_t, D32> wide;
-    return hn::BitCast(D32(), hn::ShiftRight<kWindowShift>(hn::BitCast(wide, lanes)));
-  };
-  return hn::ConcatEven(D32(), shifted(high_fx32), shifted(low_fx32));
-}
+// Of kLanes rows, floors in 2^-24 texel, modulo 2^32.
+struct FinePair {
+  V32 u, v;
+
+  static HWY_INLINE FinePair of(const Lane* rows) {
+    const RuledLanes low = RuledLanes::of(rows), high = RuledLanes::of(rows + kLanes / 2);
+    const auto floors = [](WideVector first, WideVector second) HWY_ATTR {
+      return WideLanes{hn::BitCast(D32(), first), hn::BitCast(D32(), second)}
+          .template floors<kWindowShift>();
+    };
+    return {floors(low.u, high.u), floors(low.v, high.v)};
+  }
+};
 
 // What vectors begin with that begin at some pixels of kLanes rows at a time, and their steps.
 class RuledFineAnchors {
@@ -53,20 +60,15 @@ class RuledFineAnchors {
     HWY_INLINE Anchors next(V32 px) {
       const RuledSpans& spans = *of_.spans_;
       const V32 offset_px = hn::Sub(px, hn::LoadU(D32(), spans.batch.left_px.data() + row_));
-      const Lane* const start = spans.rows.start.data() + row_;
-      const Lane* const step = spans.rows.step.data() + row_;
+      const FinePair start = FinePair::of(spans.rows.start.data() + row_);
+      const FinePair step = FinePair::of(spans.rows.step.data() + row_);
       row_ += kLanes;
-      constexpr int32_t kHalf = kLanes / 2;
-      const RuledLanes low = RuledLanes::of(start), high = RuledLanes::of(start + kHalf);
-      const RuledLanes low_step = RuledLanes::of(step), high_step = RuledLanes::of(step + kHalf);
-      const auto from = [&](V32 start_fx24, V32 step_fx24) HWY_ATTR {
-        return FineSteps{hn::Add(start_fx24, hn::Mul(offset_px, step_fx24)), step_fx24};
-      };
       // An origin is a whole number of texels.
-      const V32 u = hn::Sub(floors_fx24(low.u, high.u), hn::Set(D32(), of_.origin_u_fx24_));
-      const V32 v = hn::Sub(floors_fx24(low.v, high.v), hn::Set(D32(), of_.origin_v_fx24_));
-      return {from(u, floors_fx24(low_step.u, high_step.u)),
-              from(v, floors_fx24(low_step.v, high_step.v))};
+      const auto from = [&](V32 start_fx24, int32_t origin_fx24, V32 step_fx24) HWY_ATTR {
+        const V32 first_fx24 = hn::Sub(start_fx24, hn::Set(D32(), origin_fx24));
+        return FineSteps{hn::Add(first_fx24, hn::Mul(offset_px, step_fx24)), step_fx24};
+      };
+      return {from(start.u, of_.origin_u_fx24_, step.u), from(start.v, of_.origin_v_fx24_, step.v)};
     }
 
    private:

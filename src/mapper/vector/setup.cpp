@@ -1,5 +1,5 @@
-// Spans between edges, and the lanes of planes and of slabs' rows: Highway includes this file again for each SIMD
-// target.
+// Spans between edges, and the lanes of planes and of slabs' rows: Highway includes this file again
+// for each SIMD target.
 #include "mapper/vector/targets.h"
 
 #undef HWY_TARGET_INCLUDE
