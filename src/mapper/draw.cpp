@@ -129,9 +129,8 @@ void draw_near_plane(const AffineField& lanes, const Polygon& polygon, const sel
   }
 }
 
-// Whether a plane for each slab would cost more than its rows do. So it does where rows are few.
-// Near a plane kernels draw narrow rows as fast as if they lay in it: there it does up to more
-// rows.
+// Whether a plane for each slab would cost more than its rows do: where rows are few, and up to
+// more of them near a plane, where kernels draw narrow rows as fast as if they lay in it.
 [[nodiscard]] bool pays_at_once(const selvage_rect& part, bool is_near_plane) {
   constexpr int32_t kMostRows = 32, kMostNearRows = 128, kMostNear_px = 128;
   const int32_t rows = part.bottom - part.top;
