@@ -107,7 +107,7 @@ void count_ruled_affine(const mapper::Slab& slab, const mapper::Polygon& polygon
   mapper::SpanBatch batch;
   mapper::RuledRows lanes;
   while (walk.next(&batch)) {
-    mapper::find_lanes(std::span(&slab, 1), batch, &lanes);
+    mapper::find_lanes(std::span(&slab, 1), batch, mapper::find_ruled_lanes_scalar, &lanes);
     for (int32_t i = 0; i < batch.rows; ++i) {
       const Span span = batch.span(i);
       const mapper::AffineLanes row = lanes.lanes(i);
