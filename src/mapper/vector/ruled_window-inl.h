@@ -20,9 +20,9 @@ struct RuledLanes {
 
   static HWY_INLINE RuledLanes of(const Lane* rows) {
     static_assert(sizeof(Lane) == sizeof(int64_t[2]) && offsetof(Lane, v_fx32) == sizeof(int64_t));
-    RuledLanes lanes;
-    hn::LoadInterleaved2(Wide(), &rows->u_fx32, lanes.u, lanes.v);
-    return lanes;
+    WideVector u, v;
+    hn::LoadInterleaved2(Wide(), &rows->u_fx32, u, v);
+    return {u, v};
   }
 };
 
