@@ -79,8 +79,8 @@ template <class Pixel, class Address>
                                                  spans.exact, spans.rows.most_denominator, surface);
 }
 
-// Rows that are not narrow are decided one by one, at less cost only if they are wide: columns pay
-// up to there, where half of a block has rows.
+// Other rows than narrow ones may be decided one by one, too. Up to this width that was measured to
+// cost more than columns, if rows fill at least half of a vector of them.
 [[nodiscard]] HWY_INLINE bool pays_ruled_columns(const SpanBatch& batch) {
   constexpr int32_t kMost_px = 128;
   if (is_narrow(batch)) return pays_columns(batch);
