@@ -35,7 +35,7 @@ struct Magnified {
   const auto slope = [&] { return random.pick({0, 0, 1, 1, -1, 2}); };
   return {random.pick({0, 1, c.texture_width_texel / 2, c.texture_width_texel}),
           random.pick({0, 1, c.texture_height_texel / 2, c.texture_height_texel}),
-          random.pick({16, 30, 64, 64, 1000}),
+          random.pick({4, 6, 16, 30, 64, 64, 1000}),
           slope(),
           slope(),
           slope(),

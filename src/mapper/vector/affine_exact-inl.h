@@ -24,8 +24,8 @@ namespace {
 // A coordinate over the rows of a batch: n / d texels, n linear.
 class ExactCoordinate {
  public:
-  // From the numerators at some pixel and at the one below it. The lanes' step is that of n over d,
-  // in 2^-32 texel, rounded down, or lowered by some units: it may fall where n rises.
+  // From the numerators at some pixel and at the one below it. Lanes' steps are those of n over d,
+  // in 2^-32 texel, rounded down, or lowered by some units: they may fall where n rises.
   HWY_INLINE ExactCoordinate(const ExactLine& n, uint128 below, uint64_t divisor, int64_t step_fx32)
       : n_(n),
         down_(below - n.start),
@@ -35,13 +35,16 @@ class ExactCoordinate {
         by_vector_(step_, divisor),
         least_lane_(static_cast<int128>(n.step) < 0 ? kLanes - 1 : 0) {}
 
-  HWY_INLINE void go_down() { n_.start += down_; }
-
-  // A vector of pixels of this row from so many right of the first one on. Their lane is less than
+  // A vector of pixels from so many right of the first one and below it on. Their lane is less than
   // a texel low.
-  [[nodiscard]] HWY_INLINE Quotients from(int32_t right_px, int64_t lane_fx32) const {
-    return QuotientSum(quotient_from(n_.at(right_px), divisor_, floor_texel(lane_fx32)), divisor_)
-        .of(walk_);
+  [[nodiscard]] HWY_INLINE Quotients from(int32_t right_px, int32_t down_px,
+                                          int64_t lane_fx32) const {
+    const uint128 n = n_.at(right_px) + static_cast<uint128>(int128{down_px}) * down_;
+    return QuotientSum(quotient_from(n, divisor_, floor_texel(lane_fx32)), divisor_).of(walk_);
+  }
+  // From a row to the one below it, by the lanes' step.
+  [[nodiscard]] HWY_INLINE QuotientSum step_down(int64_t step_fx32) const {
+    return {quotient_from(down_, divisor_, floor_texel(step_fx32)), divisor_};
   }
   [[nodiscard]] HWY_INLINE Quotients next_vector(const Quotients& at) const {
     return by_vector_.of(at);
@@ -71,22 +74,21 @@ HWY_NOINLINE void draw_exactly(const AffineSpans& spans, const Surface& surface,
   const int32_t first_row = spans.batch.first_row + first_index;
   const auto [first, below] = spans.exact.rows_from(field.first_px, first_row);
   const auto divisor = static_cast<uint64_t>(first.d.start);
-  ExactCoordinate exact_u(first.u, below.u.start, divisor, field.step_x.u_fx32);
-  ExactCoordinate exact_v(first.v, below.v.start, divisor, field.step_x.v_fx32);
+  const ExactCoordinate exact_u(first.u, below.u.start, divisor, field.step_x.u_fx32);
+  const ExactCoordinate exact_v(first.v, below.v.start, divisor, field.step_x.v_fx32);
   const TexelDraw<Address> draw(surface);
   for (int32_t i = first_index; i < spans.batch.rows; ++i) {
     Span rest = spans.batch.span(i);
     const Lane lane = field.at(rest.left_px, rest.row);
-    Quotients u = exact_u.from(rest.left_px - field.first_px, lane.u_fx32);
-    Quotients v = exact_v.from(rest.left_px - field.first_px, lane.v_fx32);
+    const int32_t right_px = rest.left_px - field.first_px, down_px = i - first_index;
+    Quotients u = exact_u.from(right_px, down_px, lane.u_fx32);
+    Quotients v = exact_v.from(right_px, down_px, lane.v_fx32);
     for (; !rest.empty(); rest.left_px += kLanes) {
       draw.template draw<Pixel>(rest, {u.whole, v.whole},
                                 {exact_u.least_texel(u), exact_v.least_texel(v), window_rows});
       u = exact_u.next_vector(u);
       v = exact_v.next_vector(v);
     }
-    exact_u.go_down();
-    exact_v.go_down();
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include "mapper/vector/affine_lanes-inl.h"
 #include "mapper/vector/boundaries-inl.h"
+#include "mapper/vector/exact_window-inl.h"
 #include "mapper/vector/tie_columns-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -61,6 +62,7 @@ template <class Pixel, class Address>
       draw_between_boundaries<Pixel, Address>(spans.batch, texels, spans.exact, 0, surface)) {
     return true;
   }
+  if (draw_exactly_from_window<Pixel, Address>(spans, surface, first_index)) return true;
   if (has_columns) draw_columns<Pixel, Address>(spans, surface, first_index);
   return has_columns;
 }

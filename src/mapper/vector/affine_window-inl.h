@@ -209,6 +209,8 @@ template <class Pixel, class OneWindow>
 // Draws a batch by draw_from(), if a window is near its texels.
 template <class Pixel, class Spans>
 struct FromWindow {
+  static constexpr bool kIsSeldom = false;
+
   const Spans& spans;
   const Surface& surface;
   V32* changed;  // by near-ties

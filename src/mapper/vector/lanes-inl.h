@@ -135,12 +135,21 @@ class FixedLanes : public LowLanes {
       const V32 t = Address::window_texel(hn::ShiftRight<kFractionOfLanes>(lanes.v), rows);
       return hn::Add(hn::ShiftLeft<kColumnBits>(t), s);
     } else {
-      return hn::OrAnd(s_of_lane, hn::ShiftRight<kFractionOfLanes - kColumnBits>(lanes.v),
+      return hn::OrAnd(s_of_lane, rows_of_lane<kFractionOfLanes - kColumnBits>(lanes.v),
                        hn::Set(d, -kColumns<kColumnBits>));
     }
   }
 
  private:
+  template <int kRightBits>
+  static HWY_INLINE V32 rows_of_lane(V32 lane) {
+    if constexpr (kRightBits < 0) {
+      return hn::ShiftLeft<-kRightBits>(lane);
+    } else {
+      return hn::ShiftRight<kRightBits>(lane);
+    }
+  }
+
   Extent extent_;
 };
 

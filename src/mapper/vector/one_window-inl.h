@@ -76,36 +76,30 @@ struct WindowPlace {
   int32_t vectors = 0;
 };
 
-// Of texels inside the texture, in no more vectors than it takes.
-template <int kColumnBits>
-[[nodiscard]] HWY_INLINE WindowPlace place_inside(const TexelRanges& texels,
-                                                  const selvage_texture& texture) {
+// Where they are seldom, windows are of two sizes.
+inline constexpr int32_t kFewWindowVectors = 2 * kVectorsPerPermute;
+
+// No fewer vectors than so many, as windows have them.
+template <bool kTwoSizes>
+[[nodiscard]] HWY_INLINE int32_t window_vectors(int32_t vectors) {
+  if (!kTwoSizes) return whole_rows(vectors);
+  return vectors <= kFewWindowVectors ? kFewWindowVectors : HWY_MAX(vectors, kMostWindowVectors);
+}
+
+// Of any texels.
+template <class Address, int kColumnBits, bool kTwoSizes>
+[[nodiscard]] HWY_INLINE WindowPlace place_of(const TexelRanges& texels,
+                                              const selvage_texture& texture) {
   constexpr int32_t kRows = kRowsPerVector<kColumnBits>;
-  const int32_t vectors = whole_rows((texels.t.count() + kRows - 1) / kRows);
+  const int32_t vectors = window_vectors<kTwoSizes>((texels.t.count() + kRows - 1) / kRows);
   const int32_t last_column = texture.width - kColumns<kColumnBits>;
   const int32_t last_row = texture.height - vectors * kRows;
   if (texels.s.count() > kColumns<kColumnBits> || vectors > kMostWindowVectors || last_column < 0 ||
       last_row < 0) {
     return {};
   }
-  const int32_t s = HWY_MIN(texels.s.first, last_column), t = HWY_MIN(texels.t.first, last_row);
-  return {{s, s}, {t, t}, vectors};
-}
-
-// Of any texels, in kMostWindowVectors.
-template <class Address, int kColumnBits>
-[[nodiscard]] HWY_INLINE WindowPlace place_of(const TexelRanges& texels,
-                                              const selvage_texture& texture) {
-  constexpr int32_t kRows = kMostWindowVectors * kRowsPerVector<kColumnBits>;
-  const int32_t last_column = texture.width - kColumns<kColumnBits>;
-  const int32_t last_row = texture.height - kRows;
-  if (texels.s.count() > kColumns<kColumnBits> || texels.t.count() > kRows || last_column < 0 ||
-      last_row < 0) {
-    return {};
-  }
   const WindowPlace place{Address::origin(texels.s.first, last_column, texture.width),
-                          Address::origin(texels.t.first, last_row, texture.height),
-                          kMostWindowVectors};
+                          Address::origin(texels.t.first, last_row, texture.height), vectors};
   return place.s.index <= last_column && place.t.index <= last_row ? place : WindowPlace{};
 }
 
@@ -216,34 +210,55 @@ template <class Pixel, class Address, int kColumnBits, int32_t kVectors = kMostW
   return draw(Window<Pixel, Address, kColumnBits, kVectors>(texture, place));
 }
 
+template <class Pixel, class Address, int kColumnBits, class Draw>
+[[nodiscard]] HWY_INLINE bool with_either_size(const selvage_texture& texture,
+                                               const WindowPlace& place, const Draw& draw) {
+  return place.vectors == kFewWindowVectors
+             ? draw(Window<Pixel, Address, kColumnBits, kFewWindowVectors>(texture, place))
+             : draw(Window<Pixel, Address, kColumnBits, kMostWindowVectors>(texture, place));
+}
+
 // A window whose texels need no clamping is the same whatever the address mode: one function for
 // all of them.
 template <class Pixel, int kColumnBits, class Draw>
 [[nodiscard]] HWY_NOINLINE bool with_window_inside(const selvage_texture& texture,
                                                    const WindowPlace& place, const Draw& draw) {
-  return with_window<Pixel, Addressed<InsideVector>, kColumnBits>(texture, place, draw);
+  using Inside = Addressed<InsideVector>;
+  if constexpr (Draw::kIsSeldom) {
+    return with_either_size<Pixel, Inside, kColumnBits>(texture, place, draw);
+  } else {
+    return with_window<Pixel, Inside, kColumnBits>(texture, place, draw);
+  }
 }
 
-// Others are seldom: one size is enough.
+// Others are seldom.
 template <class Pixel, int kColumnBits, class Draw>
 [[nodiscard]] HWY_NOINLINE bool with_window_clamped(const selvage_texture& texture,
                                                     const WindowPlace& place, const Draw& draw) {
-  return draw(
-      Window<Pixel, Addressed<ClampVector>, kColumnBits, kMostWindowVectors>(texture, place));
+  return with_either_size<Pixel, Addressed<ClampVector>, kColumnBits>(texture, place, draw);
 }
 
-// Of texels some of which are outside the texture: what draw(window) returns, or false where no
-// window of so many columns holds them.
+// What draw(window) returns, or false where no window of so many columns holds the texels.
 template <class Pixel, class Address, int kColumnBits, class Draw>
-[[nodiscard]] HWY_INLINE bool with_outer_window(const TexelRanges& texels,
-                                                const selvage_texture& texture, const Draw& draw) {
-  const auto place = place_of<Address, kColumnBits>(texels, texture);
+[[nodiscard]] HWY_INLINE bool with_window_of(const TexelRanges& texels,
+                                             const selvage_texture& texture, const Draw& draw) {
+  constexpr bool kTwoSizes = Draw::kIsSeldom || Address::kClampsWindows;
+  const auto place = place_of<Address, kColumnBits, kTwoSizes>(texels, texture);
   if (place.vectors == 0) return false;
   if constexpr (Address::kClampsWindows) {
     return with_window_clamped<Pixel, kColumnBits>(texture, place, draw);
   } else {
     return with_window_inside<Pixel, kColumnBits>(texture, place, draw);
   }
+}
+
+// The same of as many columns as it takes. Where it returns false it has drawn nothing.
+template <class Pixel, class Address, class Draw>
+[[nodiscard]] HWY_INLINE bool with_smallest_window(const TexelRanges& texels,
+                                                   const selvage_texture& texture,
+                                                   const Draw& draw) {
+  return with_window_of<Pixel, Address, kHalfColumnBits>(texels, texture, draw) ||
+         with_window_of<Pixel, Address, kWindowColumnBits>(texels, texture, draw);
 }
 
 // What draw(window) returns, or false where there is no such window. Where it returns false it has
@@ -253,14 +268,9 @@ template <class Pixel, class Address, class Draw>
                                               const Draw& draw) {
   if (!kHasWindows || texture.layout != SELVAGE_LAYOUT_ROWS) return false;
   const TexelRanges texels(box);
-  if (!texels.within(texture)) {
-    return with_outer_window<Pixel, Address, kHalfColumnBits>(texels, texture, draw) ||
-           with_outer_window<Pixel, Address, kWindowColumnBits>(texels, texture, draw);
-  }
-  const auto half = place_inside<kHalfColumnBits>(texels, texture);
-  if (half.vectors != 0) return with_window_inside<Pixel, kHalfColumnBits>(texture, half, draw);
-  const auto whole = place_inside<kWindowColumnBits>(texels, texture);
-  return whole.vectors != 0 && with_window_inside<Pixel, kWindowColumnBits>(texture, whole, draw);
+  return texels.within(texture)
+             ? with_smallest_window<Pixel, Addressed<InsideVector>>(texels, texture, draw)
+             : with_smallest_window<Pixel, Address>(texels, texture, draw);
 }
 
 }  // namespace

@@ -53,6 +53,8 @@ template <class Pixel, class Low, class OneWindow>
 // Draws a batch from one window.
 template <class Pixel>
 struct ProjectiveFromWindow {
+  static constexpr bool kIsSeldom = false;
+
   const ProjectiveSpans& spans;
   const Surface& surface;
   const AnchoredVectors& vectors;
