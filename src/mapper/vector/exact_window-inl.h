@@ -108,7 +108,13 @@ class ExactPlane {
   QuotientSum down_u_, down_v_;
 };
 
-// Rows of a plane's batch.
+// Whether a vector of columns costs less than kLanes rows of so few pixels: it goes down many of
+// them, and begins seldom.
+[[nodiscard]] HWY_INLINE bool pays_exact_window(const SpanBatch& batch, const Span& columns) {
+  return batch.widest_px > kLanes / 2 && columns.width_px() <= 2 * batch.widest_px + kLanes;
+}
+
+// Rows of a plane's batch, if they cost less than columns of near-ties.
 template <class Pixel>
 struct ExactFromWindow {
   static constexpr bool kIsSeldom = true;
@@ -116,10 +122,11 @@ struct ExactFromWindow {
   const AffineSpans& spans;
   const Surface& surface;
   RowRange rows;
-  Span columns;  // that they have
 
   template <class OneWindow>
   [[nodiscard]] HWY_INLINE bool operator()(const OneWindow& window) const {
+    const Span columns = columns_of(spans.batch, rows);
+    if (!pays_exact_window(spans.batch, columns)) return false;
     const ExactPlane plane(spans);
     for (int32_t px = columns.left_px; px < columns.right_px; px += kLanes) {
       const RowRange strip = rows_in_columns(spans.batch, rows, px);
@@ -144,24 +151,15 @@ struct ExactFromWindow {
   }
 };
 
-// Whether a vector of columns costs less than kLanes rows of so few pixels: it goes down many of
-// them, and begins seldom.
-[[nodiscard]] HWY_INLINE bool pays_exact_window(const SpanBatch& batch, const Span& columns) {
-  return batch.widest_px > kLanes / 2 && columns.width_px() <= 2 * batch.widest_px + kLanes;
-}
-
-// Draws the rows of a plane's batch from an index on, if one window holds its texels, and if that
-// costs less than columns of near-ties.
+// Draws the rows of a plane's batch from an index on, if one window holds its texels and it pays.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_INLINE bool draw_exactly_from_window(const AffineSpans& spans,
                                                        const Surface& surface,
                                                        int32_t first_index) {
-  if (!pays_one_window(spans.batch)) return false;
   const RowRange rows{first_index, spans.batch.rows};
-  const Span columns = columns_of(spans.batch, rows);
-  return pays_exact_window(spans.batch, columns) &&
+  return pays_one_window(spans.batch) &&
          with_one_window<Pixel, Address>(spans.texels, surface.texture,
-                                         ExactFromWindow<Pixel>{spans, surface, rows, columns});
+                                         ExactFromWindow<Pixel>{spans, surface, rows});
 }
 
 }  // namespace

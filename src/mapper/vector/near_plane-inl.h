@@ -132,7 +132,7 @@ class NearPlaneRest : public RestDraw {
   HWY_NOINLINE void draw_all(int32_t first_index) const {
     const PlaneLanes lanes(spans_, surface_);
     const RuledMap& map = spans_.exact.ruled();
-    if (pays_columns(spans_.batch) &&
+    if (pays_columns_of_maps(spans_.batch) &&
         is_one_limb_enough(map, map.most_denominator(), lanes.spare_bits())) {
       return draw_columns<Pixel, Address>(
           spans_.batch, first_index, spans_.exact, surface_,

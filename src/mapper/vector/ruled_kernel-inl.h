@@ -83,7 +83,7 @@ template <class Pixel, class Address>
 // cost more than columns, if rows fill at least half of a vector of them.
 [[nodiscard]] HWY_INLINE bool pays_ruled_columns(const SpanBatch& batch) {
   constexpr int32_t kMost_px = 128;
-  if (is_narrow(batch)) return pays_columns(batch);
+  if (is_narrow(batch)) return pays_columns_of_maps(batch);
   return batch.widest_px <= kMost_px && 2 * batch.rows > kLanes;
 }
 
