@@ -79,12 +79,14 @@ template <class Pixel, class Address>
                                                  spans.exact, spans.rows.most_denominator, surface);
 }
 
-// Other rows than narrow ones may be decided one by one, too. Up to this width that was measured to
-// cost more than columns, if rows fill at least half of a vector of them.
+// Other rows than narrow ones may be decided one by one, too. That was measured to cost more than
+// columns up to the first width, if rows fill at least half of a vector of them, and up to the
+// second one if they fill more than one.
 [[nodiscard]] HWY_INLINE bool pays_ruled_columns(const SpanBatch& batch) {
-  constexpr int32_t kMost_px = 128;
+  constexpr int32_t kMostIfHalf_px = 128, kMost_px = 160, kMoreARow = 2;
   if (is_narrow(batch)) return pays_columns_of_maps(batch);
-  return batch.widest_px <= kMost_px && 2 * batch.rows > kLanes;
+  if (batch.widest_px <= kMostIfHalf_px) return 2 * batch.rows > kLanes;
+  return batch.widest_px <= kMost_px && batch.rows > kLanes && pays_columns(batch, kMoreARow);
 }
 
 // Draws a batch with many near-ties by columns or by boundaries. False where it is drawn by

@@ -173,16 +173,19 @@ HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, Columns
 
 // Whether rows are so many, and so narrow, that columns cost less than their vectors: as many as
 // there are, and some more a row.
-[[nodiscard]] HWY_INLINE bool pays_columns(const SpanBatch& batch, int32_t more_a_row = 1) {
+[[nodiscard]] HWY_INLINE bool pays_columns(const SpanBatch& batch, int32_t more_a_row) {
   const int32_t blocks = (batch.rows + kLanes - 1) / kLanes;
   const int32_t vectors = (batch.widest_px + kLanes - 1) / kLanes;
-  return is_narrow(batch) && batch.rows > 1 &&
-         batch.widest_px * blocks <= batch.rows * (vectors + more_a_row);
+  return batch.rows > 1 && batch.widest_px * blocks <= batch.rows * (vectors + more_a_row);
+}
+[[nodiscard]] HWY_INLINE bool pays_columns(const SpanBatch& batch) {
+  return is_narrow(batch) && pays_columns(batch, 1);
 }
 
-// The same where each row has a map, to be found when vectors are decided.
+// The same where each row has a map, to be found when its vectors are decided.
 [[nodiscard]] HWY_INLINE bool pays_columns_of_maps(const SpanBatch& batch) {
-  return pays_columns(batch, kLanes == kMostLanes && batch.rows > kLanes ? 2 : 1);
+  return is_narrow(batch) &&
+         pays_columns(batch, kLanes == kMostLanes && batch.rows > kLanes ? 2 : 1);
 }
 
 // Whether rows have so few pixels that the boundaries between these texels cost more than columns.
