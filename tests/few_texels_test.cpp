@@ -20,8 +20,8 @@ using spec::kTexel_fx16;
   spec::Case c = any_surfaces(random);
   c.target_width_px = random.percent(20) ? random.in(70, 400) : random.in(1, 70);
   c.target_height_px = random.in(4, 140);
-  c.texture_width_texel = random.pick({1, 3, 8, 17, 64});
-  c.texture_height_texel = random.pick({1, 2, 8, 17, 64});
+  c.texture_width_texel = random.pick({1, 3, 7, 8, 9, 15, 16, 17, 64});
+  c.texture_height_texel = random.pick({1, 2, 3, 4, 7, 8, 9, 10, 17, 19, 20, 64});
   return c;
 }
 

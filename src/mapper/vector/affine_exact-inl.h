@@ -35,8 +35,8 @@ class ExactCoordinate {
         by_vector_(step_, divisor),
         least_lane_(static_cast<int128>(n.step) < 0 ? kLanes - 1 : 0) {}
 
-  // A vector of pixels from so many right of the first one and below it on. Their lane is less than
-  // a texel low.
+  // A vector of pixels from so many right of the first one and below it on. The lane of its first
+  // pixel is less than a texel low, and its texel fits 32 bits.
   [[nodiscard]] HWY_INLINE Quotients from(int32_t right_px, int32_t down_px,
                                           int64_t lane_fx32) const {
     const uint128 n = n_.at(right_px) + static_cast<uint128>(int128{down_px}) * down_;

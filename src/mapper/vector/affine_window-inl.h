@@ -209,7 +209,7 @@ template <class Pixel, class OneWindow>
 // Draws a batch by draw_from(), if a window is near its texels.
 template <class Pixel, class Spans>
 struct FromWindow {
-  static constexpr bool kIsSeldom = false;
+  static constexpr bool kTwoSizes = false;
 
   const Spans& spans;
   const Surface& surface;

@@ -14,29 +14,21 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// Rows of a batch, from one to the one before another.
-struct RowRange {
-  int32_t first, end;
-};
-
-// The rows of a range that have pixels in a vector of columns, and maybe some between them that
-// have none.
-[[nodiscard]] HWY_NOINLINE RowRange rows_in_columns(const SpanBatch& batch, const RowRange& range,
-                                                    int32_t column_px) {
+// The rows of a block that have pixels in a strip, a vector of columns, and maybe some between that
+// have none there.
+[[nodiscard]] HWY_NOINLINE RowBlock rows_in_strip(const SpanBatch& batch, const RowBlock& block,
+                                                  int32_t strip_px) {
   const D32 d;
-  const V32 left = hn::Set(d, column_px), right = hn::Set(d, column_px + kLanes);
-  uint64_t rows = 0;
-  for (int32_t row = 0; row < range.end; row += kLanes) {
+  const V32 left = hn::Set(d, strip_px), right = hn::Set(d, strip_px + kLanes);
+  return rows_where(block, [&](int32_t row) HWY_ATTR {
     const V32 from = hn::Max(hn::LoadU(d, batch.left_px.data() + row), left);
     const V32 to = hn::Min(hn::LoadU(d, batch.right_px.data() + row), right);
-    rows |= bits_of(hn::Lt(from, to)) << row;
-  }
-  rows &= ~uint64_t{0} >> (kRowsPerBatch - range.end) & ~uint64_t{0} << range.first;
-  return {std::countr_zero(rows), kRowsPerBatch - std::countl_zero(rows)};
+    return hn::Lt(from, to);
+  });
 }
 
-// The columns of a range.
-[[nodiscard]] HWY_NOINLINE Span columns_of(const SpanBatch& batch, const RowRange& rows) {
+// The columns of a block.
+[[nodiscard]] HWY_NOINLINE Span columns_of(const SpanBatch& batch, const RowBlock& rows) {
   Span columns{batch.first_row, INT32_MAX, 0};
   for (int32_t i = rows.first; i < rows.end; ++i) {
     const Span span = batch.span(i);
@@ -108,20 +100,21 @@ class ExactPlane {
   QuotientSum down_u_, down_v_;
 };
 
-// Whether a vector of columns costs less than kLanes rows of so few pixels: it goes down many of
-// them, and begins seldom.
+// Whether strips of so many columns cost less than what decides near-ties otherwise: many rows have
+// pixels in each. That also keeps lanes within 32 bits of texels wherever strips begin: a plane's
+// steps are small where one window holds the texels of so wide rows, and strips begin near them.
 [[nodiscard]] HWY_INLINE bool pays_exact_window(const SpanBatch& batch, const Span& columns) {
   return batch.widest_px > kLanes / 2 && columns.width_px() <= 2 * batch.widest_px + kLanes;
 }
 
-// Rows of a plane's batch, if they cost less than columns of near-ties.
+// Rows of a plane's batch, if that pays.
 template <class Pixel>
 struct ExactFromWindow {
-  static constexpr bool kIsSeldom = true;
+  static constexpr bool kTwoSizes = true;  // it is seldom asked for
 
   const AffineSpans& spans;
   const Surface& surface;
-  RowRange rows;
+  RowBlock rows;
 
   template <class OneWindow>
   [[nodiscard]] HWY_INLINE bool operator()(const OneWindow& window) const {
@@ -129,7 +122,7 @@ struct ExactFromWindow {
     if (!pays_exact_window(spans.batch, columns)) return false;
     const ExactPlane plane(spans);
     for (int32_t px = columns.left_px; px < columns.right_px; px += kLanes) {
-      const RowRange strip = rows_in_columns(spans.batch, rows, px);
+      const RowBlock strip = rows_in_strip(spans.batch, rows, px);
       ExactTexels texels = plane.from(px, strip.first, window.origin());
       for (int32_t i = strip.first; i < strip.end; ++i) {
         draw_part(spans.batch.span(i), px, window.template texels<0>(texels.lanes()));
@@ -140,14 +133,14 @@ struct ExactFromWindow {
   }
 
  private:
-  // The pixels of a span among a vector of columns.
-  HWY_INLINE void draw_part(const Span& span, int32_t column_px, V32 pixels) const {
-    const int32_t from_px = HWY_MAX(span.left_px, column_px);
-    const int32_t count_px = HWY_MIN(span.right_px, column_px + kLanes) - from_px;
+  // The pixels of a span in a strip.
+  HWY_INLINE void draw_part(const Span& span, int32_t strip_px, V32 pixels) const {
+    const int32_t from_px = HWY_MAX(span.left_px, strip_px);
+    const int32_t count_px = HWY_MIN(span.right_px, strip_px + kLanes) - from_px;
     if (count_px <= 0) return;
     auto* const to =
         reinterpret_cast<Pixel*>(first_pixel(surface, {span.row, from_px, from_px + count_px}));
-    store_pixels(lanes_from(from_px - column_px, pixels), count_px, to);
+    store_pixels(lanes_from(from_px - strip_px, pixels), count_px, to);
   }
 };
 
@@ -156,7 +149,7 @@ template <class Pixel, class Address>
 [[nodiscard]] HWY_INLINE bool draw_exactly_from_window(const AffineSpans& spans,
                                                        const Surface& surface,
                                                        int32_t first_index) {
-  const RowRange rows{first_index, spans.batch.rows};
+  const RowBlock rows{first_index, spans.batch.rows, spans.batch.widest_px};
   return pays_one_window(spans.batch) &&
          with_one_window<Pixel, Address>(spans.texels, surface.texture,
                                          ExactFromWindow<Pixel>{spans, surface, rows});

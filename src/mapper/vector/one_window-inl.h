@@ -76,14 +76,18 @@ struct WindowPlace {
   int32_t vectors = 0;
 };
 
-// Where they are seldom, windows are of two sizes.
+// Of some windows there are two sizes alone, so that there is less code.
 inline constexpr int32_t kFewWindowVectors = 2 * kVectorsPerPermute;
 
-// No fewer vectors than so many, as windows have them.
+// As many vectors as the smallest window of no fewer has; more than kMostWindowVectors where there
+// is none.
 template <bool kTwoSizes>
 [[nodiscard]] HWY_INLINE int32_t window_vectors(int32_t vectors) {
-  if (!kTwoSizes) return whole_rows(vectors);
-  return vectors <= kFewWindowVectors ? kFewWindowVectors : HWY_MAX(vectors, kMostWindowVectors);
+  if constexpr (!kTwoSizes) {
+    return whole_rows(vectors);
+  } else {
+    return vectors <= kFewWindowVectors ? kFewWindowVectors : HWY_MAX(vectors, kMostWindowVectors);
+  }
 }
 
 // Of any texels.
@@ -210,45 +214,46 @@ template <class Pixel, class Address, int kColumnBits, int32_t kVectors = kMostW
   return draw(Window<Pixel, Address, kColumnBits, kVectors>(texture, place));
 }
 
-template <class Pixel, class Address, int kColumnBits, class Draw>
-[[nodiscard]] HWY_INLINE bool with_either_size(const selvage_texture& texture,
-                                               const WindowPlace& place, const Draw& draw) {
-  return place.vectors == kFewWindowVectors
-             ? draw(Window<Pixel, Address, kColumnBits, kFewWindowVectors>(texture, place))
-             : draw(Window<Pixel, Address, kColumnBits, kMostWindowVectors>(texture, place));
+// The same with one of window_vectors<kTwoSizes>().
+template <class Pixel, class Address, int kColumnBits, bool kTwoSizes, class Draw>
+[[nodiscard]] HWY_INLINE bool with_window_as(const selvage_texture& texture,
+                                             const WindowPlace& place, const Draw& draw) {
+  if constexpr (!kTwoSizes) {
+    return with_window<Pixel, Address, kColumnBits>(texture, place, draw);
+  } else {
+    return place.vectors == kFewWindowVectors
+               ? draw(Window<Pixel, Address, kColumnBits, kFewWindowVectors>(texture, place))
+               : draw(Window<Pixel, Address, kColumnBits, kMostWindowVectors>(texture, place));
+  }
 }
 
 // A window whose texels need no clamping is the same whatever the address mode: one function for
 // all of them.
-template <class Pixel, int kColumnBits, class Draw>
+template <class Pixel, int kColumnBits, bool kTwoSizes, class Draw>
 [[nodiscard]] HWY_NOINLINE bool with_window_inside(const selvage_texture& texture,
                                                    const WindowPlace& place, const Draw& draw) {
-  using Inside = Addressed<InsideVector>;
-  if constexpr (Draw::kIsSeldom) {
-    return with_either_size<Pixel, Inside, kColumnBits>(texture, place, draw);
-  } else {
-    return with_window<Pixel, Inside, kColumnBits>(texture, place, draw);
-  }
+  return with_window_as<Pixel, Addressed<InsideVector>, kColumnBits, kTwoSizes>(texture, place,
+                                                                                draw);
 }
-
-// Others are seldom.
-template <class Pixel, int kColumnBits, class Draw>
+template <class Pixel, int kColumnBits, bool kTwoSizes, class Draw>
 [[nodiscard]] HWY_NOINLINE bool with_window_clamped(const selvage_texture& texture,
                                                     const WindowPlace& place, const Draw& draw) {
-  return with_either_size<Pixel, Addressed<ClampVector>, kColumnBits>(texture, place, draw);
+  return with_window_as<Pixel, Addressed<ClampVector>, kColumnBits, kTwoSizes>(texture, place,
+                                                                               draw);
 }
 
-// What draw(window) returns, or false where no window of so many columns holds the texels.
+// What draw(window) returns, or false where no window of so many columns holds the texels. Those
+// that clamp are seldom.
 template <class Pixel, class Address, int kColumnBits, class Draw>
 [[nodiscard]] HWY_INLINE bool with_window_of(const TexelRanges& texels,
                                              const selvage_texture& texture, const Draw& draw) {
-  constexpr bool kTwoSizes = Draw::kIsSeldom || Address::kClampsWindows;
+  constexpr bool kTwoSizes = Draw::kTwoSizes || Address::kClampsWindows;
   const auto place = place_of<Address, kColumnBits, kTwoSizes>(texels, texture);
   if (place.vectors == 0) return false;
   if constexpr (Address::kClampsWindows) {
-    return with_window_clamped<Pixel, kColumnBits>(texture, place, draw);
+    return with_window_clamped<Pixel, kColumnBits, kTwoSizes>(texture, place, draw);
   } else {
-    return with_window_inside<Pixel, kColumnBits>(texture, place, draw);
+    return with_window_inside<Pixel, kColumnBits, kTwoSizes>(texture, place, draw);
   }
 }
 

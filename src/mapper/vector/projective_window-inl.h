@@ -53,7 +53,7 @@ template <class Pixel, class Low, class OneWindow>
 // Draws a batch from one window.
 template <class Pixel>
 struct ProjectiveFromWindow {
-  static constexpr bool kIsSeldom = false;
+  static constexpr bool kTwoSizes = false;
 
   const ProjectiveSpans& spans;
   const Surface& surface;

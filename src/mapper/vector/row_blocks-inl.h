@@ -87,19 +87,30 @@ template <int32_t kStrip_px>
   return {from, hn::Sub(right, from)};
 }
 
-// Those of the rows of a block that have pixels so far right of their left ends, and maybe some
-// between that have none there.
+// From the first row of a block that is asked for to the last one: asked(row) tells of kLanes rows
+// from one on. No rows where none is.
+template <class Asked>
+[[nodiscard]] HWY_INLINE RowBlock rows_where(const RowBlock& block, const Asked& asked) {
+  static_assert(kLeastBlockRows % kLanes == 0 && kRowsPerBatch % kLanes == 0);
+  uint64_t rows = 0;
+  for (int32_t row = block.first & -kLanes; row < block.end; row += kLanes) {
+    rows |= bits_of(asked(row)) << row;
+  }
+  rows &= ~uint64_t{0} >> (kRowsPerBatch - block.end) & ~uint64_t{0} << block.first;
+  return {std::countr_zero(rows), kRowsPerBatch - std::countl_zero(rows), block.widest_px};
+}
+
+// Those that have pixels so far right of their left ends, and maybe some between that have none
+// there.
 [[nodiscard]] HWY_INLINE RowBlock rows_with(const SpanBatch& batch, const RowBlock& block,
                                             int32_t right_by_px) {
   const D32 d;
-  static_assert(kLeastBlockRows % kLanes == 0 && kRowsPerBatch % kLanes == 0);
-  uint64_t rows = 0;
-  for (int32_t row = block.first; row < block.end; row += kLanes) {
-    const V32 begin = hn::Add(hn::LoadU(d, batch.left_px.data() + row), hn::Set(d, right_by_px));
-    rows |= bits_of(hn::Lt(begin, hn::LoadU(d, batch.right_px.data() + row))) << row;
-  }
-  rows &= ~uint64_t{0} >> (kRowsPerBatch - block.end);
-  return {std::countr_zero(rows), kRowsPerBatch - std::countl_zero(rows), block.widest_px};
+  return rows_where(
+      block, [&](int32_t row) HWY_ATTR __attribute__((always_inline)) {
+        const V32 begin =
+            hn::Add(hn::LoadU(d, batch.left_px.data() + row), hn::Set(d, right_by_px));
+        return hn::Lt(begin, hn::LoadU(d, batch.right_px.data() + row));
+      });
 }
 
 }  // namespace

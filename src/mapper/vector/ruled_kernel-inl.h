@@ -80,8 +80,8 @@ template <class Pixel, class Address>
 }
 
 // Other rows than narrow ones may be decided one by one, too. That was measured to cost more than
-// columns up to the first width, if rows fill at least half of a vector of them, and up to the
-// second one if they fill more than one.
+// columns up to the first width, if rows fill more than half of a vector of them, and up to
+// the second one if they fill more than one.
 [[nodiscard]] HWY_INLINE bool pays_ruled_columns(const SpanBatch& batch) {
   constexpr int32_t kMostIfHalf_px = 128, kMost_px = 160, kMoreARow = 2;
   if (is_narrow(batch)) return pays_columns_of_maps(batch);

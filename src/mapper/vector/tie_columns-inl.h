@@ -182,7 +182,8 @@ HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, Columns
   return is_narrow(batch) && pays_columns(batch, 1);
 }
 
-// The same where each row has a map, to be found when its vectors are decided.
+// The same where each row has a map, to be found when its vectors are decided. With the most lanes
+// and more than a vector of rows that was measured to cost as much as two vectors.
 [[nodiscard]] HWY_INLINE bool pays_columns_of_maps(const SpanBatch& batch) {
   return is_narrow(batch) &&
          pays_columns(batch, kLanes == kMostLanes && batch.rows > kLanes ? 2 : 1);
