@@ -154,7 +154,7 @@ TEST(Slabs, MayBeSkippedByAWalkOverAllRows) {
   return {Edge(v[0], v[1]), Edge(v[2], v[3]), 0, rows};
 }
 
-TEST(Slabs, RunFromLeftToRightUnlessTheirEdgesMeet) {
+TEST(Slabs, RunFromLeftToRightUnlessTheirEdgesCross) {
   const int32_t down = 8 * 256;
   const selvage_vertex apart[] = {
       {0, 0, 0, 0, 1}, {0, down, 0, 0, 1}, {9, 0, 0, 0, 1}, {9, down, 0, 0, 1}};
@@ -166,18 +166,24 @@ TEST(Slabs, RunFromLeftToRightUnlessTheirEdgesMeet) {
   ASSERT_TRUE(turned);
   EXPECT_EQ(&turned->a.top(), &apart[0]);
   EXPECT_EQ(turned->end_row, 8);
-  // They cross between the first row and the last, or touch in one of them.
+  // They cross between the first row and the last.
   const selvage_vertex crossing[] = {
       {0, 0, 0, 0, 1}, {9, down, 0, 0, 1}, {9, 0, 0, 0, 1}, {0, down, 0, 0, 1}};
   EXPECT_FALSE(from_left_to_right(between(crossing, 8)));
   EXPECT_FALSE(
       from_left_to_right({Edge(crossing[2], crossing[3]), Edge(crossing[0], crossing[1]), 0, 8}));
+  // They touch in one of the two.
   const selvage_vertex touching[] = {
       {0, 128, 0, 0, 1}, {0, down, 0, 0, 1}, {0, 128, 0, 0, 1}, {9, down, 0, 0, 1}};
-  EXPECT_FALSE(from_left_to_right(between(touching, 8)));
+  const auto opening = from_left_to_right(between(touching, 8));
+  ASSERT_TRUE(opening);
+  EXPECT_EQ(&opening->a.top(), &touching[0]);
   const selvage_vertex closing[] = {
       {0, 0, 0, 0, 1}, {5, 7 * 256 + 128, 0, 0, 1}, {9, 0, 0, 0, 1}, {5, 7 * 256 + 128, 0, 0, 1}};
-  EXPECT_FALSE(from_left_to_right(between(closing, 8)));
+  const auto closed =
+      from_left_to_right({Edge(closing[2], closing[3]), Edge(closing[0], closing[1]), 0, 8});
+  ASSERT_TRUE(closed);
+  EXPECT_EQ(&closed->a.top(), &closing[0]);
   EXPECT_TRUE(from_left_to_right(between(closing, 7)));
 }
 

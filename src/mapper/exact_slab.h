@@ -143,7 +143,8 @@ class RuledRowFinder {
   mutable ExactSlab rows_;  // of the slab that was last asked of
 };
 
-// A slab where no two edges change sides, so that d > 0, or a plane; of its numbers, the low bits.
+// A slab where no two edges change sides, so that d > 0 at its pixels, or a plane; of its numbers,
+// the low bits.
 template <class Unsigned>
 struct DirectedSlab {
   using Line = SlabLine<Unsigned>;

@@ -91,6 +91,7 @@ std::optional<ProjectiveField> ruled_field(const Slab& any, const Polygon& outli
   // Denominators are in units of the least one, or of a little less.
   constexpr double kRoundedDown = 1 - 0x1p-50, kPerQ = 1 << kTexelFraction;
   const Widths widths(slab, part.top, part.bottom - 1);
+  if (widths.least == 0) return std::nullopt;  // the edges touch
   const double unit = 1 / (widths.least * extremes.least_q * kPerQ * kRoundedDown);
   ProjectiveField field{part.left,
                         part.top,

@@ -48,8 +48,8 @@ void SlabOutline::add(const selvage_vertex& vertex) {
 std::optional<Slab> from_left_to_right(const Slab& slab) {
   const int128 first = right_by(slab.a.at(slab.first_row), slab.b.at(slab.first_row));
   const int128 last = right_by(slab.a.at(slab.end_row - 1), slab.b.at(slab.end_row - 1));
-  if (first > 0 && last > 0) return slab;
-  if (first < 0 && last < 0) return Slab{slab.b, slab.a, slab.first_row, slab.end_row};
+  if (first >= 0 && last >= 0) return slab;
+  if (first <= 0 && last <= 0) return Slab{slab.b, slab.a, slab.first_row, slab.end_row};
   return std::nullopt;
 }
 

@@ -82,7 +82,8 @@ class SlabOutline {
   size_t count_ = 0;
 };
 
-// The slab with its left edge as `a`; empty where the edges touch or cross within its rows.
+// The slab with its left edge as `a`; empty where the edges cross within its rows. They may touch
+// in the first one or the last one: that has no pixels.
 [[nodiscard]] std::optional<Slab> from_left_to_right(const Slab& slab);
 
 // The exact map of each row of some slabs.

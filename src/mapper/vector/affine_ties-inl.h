@@ -31,8 +31,8 @@ HWY_INLINE void draw_columns(const AffineSpans& spans, const Surface& surface,
                                              PlaneColumns(field));
   draw_columns<Pixel, Address>(
       spans.batch, first_index, spans.exact, surface,
-      [&](const OneLimbColumn::Slab& slab, int32_t first_row, V32 px)
-          HWY_ATTR { return QuotientColumns(first(slab, first_row, px), steps); });
+      [&](const ColumnTies<OneLimbColumn>& ties, int32_t first_row, V32 px)
+          HWY_ATTR { return QuotientColumns(first(ties, first_row, px), steps); });
 }
 
 // Of a single row, that may be the only one with its map, those under its ends and between them.

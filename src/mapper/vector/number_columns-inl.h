@@ -46,6 +46,15 @@ struct SlabPixels {
           {hn::Add(even_rows, hn::Set(d, 1)), hn::BitCast(d, hn::ShiftRight<32>(both))}};
 }
 
+// Which of kLanes rows are so many or more below the first one.
+using RowsBelow = ByParity<hn::Mask<D64>>;
+[[nodiscard]] HWY_INLINE RowsBelow rows_below(int32_t rows) {
+  const hn::RebindToSigned<D64> d;
+  const auto even = hn::ShiftLeft<1>(hn::Iota(d, 0)), last = hn::Set(d, rows - 1);
+  return {hn::RebindMask(D64(), hn::Gt(even, last)),
+          hn::RebindMask(D64(), hn::Gt(hn::Add(even, hn::Set(d, 1)), last))};
+}
+
 // A column of numbers by halves of it.
 template <class Half>
 class ByHalves {
@@ -53,6 +62,12 @@ class ByHalves {
   template <class Line>
   HWY_INLINE ByHalves(const Line& line, const ByParity<SlabPixels>& first)
       : even_(line, first.even), odd_(line, first.odd) {}
+
+  // In these rows those of the other one.
+  HWY_INLINE void take(const RowsBelow& rows, const ByHalves& other) {
+    even_.take(rows.even, other.even_);
+    odd_.take(rows.odd, other.odd_);
+  }
 
   [[nodiscard]] HWY_INLINE auto from(int32_t /*px*/) const {
     return ByParity<decltype(even_.get())>{even_.get(), odd_.get()};
@@ -76,6 +91,10 @@ struct OneLimbColumn {
     HWY_INLINE Half(const Slab::Line& line, const SlabPixels& px)
         : step_(px.step(line.step, line.turn)),
           at_(hn::Add(px.at_column(line.start, line.down, line.bend), hn::Mul(px.right, step_))) {}
+    HWY_INLINE void take(hn::Mask<D64> rows, const Half& other) {
+      step_ = hn::IfThenElse(rows, other.step_, step_);
+      at_ = hn::IfThenElse(rows, other.at_, at_);
+    }
     HWY_INLINE void go_right() { at_ = hn::Add(at_, step_); }
     [[nodiscard]] HWY_INLINE V64 get() const { return at_; }
 

@@ -79,23 +79,13 @@ template <class Pixel, class Address>
                                                  spans.exact, spans.rows.most_denominator, surface);
 }
 
-// Other rows than narrow ones may be decided one by one, too. That was measured to cost more than
-// columns up to the first width, if rows fill more than half of a vector of them, and up to
-// the second one if they fill more than one.
-[[nodiscard]] HWY_INLINE bool pays_ruled_columns(const SpanBatch& batch) {
-  constexpr int32_t kMostIfHalf_px = 128, kMost_px = 160, kMoreARow = 2;
-  if (is_narrow(batch)) return pays_columns_of_maps(batch);
-  if (batch.widest_px <= kMostIfHalf_px) return 2 * batch.rows > kLanes;
-  return batch.widest_px <= kMost_px && batch.rows > kLanes && pays_columns(batch, kMoreARow);
-}
-
 // Draws a batch with many near-ties by columns or by boundaries. False where it is drawn by
 // neither.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_near_ties(const RuledSpans& spans, const Surface& surface) {
   const LowLanes low(lack_fx16(spans.rows.margin_fx32));
   const bool has_columns =
-      pays_ruled_columns(spans.batch) &&
+      pays_columns_of_maps(spans.batch) &&
       is_one_limb_enough(spans.exact.ruled(), spans.rows.most_denominator, low.spare_bits());
   const bool beats = has_columns && beat_boundaries(spans.batch, TexelRanges(spans.texels));
   if (!beats && draw_between_boundaries<Pixel, Address>(spans, surface)) return true;

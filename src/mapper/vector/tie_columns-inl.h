@@ -29,6 +29,12 @@ class ColumnTies {
   HWY_INLINE ColumnTies(Slab slab, int32_t row, V32 px)
       : ColumnTies(at(&slab, row), slab_pixels(hn::Sub(px, hn::Set(D32(), slab.first_px)))) {}
 
+  // In these rows those of the other one, of another slab.
+  HWY_INLINE void take(const RowsBelow& rows, const ColumnTies& other) {
+    u_.take(rows, other.u_);
+    v_.take(rows, other.v_);
+    d_.take(rows, other.d_);
+  }
   HWY_INLINE void go_right() {
     u_.go_right();
     v_.go_right();
@@ -154,7 +160,7 @@ struct PlaceColumns {
   }
 };
 
-// Some rows of one slab, up to kLanes of them.
+// Some rows, up to kLanes of them.
 template <class Pixel, class Address, class Columns>
 HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, Columns from,
                            const Surface& surface) {
@@ -171,22 +177,23 @@ HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, Columns
   }
 }
 
-// Whether rows are so many, and so narrow, that columns cost less than their vectors: as many as
-// there are, and some more a row.
-[[nodiscard]] HWY_INLINE bool pays_columns(const SpanBatch& batch, int32_t more_a_row) {
-  const int32_t blocks = (batch.rows + kLanes - 1) / kLanes;
-  const int32_t vectors = (batch.widest_px + kLanes - 1) / kLanes;
-  return batch.rows > 1 && batch.widest_px * blocks <= batch.rows * (vectors + more_a_row);
-}
-[[nodiscard]] HWY_INLINE bool pays_columns(const SpanBatch& batch) {
-  return is_narrow(batch) && pays_columns(batch, 1);
+// Columns of all blocks of rows, none of them wider than the widest.
+[[nodiscard]] HWY_INLINE int32_t most_columns(const SpanBatch& batch) {
+  return batch.widest_px * ((batch.rows + kLanes - 1) / kLanes);
 }
 
-// The same where each row has a map, to be found when its vectors are decided. With the most lanes
-// and more than a vector of rows that was measured to cost as much as two vectors.
+// Whether narrow rows are so many that columns cost less than their vectors: as many as there are,
+// and one more a row.
+[[nodiscard]] HWY_INLINE bool pays_columns(const SpanBatch& batch) {
+  const int32_t vectors = (batch.widest_px + kLanes - 1) / kLanes;
+  return is_narrow(batch) && batch.rows > 1 && most_columns(batch) <= batch.rows * (vectors + 1);
+}
+
+// The same where each row has a map: to find one for its vectors was measured to cost as much as so
+// many columns, whatever their lanes are.
 [[nodiscard]] HWY_INLINE bool pays_columns_of_maps(const SpanBatch& batch) {
-  return is_narrow(batch) &&
-         pays_columns(batch, kLanes == kMostLanes && batch.rows > kLanes ? 2 : 1);
+  constexpr int32_t kColumnsARow = 16;
+  return most_columns(batch) <= batch.rows * kColumnsARow;
 }
 
 // Whether rows have so few pixels that the boundaries between these texels cost more than columns.
@@ -195,24 +202,48 @@ HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, Columns
   return batch.widest_px * kLanesOfOne <= (texels.s.count() + texels.t.count() - 2) * kLanes;
 }
 
-// The rows of a batch from an index on, narrow ones, by columns_of(slab, row, px), those of kLanes
-// rows from some pixels on. 64 bits must tell on which sides near-ties lie, as
-// is_one_limb_enough().
+// What decides the near-ties of kLanes rows at a time, from slab to slab. 64 bits must tell on
+// which sides they lie, as is_one_limb_enough().
+class TieColumns {
+ public:
+  HWY_INLINE TieColumns(const ExactMap& map, const SpanBatch& batch) : map_(map), batch_(batch) {}
+
+  // From some pixels of so many rows from an index in the batch on. Cheapest in turn.
+  [[nodiscard]] HWY_INLINE ColumnTies<OneLimbColumn> from(int32_t index, int32_t count, V32 px) {
+    const int32_t row = batch_.first_row + index, end_row = row + count;
+    if (!slab_.has(row)) find(row);
+    ColumnTies<OneLimbColumn> ties(slab_, row, px);
+    while (slab_.end_row < end_row) {
+      const int32_t below = slab_.end_row - row;
+      find(slab_.end_row);
+      ties.take(rows_below(below), {slab_, row, px});
+    }
+    return ties;
+  }
+
+ private:
+  HWY_INLINE void find(int32_t row) {
+    const Span span = batch_.span(row - batch_.first_row);
+    slab_ = biased_slab<OneLimbColumn::Slab>(map_, span.left_px, row);
+  }
+
+  const ExactMap& map_;
+  const SpanBatch& batch_;
+  OneLimbColumn::Slab slab_;
+};
+
+// The rows of a batch from an index on by columns_of(ties, row, px), those of kLanes rows from some
+// pixels on. TieColumns must tell.
 template <class Pixel, class Address, class ColumnsOf>
 HWY_NOINLINE void draw_columns(const SpanBatch& batch, int32_t first_index, const ExactMap& map,
                                const Surface& surface, const ColumnsOf& columns_of) {
-  OneLimbColumn::Slab slab;
-  for (int32_t i = first_index; i < batch.rows;) {
-    const Span first = batch.span(i);
-    if (!slab.has(first.row)) {
-      slab = biased_slab<OneLimbColumn::Slab>(map, first.left_px, first.row);
-    }
-    const int32_t end = HWY_MIN(HWY_MIN(i + kLanes, batch.rows), slab.end_row - batch.first_row);
+  TieColumns ties(map, batch);
+  for (int32_t i = first_index; i < batch.rows; i += kLanes) {
+    const int32_t end = HWY_MIN(i + kLanes, batch.rows);
     const auto is_row = hn::Lt(hn::Iota(D32(), i), hn::Set(D32(), end));
     const V32 left_px = hn::IfThenElseZero(is_row, hn::LoadU(D32(), batch.left_px.data() + i));
-    draw_block<Pixel, Address>(batch, block_of(batch, i, end), columns_of(slab, first.row, left_px),
-                               surface);
-    i = end;
+    const auto of_block = columns_of(ties.from(i, end - i, left_px), batch.first_row + i, left_px);
+    draw_block<Pixel, Address>(batch, block_of(batch, i, end), of_block, surface);
   }
 }
 
@@ -222,9 +253,9 @@ class DecidedColumnsOf {
  public:
   HWY_INLINE DecidedColumnsOf(const LowLanes& low, const LanesOfRows& lanes)
       : low_(low), lanes_(lanes) {}
-  HWY_INLINE DecidedColumns<OneLimbColumn, LaneColumns> operator()(const OneLimbColumn::Slab& slab,
-                                                                   int32_t row, V32 px) const {
-    return {low_, ColumnTies<OneLimbColumn>(slab, row, px), lanes_.from(row, px)};
+  HWY_INLINE DecidedColumns<OneLimbColumn, LaneColumns> operator()(
+      const ColumnTies<OneLimbColumn>& ties, int32_t row, V32 px) const {
+    return {low_, ties, lanes_.from(row, px)};
   }
 
  private:
