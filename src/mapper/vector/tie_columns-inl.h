@@ -177,23 +177,24 @@ HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, Columns
   }
 }
 
-// Columns of all blocks of rows, none of them wider than the widest.
-[[nodiscard]] HWY_INLINE int32_t most_columns(const SpanBatch& batch) {
-  return batch.widest_px * ((batch.rows + kLanes - 1) / kLanes);
-}
-
 // Whether narrow rows are so many that columns cost less than their vectors: as many as there are,
 // and one more a row.
 [[nodiscard]] HWY_INLINE bool pays_columns(const SpanBatch& batch) {
+  const int32_t blocks = (batch.rows + kLanes - 1) / kLanes;
   const int32_t vectors = (batch.widest_px + kLanes - 1) / kLanes;
-  return is_narrow(batch) && batch.rows > 1 && most_columns(batch) <= batch.rows * (vectors + 1);
+  return is_narrow(batch) && batch.rows > 1 &&
+         batch.widest_px * blocks <= batch.rows * (vectors + 1);
 }
 
 // The same where each row has a map: to find one for its vectors was measured to cost as much as so
 // many columns, whatever their lanes are.
 [[nodiscard]] HWY_INLINE bool pays_columns_of_maps(const SpanBatch& batch) {
   constexpr int32_t kColumnsARow = 16;
-  return most_columns(batch) <= batch.rows * kColumnsARow;
+  int32_t columns = 0;
+  for (int32_t i = 0; i < batch.rows; i += kLanes) {
+    columns += block_of(batch, i, HWY_MIN(i + kLanes, batch.rows)).widest_px;
+  }
+  return columns <= batch.rows * kColumnsARow;
 }
 
 // Whether rows have so few pixels that the boundaries between these texels cost more than columns.
