@@ -268,11 +268,12 @@ TEST(ProjectiveSlab, HasNoFieldWhereItsEdgesCross) {
   EXPECT_FALSE(ruled_field(slab, corners_of.polygon(), {0, 0, 3, 30}));
 }
 
-// Half way to the apex of edges that nearly meet, the reach is too large.
+// Half way to the apex of edges that nearly meet, the reach is too large; where they meet in a row,
+// it is infinite.
 TEST(ProjectiveSlab, HasNoFieldWhereItReachesTooFar) {
-  for (const int32_t apart : {1, 1 << 16}) {
+  for (const int32_t apart : {0, 1, 1 << 16}) {
     const std::vector<selvage_vertex> vertices = {{0, 128, 0, 0, 1 << 20},
-                                                  {apart, 128, 0, 0, 1 << 20},
+                                                  {apart, 128, 5, 0, 1 << 20},
                                                   {1 << 22, 1 << 16, 99, 0, 1 << 19},
                                                   {-1 << 22, 1 << 16, 0, 99, 1 << 20}};
     Polygon polygon;

@@ -83,7 +83,7 @@ class SlabOutline {
 };
 
 // The slab with its left edge as `a`; empty where the edges cross within its rows. They may touch
-// in the first one or the last one: that has no pixels.
+// in the first or the last one, or be the same: such rows have no pixels.
 [[nodiscard]] std::optional<Slab> from_left_to_right(const Slab& slab);
 
 // The exact map of each row of some slabs.

@@ -88,7 +88,7 @@ struct ExactLines {
     return {{row.u, below.u}, {row.v, below.v}, {row.d, below.d},
             first.left_px,    INT32_MAX,        to_double(most_d)};
   }
-  const Slab slab = *from_left_to_right(map.ruled().slab_of(first.row));  // d > 0
+  const Slab slab = *from_left_to_right(map.ruled().slab_of(first.row));  // d > 0 at pixels
   const ExactSlab rows({slab.a, slab.b, first.row, slab.end_row}, first.left_px);
   return {rows.u(), rows.v(), rows.d(), first.left_px, slab.end_row, most_ruled};
 }

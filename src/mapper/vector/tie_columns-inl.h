@@ -1,5 +1,5 @@
-// Near-ties of narrow rows, column by column: a lane is a row, so that rows share what they would
-// cost one by one. Included once for each SIMD target.
+// Near-ties column by column: a lane is a row, so that rows share what they would cost one by one.
+// Included once for each SIMD target.
 #if defined(SELVAGE_VECTOR_TIE_COLUMNS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_TIE_COLUMNS_INL_H
 #undef SELVAGE_VECTOR_TIE_COLUMNS_INL_H
@@ -190,6 +190,7 @@ HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, Columns
 // many columns, whatever their lanes are.
 [[nodiscard]] HWY_INLINE bool pays_columns_of_maps(const SpanBatch& batch) {
   constexpr int32_t kColumnsARow = 16;
+  if (batch.rows == 1) return false;  // columns need the maps of three
   int32_t columns = 0;
   for (int32_t i = 0; i < batch.rows; i += kLanes) {
     columns += block_of(batch, i, HWY_MIN(i + kLanes, batch.rows)).widest_px;
@@ -234,7 +235,7 @@ class TieColumns {
 };
 
 // The rows of a batch from an index on by columns_of(ties, row, px), those of kLanes rows from some
-// pixels on. TieColumns must tell.
+// pixels on. 64 bits must tell, as TieColumns has it.
 template <class Pixel, class Address, class ColumnsOf>
 HWY_NOINLINE void draw_columns(const SpanBatch& batch, int32_t first_index, const ExactMap& map,
                                const Surface& surface, const ColumnsOf& columns_of) {
