@@ -186,11 +186,11 @@ HWY_INLINE void draw_block(const SpanBatch& batch, const RowBlock& rows, Columns
          batch.widest_px * blocks <= batch.rows * (vectors + 1);
 }
 
-// The same where each row has a map: to find one for its vectors was measured to cost as much as so
-// many columns, whatever their lanes are.
+// The same of any rows that have a map each: to find one for its vectors was measured to cost as
+// much as so many columns, whatever their lanes are.
 [[nodiscard]] HWY_INLINE bool pays_columns_of_maps(const SpanBatch& batch) {
   constexpr int32_t kColumnsARow = 16;
-  if (batch.rows == 1) return false;  // columns need the maps of three
+  if (batch.rows == 1) return false;  // a slab takes the maps of three
   int32_t columns = 0;
   for (int32_t i = 0; i < batch.rows; i += kLanes) {
     columns += block_of(batch, i, HWY_MIN(i + kLanes, batch.rows)).widest_px;
