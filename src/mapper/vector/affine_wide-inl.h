@@ -6,7 +6,6 @@
 #define SELVAGE_VECTOR_AFFINE_WIDE_INL_H
 #endif
 
-#include "mapper/interior.h"
 #include "mapper/vector/affine_rest-inl.h"
 #include "mapper/vector/affine_window_runs-inl.h"
 #include "mapper/vector/fetch-inl.h"
@@ -81,8 +80,7 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
 template <class Pixel, class Address>
 void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowShape& shape,
                RestDraw* rest) {
-  const bool inside =
-      pays_to_ask_inside(spans.batch) && is_inside(spans.batch, spans.field, surface.texture);
+  const bool inside = shows_texture_alone(spans, surface.texture);
   const bool ahead = shape.rows == 0 && !is_cached(surface.texture);
   Resume at;
   Left left;

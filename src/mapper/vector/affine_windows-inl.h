@@ -6,8 +6,10 @@
 #define SELVAGE_VECTOR_AFFINE_WINDOWS_INL_H
 #endif
 
+#include "mapper/interior.h"
 #include "mapper/vector/affine_lanes-inl.h"
 #include "mapper/vector/coarse_lanes-inl.h"
+#include "mapper/vector/one_window-inl.h"
 #include "mapper/vector/store-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -23,6 +25,14 @@ struct FoundWindows {
   HWY_ALIGN int32_t coarse[kMost + kLanes];  // both, as CoarseLanes has them
   HWY_ALIGN int32_t place[kMost + kLanes];
 };
+
+// Whether all pixels surely show texels of the texture, whatever the address mode: as the box of the
+// polygon's corners tells, or the batch's own pixels.
+[[nodiscard]] HWY_INLINE bool shows_texture_alone(const AffineSpans& spans,
+                                                  const selvage_texture& texture) {
+  return TexelRanges(spans.texels).within(texture) ||
+         (pays_to_ask_inside(spans.batch) && is_inside(spans.batch, spans.field, texture));
+}
 
 // How a texture is addressed, told at run time: windows are found so seldom that one loop is for
 // all modes.
