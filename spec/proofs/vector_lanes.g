@@ -1,6 +1,6 @@
 #@ -Eprecision=200 -Eno-auto-dichotomy
-# Vector lanes: 16.16 in 32 bits, the floor of a vector's 32.32 anchor and that of i steps from it;
-# or 8.24, and then the unit is 2^-24 texel for 2^-16.
+# Vector lanes: 16.16 in 32 bits, the floor of a vector's 32.32 anchor and that of i steps from it,
+# with one down where the anchor is of two rows; or 8.24, and then the unit is 2^-24 texel for 2^-16.
 # `lane` is the 32.32 lane of the same pixel, anchor + i step, for which the law of the filter holds
 # with `margin`: u - lane = within. Unit 2^-16 texel; 32.32 values are whole multiples of 2^-SHIFT.
 # Claim: narrow <= u < narrow + TRUNCATIONS + margin.
@@ -8,7 +8,7 @@
 # src/mapper/vector/blend_affine_windows-inl.h, of 8.24.
 # By hand: the code adds the floor of `margin` and 1 to TRUNCATIONS, which is more. Sums modulo 2^32
 # are sums, for |u| < 2^31 in fx16, and lanes of 8.24 are less than 2^31 from their window's origin;
-# the floor of i steps is taken as i whole steps and the floor of i fractions.
+# the floor of steps is taken as their whole units and the floor of the sum of their fractions.
 
 anchor_lacks = 1 - (anchor - int<dn>(anchor));
 steps_lack = 1 - (steps - int<dn>(steps));

@@ -19,10 +19,12 @@ namespace {
 template <class Pixel, class Address>
 HWY_INLINE void draw_by_vectors(const AffineSpans& spans, const Surface& surface,
                                 const WindowShape& shape, RestDraw* rest) {
-  if (pays_strips(spans.batch, shape)) {
-    return draw_by_strips<Pixel, Address>(spans, surface, shape, rest);
+  const bool inside = shows_texture_alone(spans, surface.texture);
+  const bool by_pairs = pays_pairs(spans, shape, inside);
+  if (!by_pairs && pays_strips(spans.batch, shape)) {
+    return draw_by_strips<Pixel, Address>(spans, surface, shape, inside, rest);
   }
-  draw_wide<Pixel, Address>(spans, surface, shape, rest);
+  draw_wide<Pixel, Address>(spans, surface, shape, inside, by_pairs, rest);
 }
 
 // Returns whether there were many near-ties.

@@ -24,16 +24,22 @@ namespace {
   return step_fx32 < 0 ? kLanes - 1 : 0;
 }
 
-// floor(i step) for lane i counted from the anchor, in units of 2^kShift fx32: whole units, and
-// what the fraction adds.
+// floor(from + i step) for lane i counted from the anchor, in units of 2^kShift fx32: whole units,
+// and what the fractions add. `from` is not negative.
 template <int kShift>
-[[nodiscard]] HWY_INLINE V32 offsets_from_anchor(int64_t step_fx32) {
+[[nodiscard]] HWY_INLINE V32 offsets_from_anchor(int64_t step_fx32, int64_t from_fx32 = 0) {
   const D32 d;
   const V32 i = hn::Abs(hn::Sub(hn::Iota(d, 0), hn::Set(d, anchor_lane(step_fx32))));
-  const int64_t rise_fx32 = step_fx32 < 0 ? -step_fx32 : step_fx32;
-  const auto below = static_cast<int32_t>(rise_fx32 & ((1 << kShift) - 1));
-  const V32 whole = hn::Mul(i, hn::Set(d, static_cast<int32_t>(rise_fx32 >> kShift)));
-  return hn::Add(whole, hn::ShiftRight<kShift>(hn::Mul(i, hn::Set(d, below))));
+  const int64_t rise_fx32 = magnitude_fx32(step_fx32);
+  const auto whole = [](int64_t x_fx32) { return static_cast<int32_t>(x_fx32 >> kShift); };
+  const auto below = [](int64_t x_fx32) {
+    return static_cast<int32_t>(x_fx32 & ((1 << kShift) - 1));
+  };
+  const auto line = [&](int32_t from, int32_t step) HWY_ATTR {
+    return hn::Add(hn::Set(d, from), hn::Mul(i, hn::Set(d, step)));
+  };
+  return hn::Add(line(whole(from_fx32), whole(rise_fx32)),
+                 hn::ShiftRight<kShift>(line(below(from_fx32), below(rise_fx32))));
 }
 
 // Modulo 2^64.

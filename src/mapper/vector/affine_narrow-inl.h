@@ -58,8 +58,7 @@ HWY_NOINLINE void draw_load_strips(const AffineSpans& spans, const Surface& surf
 // By itself, so that small polygons, which one window holds, do without the room that this takes.
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_by_strips(const AffineSpans& spans, const Surface& surface,
-                                 const WindowShape& shape, RestDraw* rest) {
-  const bool inside = shows_texture_alone(spans, surface.texture);
+                                 const WindowShape& shape, bool inside, RestDraw* rest) {
   if (kHasWindows && shape.rows != 0) {
     const Lane first = spans.field.at(0, spans.batch.first_row);
     const WideAnchors anchors(spans.field, plus(first, 1, way_to_anchor(spans.field.step_x)));

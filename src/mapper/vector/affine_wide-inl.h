@@ -7,7 +7,7 @@
 #endif
 
 #include "mapper/vector/affine_rest-inl.h"
-#include "mapper/vector/affine_window_runs-inl.h"
+#include "mapper/vector/affine_window_pairs-inl.h"
 #include "mapper/vector/fetch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -79,14 +79,15 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
 
 template <class Pixel, class Address>
 void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowShape& shape,
-               RestDraw* rest) {
-  const bool inside = shows_texture_alone(spans, surface.texture);
+               bool inside, bool by_pairs, RestDraw* rest) {
   const bool ahead = shape.rows == 0 && !is_cached(surface.texture);
   Resume at;
   Left left;
   do {
     const int32_t first = at.row;
-    if (kHasWindows && shape.rows != 0) {
+    if (kHasPairs && by_pairs && at.row + 1 < spans.batch.rows) {
+      draw_pairs<Pixel>(spans, surface, &at, &left);
+    } else if (kHasWindows && shape.rows != 0) {
       with_window_shape<Pixel>(surface, shape, inside,
                                WindowRuns{spans, surface, inside, &at, &left});
     } else if (ahead) {

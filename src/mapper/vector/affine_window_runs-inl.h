@@ -24,24 +24,25 @@ struct Resume {
 inline constexpr int32_t kRunVectors = 2 * kMostLanes, kRun_px = kRunVectors * kLanes;
 static_assert(kRunVectors <= FoundWindows::kMost);
 
-// Of one coordinate: the lanes of a run's anchors.
+// Of one coordinate: the lanes of a run's anchors, modulo 2^64.
 class AnchorRun {
  public:
-  HWY_INLINE explicit AnchorRun(int64_t step_fx32) {
-    for (int64_t i = 0; i < kRunVectors; ++i) offsets_fx32_[i] = i * kLanes * step_fx32;
-  }
+  HWY_INLINE explicit AnchorRun(int64_t step_fx32)
+      : apart_fx32_(kLanes * step_fx32),
+        low_(hn::Mul(hn::Iota(Wide(), 0), hn::Set(Wide(), apart_fx32_))),
+        high_(hn::Add(low_, hn::Set(Wide(), kLanes / 2 * apart_fx32_))) {}
+
   // kLanes of them from the k-th on.
   HWY_INLINE WideLanes from(int64_t first_fx32, int32_t k) const {
-    return {half(first_fx32, k), half(first_fx32, k + kLanes / 2)};
+    const auto first = hn::Set(Wide(), first_fx32 + k * apart_fx32_);
+    return {hn::BitCast(D32(), hn::Add(first, low_)), hn::BitCast(D32(), hn::Add(first, high_))};
   }
 
  private:
-  HWY_INLINE V32 half(int64_t first_fx32, int32_t k) const {
-    const hn::Repartition<int64_t, D32> d;
-    return hn::BitCast(D32(), hn::Add(hn::Set(d, first_fx32), hn::Load(d, offsets_fx32_ + k)));
-  }
+  using Wide = hn::Repartition<int64_t, D32>;
 
-  HWY_ALIGN int64_t offsets_fx32_[kRunVectors];
+  int64_t apart_fx32_;
+  hn::Vec<Wide> low_, high_;
 };
 
 // Draws the run that begins with a pixel, and puts down the vectors that are left.

@@ -26,8 +26,8 @@ struct FoundWindows {
   HWY_ALIGN int32_t place[kMost + kLanes];
 };
 
-// Whether all pixels surely show texels of the texture, whatever the address mode: as the box of the
-// polygon's corners tells, or the batch's own pixels.
+// Whether all pixels surely show texels of the texture, whatever the address mode: as the box of
+// the polygon's corners tells, or the batch's own pixels.
 [[nodiscard]] HWY_INLINE bool shows_texture_alone(const AffineSpans& spans,
                                                   const selvage_texture& texture) {
   return TexelRanges(spans.texels).within(texture) ||

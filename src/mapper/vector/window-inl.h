@@ -61,17 +61,24 @@ struct WindowShape {
   return kHasWindows && texture.layout == SELVAGE_LAYOUT_ROWS && texture.width >= kLanes;
 }
 
+// In how many columns or rows texels lie that are no further apart: n rounded up, plus one.
+[[nodiscard]] HWY_INLINE int32_t texels_across(int64_t reach_fx32) {
+  constexpr int64_t kOne = int64_t{1} << kLaneFraction;
+  return static_cast<int32_t>((reach_fx32 + kOne - 1) >> kLaneFraction) + 1;
+}
+
+[[nodiscard]] HWY_INLINE int64_t magnitude_fx32(int64_t step_fx32) {
+  return step_fx32 < 0 ? -step_fx32 : step_fx32;
+}
+
 // Of a vector of pixels, whose steps are given.
 [[nodiscard]] HWY_INLINE WindowShape window_shape(Lane step_fx32, const selvage_texture& texture) {
   constexpr int64_t kOne = int64_t{1} << kLaneFraction;
   constexpr WindowShape kNone{kWindowColumnBits, 0};
-  const auto magnitude = [](int64_t step) { return step < 0 ? -step : step; };
-  const int64_t u_fx32 = magnitude(step_fx32.u_fx32), v_fx32 = magnitude(step_fx32.v_fx32);
+  const int64_t u_fx32 = magnitude_fx32(step_fx32.u_fx32);
+  const int64_t v_fx32 = magnitude_fx32(step_fx32.v_fx32);
   if (!may_have_windows(texture) || u_fx32 > kOne) return kNone;
-  // Two texels no further apart than n are in n rounded up, plus one, columns or rows.
-  const auto texels = [](int64_t step) {
-    return static_cast<int32_t>(((kLanes - 1) * step + kOne - 1) >> kLaneFraction) + 1;
-  };
+  const auto texels = [](int64_t by_fx32) { return texels_across((kLanes - 1) * by_fx32); };
   const int32_t rows = whole_rows(texels(v_fx32));
   if (rows > HWY_MIN(kMostWindowRows, texture.height)) return kNone;
   const bool is_half = rows == kHalfWindowRows && texels(u_fx32) <= kColumns<kHalfColumnBits>;
