@@ -20,7 +20,7 @@ template <class Pixel, class Address>
 HWY_INLINE void draw_by_vectors(const AffineSpans& spans, const Surface& surface,
                                 const WindowShape& shape, RestDraw* rest) {
   const bool inside = shows_texture_alone(spans, surface.texture);
-  const bool by_pairs = pays_pairs(spans, shape, inside);
+  const bool by_pairs = pays_pairs(spans, surface.texture, inside);
   if (!by_pairs && pays_strips(spans.batch, shape)) {
     return draw_by_strips<Pixel, Address>(spans, surface, shape, inside, rest);
   }

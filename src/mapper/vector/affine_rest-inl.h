@@ -105,13 +105,16 @@ HWY_NOINLINE void draw_row_of_ties(const AffineSpans& spans, const Surface& surf
   if (draw_without_doubt<Pixel, Address>(spans, surface, 0, window_rows)) return;
   AffineBatchTies ties = ties_of(spans);
   Left left;
-  const auto draw = [&](const AffineField& field, Span rest) HWY_ATTR {
+  const auto draw = [&](const AffineField& field, const Span& part_row) HWY_ATTR {
     const AffineSpans part{spans.batch, field, spans.texels, spans.exact};
     const int32_t part_rows = window_shape(field.step_x, surface.texture).rows;
-    while (!rest.empty()) {
-      for (left.count = 0; left.count < Left::kMost && !rest.empty(); rest.left_px += kLanes) {
-        left.rest[static_cast<size_t>(left.count++)] = rest;
+    const int32_t row = part_row.row, end_px = part_row.right_px;
+    for (int32_t px = part_row.left_px; px < end_px;) {
+      int32_t count = 0;
+      for (; count < Left::kMost && px < end_px; px += kLanes) {
+        left.rest[static_cast<size_t>(count++)] = {row, px, end_px};
       }
+      left.count = count;
       draw_left<Pixel, Address>(left, part, surface, part_rows, &ties);
     }
   };

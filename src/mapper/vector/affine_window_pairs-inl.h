@@ -19,13 +19,16 @@ namespace {
 // Ends of rows, where fewer pixels are, are drawn by masks.
 inline constexpr bool kHasPairs = kHasWindows && kHasMask;
 
-// Whether a window of the smallest shape holds all texels of two vectors, one below the other.
-[[nodiscard]] HWY_INLINE bool holds_pairs(const WindowShape& shape, const AffineField& field) {
+// Whether half a window, of half as many columns, holds all texels of two vectors, one below the
+// other.
+[[nodiscard]] HWY_INLINE bool holds_pairs(const AffineField& field,
+                                          const selvage_texture& texture) {
   const auto texels = [&](int64_t Lane::*axis) {
     return texels_across((kLanes - 1) * magnitude_fx32(field.step_x.*axis) +
                          magnitude_fx32(field.step_y.*axis));
   };
-  return shape.is_half() && texels(&Lane::u_fx32) <= kColumns<kHalfColumnBits> &&
+  return may_have_windows(texture) && texture.height >= kHalfWindowRows &&
+         texels(&Lane::u_fx32) <= kColumns<kHalfColumnBits> &&
          texels(&Lane::v_fx32) <= kHalfWindowRows;
 }
 
@@ -33,9 +36,9 @@ inline constexpr bool kHasPairs = kHasWindows && kHasMask;
 inline constexpr int32_t kPairCost_px = 5 * kLanes;
 
 // `inside`: the texture holds all texels.
-[[nodiscard]] HWY_INLINE bool pays_pairs(const AffineSpans& spans, const WindowShape& shape,
+[[nodiscard]] HWY_INLINE bool pays_pairs(const AffineSpans& spans, const selvage_texture& texture,
                                          bool inside) {
-  if (!kHasPairs || !inside || spans.batch.rows < 2 || !holds_pairs(shape, spans.field)) {
+  if (!kHasPairs || !inside || spans.batch.rows < 2 || !holds_pairs(spans.field, texture)) {
     return false;
   }
   int32_t by_rows_px = 0, by_pairs_px = 0;
