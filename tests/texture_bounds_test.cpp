@@ -68,12 +68,13 @@ struct BorderDrawing {
   return format == SELVAGE_RGBA8888 ? 4 : format == SELVAGE_RGB565 ? 2 : 1;
 }
 
-// Of two sizes: a small polygon may have all its texels in one window.
+// Of some sizes: a small polygon may have all its texels in one window, two rows of a large one.
 class TextureBoundsOf : public testing::TestWithParam<int32_t> {};
 
 TEST_P(TextureBoundsOf, AreKeptByEveryKernel) {
   constexpr int32_t kWidths_px[] = {90, 9, 30, 70}, kHeight_px = 12;
-  std::vector<uint32_t> row(kWidths_px[0] * kHeight_px);
+  const int32_t times = 1 + GetParam() / 200;
+  std::vector<uint32_t> row(static_cast<size_t>(times * kWidths_px[0] * kHeight_px));
   for (uint64_t seed = 1; seed <= 6000; ++seed) {
     SCOPED_TRACE(seed);
     BorderDrawing d =
@@ -91,7 +92,7 @@ TEST_P(TextureBoundsOf, AreKeptByEveryKernel) {
                                   d.format,
                                   SELVAGE_LAYOUT_ROWS,
                                   nullptr};
-    const int32_t width_px = kWidths_px[seed % 4];
+    const int32_t width_px = times * kWidths_px[seed % 4];
     const selvage_image target{row.data(), width_px, kHeight_px, width_px * bytes_of(d.format),
                                d.format};
     for (const selvage_kernel kernel : usable_kernels()) {
@@ -103,7 +104,7 @@ TEST_P(TextureBoundsOf, AreKeptByEveryKernel) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Side, TextureBoundsOf, testing::Values(12, 100));
+INSTANTIATE_TEST_SUITE_P(Side, TextureBoundsOf, testing::Values(12, 100, 400));
 
 // Columns of less than a pixel, along which u and v run so fast that the pixels of a vector that
 // are not there lie anywhere, which must be in the texture all the same.
