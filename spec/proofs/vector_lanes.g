@@ -1,6 +1,7 @@
 #@ -Eprecision=200 -Eno-auto-dichotomy
 # Vector lanes: 16.16 in 32 bits, the floor of a vector's 32.32 anchor and that of i steps from it,
-# with one down where the anchor is of two rows; or 8.24, and then the unit is 2^-24 texel for 2^-16.
+# with one down where the anchor is of two rows; or 8.24, and then the unit is 2^-24 texel for
+# 2^-16.
 # `lane` is the 32.32 lane of the same pixel, anchor + i step, for which the law of the filter holds
 # with `margin`: u - lane = within. Unit 2^-16 texel; 32.32 values are whole multiples of 2^-SHIFT.
 # Claim: narrow <= u < narrow + TRUNCATIONS + margin.

@@ -70,11 +70,14 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
   fetch.finish();
 }
 
-// How many vectors lie from a row on up to a place.
-[[nodiscard]] HWY_INLINE int32_t vectors_between(int32_t row, const Resume& end,
+// How many vectors lie from a row on up to a place, which is in one row or in a pair of them.
+[[nodiscard]] HWY_INLINE int32_t vectors_between(int32_t row, const Resume& end, bool in_pair,
                                                  const SpanBatch& batch) {
   const int32_t rows = (end.row - row) * (batch.widest_px / kLanes + 1);
-  return end.px == INT32_MIN ? rows : rows + (end.px - batch.span(end.row).left_px) / kLanes;
+  if (end.px == INT32_MIN) return rows;
+  const Span first = batch.span(end.row);
+  if (!in_pair) return rows + (end.px - first.left_px) / kLanes;
+  return rows + 2 * (end.px - around(first, batch.span(end.row + 1)).left_px) / kLanes;
 }
 
 template <class Pixel, class Address>
@@ -85,7 +88,8 @@ void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowSha
   Left left;
   do {
     const int32_t first = at.row;
-    if (kHasPairs && by_pairs && at.row + 1 < spans.batch.rows) {
+    const bool in_pairs = kHasPairs && by_pairs && first + 1 < spans.batch.rows;
+    if (in_pairs) {
       draw_pairs<Pixel>(spans, surface, &at, &left);
     } else if (kHasWindows && shape.rows != 0) {
       with_window_shape<Pixel>(surface, shape, inside,
@@ -97,8 +101,8 @@ void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowSha
     } else {
       draw_loads<Pixel, Address, FetchAtOnce<Pixel>>(spans, surface, &at, &left);
     }
-    if (left.count != 0 && !rest->draw(left, first, vectors_between(first, at, spans.batch)))
-      return;
+    const int32_t vectors = vectors_between(first, at, in_pairs, spans.batch);
+    if (left.count != 0 && !rest->draw(left, first, vectors)) return;
   } while (at.row < spans.batch.rows);
 }
 

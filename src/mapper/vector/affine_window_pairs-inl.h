@@ -19,7 +19,7 @@ namespace {
 // Ends of rows, where fewer pixels are, are drawn by masks.
 inline constexpr bool kHasPairs = kHasWindows && kHasMask;
 
-// Whether half a window, of half as many columns, holds all texels of two vectors, one below the
+// Whether windows of half as many columns as lanes hold all texels of two vectors, one below the
 // other.
 [[nodiscard]] HWY_INLINE bool holds_pairs(const AffineField& field,
                                           const selvage_texture& texture) {
@@ -30,6 +30,14 @@ inline constexpr bool kHasPairs = kHasWindows && kHasMask;
   return may_have_windows(texture) && texture.height >= kHalfWindowRows &&
          texels(&Lane::u_fx32) <= kColumns<kHalfColumnBits> &&
          texels(&Lane::v_fx32) <= kHalfWindowRows;
+}
+
+// From the leftmost pixel of two rows to the rightmost one.
+[[nodiscard]] HWY_INLINE Span around(const Span& upper, const Span& lower) {
+  if (upper.empty()) return lower;
+  if (lower.empty()) return upper;
+  return {upper.row, HWY_MIN(upper.left_px, lower.left_px),
+          HWY_MAX(upper.right_px, lower.right_px)};
 }
 
 // What a pair of rows costs beside its vectors, which cost little more than those of one row.
@@ -45,8 +53,7 @@ inline constexpr int32_t kPairCost_px = 5 * kLanes;
   for (int32_t i = 0; i + 1 < spans.batch.rows; i += 2) {
     const Span upper = spans.batch.span(i), lower = spans.batch.span(i + 1);
     by_rows_px += upper.width_px() + lower.width_px();
-    by_pairs_px += HWY_MAX(upper.right_px, lower.right_px) - HWY_MIN(upper.left_px, lower.left_px) +
-                   kPairCost_px;
+    by_pairs_px += around(upper, lower).width_px() + kPairCost_px;
   }
   return by_pairs_px <= by_rows_px;
 }
@@ -79,8 +86,9 @@ class PairWalk {
   HWY_INLINE bool next(PairRun* run) {
     for (; at_.row + 1 < batch_.rows; at_ = {at_.row + 2, INT32_MIN}) {
       const Span upper = batch_.span(at_.row), lower = batch_.span(at_.row + 1);
-      const int32_t from_px = HWY_MAX(at_.px, HWY_MIN(upper.left_px, lower.left_px));
-      const int32_t rest_px = HWY_MAX(upper.right_px, lower.right_px) - from_px;
+      const Span both = around(upper, lower);
+      const int32_t from_px = HWY_MAX(at_.px, both.left_px);
+      const int32_t rest_px = both.right_px - from_px;
       if (rest_px <= 0) continue;
       const int32_t vectors = HWY_MIN((rest_px + kLanes - 1) / kLanes, PairRun::kMost);
       *run = {at_.row, upper, lower, from_px, vectors};
@@ -97,13 +105,13 @@ class PairWalk {
   Resume at_;
 };
 
-// Draws a vector and the one below it.
+// Picks the texels of a vector and of the one below it.
 template <class Pixel>
-class WindowPairDraw {
+class PairPicker {
  public:
   using Coarse = CoarseLanes<kHalfColumnBits, kHalfWindowRows>;
 
-  HWY_INLINE WindowPairDraw(const AffineSpans& spans, const Surface& surface)
+  HWY_INLINE PairPicker(const AffineSpans& spans, const Surface& surface)
       : fixed_(surface.texture, lack_fx16(spans.field.margin_fx32)),
         to_anchor_(way_to_least(spans.field)),
         upper_{offsets(spans.field, -1)},
@@ -116,8 +124,8 @@ class WindowPairDraw {
   // From the 32.32 lane of the upper vector's first pixel to the least one of both.
   [[nodiscard]] HWY_INLINE Lane to_anchor() const { return to_anchor_; }
 
-  // False where a pixel may be a near-tie, or what lies beside the pixels.
-  HWY_INLINE bool texels(const FoundWindows& found, int32_t k, V32* upper, V32* lower) const {
+  // False where one of their lanes, of a pixel or not, may be a near-tie.
+  HWY_INLINE bool pick_both(const FoundWindows& found, int32_t k, V32* upper, V32* lower) const {
     auto [upper_index, upper_changes] = coarse_upper_.texels(found.coarse[k]);
     auto [lower_index, lower_changes] = coarse_lower_.texels(found.coarse[k]);
     if (HWY_UNLIKELY(Coarse::any_near(hn::Or(upper_changes, lower_changes)))) {
@@ -186,7 +194,7 @@ HWY_INLINE void leave(const Span& span, int32_t px, Left* left) {
 
 // Draws a run's vectors up to where there is no room for more that are left. Returns how many.
 template <class Pixel>
-HWY_INLINE int32_t draw_pair_run(const WindowPairDraw<Pixel>& by, const FoundWindows& found,
+HWY_INLINE int32_t draw_pair_run(const PairPicker<Pixel>& by, const FoundWindows& found,
                                  const PairRun& run, const Surface& surface, Left* left) {
   const auto row_of = [&](const Span& span) HWY_ATTR {
     return reinterpret_cast<Pixel*>(first_pixel(surface, {span.row, 0, 0}));
@@ -198,12 +206,12 @@ HWY_INLINE int32_t draw_pair_run(const WindowPairDraw<Pixel>& by, const FoundWin
   V32 above, below;
   for (int32_t k = 0; k < run.vectors; ++k, px += kLanes) {
     for (; first_whole <= k && k < end_whole; ++k, px += kLanes) {
-      if (HWY_UNLIKELY(!by.texels(found, k, &above, &below))) break;
+      if (HWY_UNLIKELY(!by.pick_both(found, k, &above, &below))) break;
       hn::StoreU(as_pixels<Pixel>(above), d, upper + px);
       hn::StoreU(as_pixels<Pixel>(below), d, lower + px);
     }
     if (k == run.vectors) break;
-    if (HWY_LIKELY(by.texels(found, k, &above, &below))) {
+    if (HWY_LIKELY(by.pick_both(found, k, &above, &below))) {
       store_within(above, run.upper, px, upper);
       store_within(below, run.lower, px, lower);
       continue;
@@ -220,8 +228,8 @@ template <class Pixel>
 HWY_NOINLINE void draw_pairs(const AffineSpans& spans, const Surface& surface, Resume* at,
                              Left* left) {
   const AffineField field = spans.field;
-  const WindowPairDraw<Pixel> by(spans, surface);
-  const WindowFinder<typename WindowPairDraw<Pixel>::Coarse> finder(
+  const PairPicker<Pixel> by(spans, surface);
+  const WindowFinder<typename PairPicker<Pixel>::Coarse> finder(
       surface, {kHalfColumnBits, kHalfWindowRows}, true);
   const AnchorRun run_u(field.step_x.u_fx32), run_v(field.step_x.v_fx32);
   const Lane to_anchor = by.to_anchor();

@@ -24,7 +24,8 @@ struct Resume {
 inline constexpr int32_t kRunVectors = 2 * kMostLanes, kRun_px = kRunVectors * kLanes;
 static_assert(kRunVectors <= FoundWindows::kMost);
 
-// Of one coordinate: the lanes of a run's anchors, modulo 2^64.
+// Of one coordinate: the lanes of a run's anchors. Where there are windows a step is a texel at
+// most: no sum overflows.
 class AnchorRun {
  public:
   HWY_INLINE explicit AnchorRun(int64_t step_fx32)
