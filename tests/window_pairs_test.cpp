@@ -37,7 +37,7 @@ struct Slopes {
 [[nodiscard]] Slopes any_slopes(spec::Random& random) {
   const auto sign = [&] { return random.pick({1, -1}); };
   if (random.percent(25)) {
-    const auto tie = [&] { return random.pick({0, 0, 32, 64}) * sign(); };
+    const auto tie = [&] { return random.pick({0, 0, 1, 2, 32, 64}) * sign(); };
     return {tie(), tie(), tie(), tie()};
   }
   const int32_t most = random.pick({16, 60, 90, 128});
@@ -82,7 +82,17 @@ void set_texels(spec::Random& random, const Slopes& slopes, spec::Case* c) {
     return random.pick({0, 0, kTexel_fx16 / 4, kTexel_fx16 / 2, random.in(0, 4 * kTexel_fx16)}) -
            (fits ? 0 : random.in(0, 40 * kTexel_fx16));
   };
-  const int32_t u = from() - least_u, v = from() - least_v;
+  // Of pixel centres on boundaries, as far apart as the slope has them, or a unit before those:
+  // that close below one, lanes leave it to the exact integers.
+  const bool by_boundaries = random.percent(40);
+  const auto offset = [&](int32_t least, int32_t per_px, int32_t per_row) {
+    const int32_t any = from() - least;
+    if (!by_boundaries) return any;
+    const int32_t centre = (per_px + per_row) * kPixel_fx8 / 2;
+    return (any & -kTexel_fx16) + 2 * kTexel_fx16 - centre - random.in(0, 3);
+  };
+  const int32_t u = offset(least_u, slopes.u_per_px, slopes.u_per_row);
+  const int32_t v = offset(least_v, slopes.v_per_px, slopes.v_per_row);
   for (selvage_vertex& vertex : c->vertices) {
     vertex.u += u;
     vertex.v += v;

@@ -145,7 +145,8 @@ class PairPicker {
     const Lane down{HWY_MIN(field.step_y.u_fx32, 0), HWY_MIN(field.step_y.v_fx32, 0)};
     return plus(way_to_anchor(field.step_x), 1, down);
   }
-  // From the least lane to those of the row that rises where `sign` times the step down does.
+  // From the least lane of both rows to those of one. The upper row (`sign` -1) lies above it where
+  // the map falls from row to row, the lower one (1) where it rises.
   static HWY_INLINE LaneVectors offsets(const AffineField& field, int64_t sign) {
     const auto of = [&](int64_t step_x_fx32, int64_t step_y_fx32) HWY_ATTR {
       const int64_t from_fx32 = HWY_MAX(sign * step_y_fx32, 0);
