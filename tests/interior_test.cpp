@@ -127,34 +127,6 @@ TEST(Inside, IsToldOfAffineRowsAsTheirPixelsTellIt) {
   EXPECT_LT(inside, 18000);
 }
 
-// The denominator is one and more, so that u and v rise or fall along rows.
-TEST(Inside, IsToldOfRowsInPerspectiveAsTheirPixelsTellIt) {
-  spec::Random random(8);
-  int inside = 0;
-  for (int i = 0; i < 20000; ++i) {
-    const TexturedRow row = any_textured_row(random, SELVAGE_LAYOUT_ROWS);
-    const SpanBatch batch = any_batch_from(row, random);
-    const auto line = [&](int64_t start, int64_t step) {
-      const auto step_fx32 = static_cast<double>(step % (int64_t{1} << 31));
-      return ProjectiveField::Form{static_cast<double>(start), step_fx32, 0};
-    };
-    ProjectiveField field{};
-    field.first_px = row.field.first_px;
-    field.first_row = row.field.first_row;
-    field.u_fx32 = line(row.field.start.u_fx32, row.field.step_x.u_fx32);
-    field.v_fx32 = line(row.field.start.v_fx32, row.field.step_x.v_fx32);
-    field.denominator = {1, random.percent(50) ? 0 : 0.001 * random.in(1, 20), 0};
-    field.error_fx32 = random.in(1, 40);
-    SCOPED_TRACE(i);
-    ASSERT_NO_FATAL_FAILURE(expect_told(
-        batch, field, row.texture, static_cast<uint32_t>(2 * field.error_fx32),
-        [&](const Span& span, int32_t px) { return field.of(span).at(px - span.left_px); },
-        &inside));
-  }
-  EXPECT_GT(inside, 2000);
-  EXPECT_LT(inside, 18000);
-}
-
 // A lane and all that it may lack reach the texture's end, in u or in v, or a unit less.
 TEST(Inside, EndsBeforeTheTextureDoes) {
   constexpr uint32_t kMargin_fx32 = 40;
@@ -164,18 +136,7 @@ TEST(Inside, EndsBeforeTheTextureDoes) {
   const auto is_told = [&](int64_t before_u_fx32, int64_t before_v_fx32) {
     const Lane lane{ends.u_fx32 - kMargin_fx32 - before_u_fx32,
                     ends.v_fx32 - kMargin_fx32 - before_v_fx32};
-    ProjectiveField projective{};
-    projective.error_fx32 = kMargin_fx32 / 2;
-    projective.u_fx32.start = static_cast<double>(lane.u_fx32 + projective.error_fx32);
-    projective.v_fx32.start = static_cast<double>(lane.v_fx32 + projective.error_fx32);
-    projective.denominator.start = 1;
-    const DividedLanes lanes = projective.of({0, 0, 1});
-    EXPECT_EQ(lanes.margin_fx32(), kMargin_fx32);
-    EXPECT_EQ(lanes.at(0).u_fx32, lane.u_fx32);
-    EXPECT_EQ(lanes.at(0).v_fx32, lane.v_fx32);
-    const bool told = is_inside(pixel, AffineField{0, 0, lane, {}, {}, kMargin_fx32}, texture);
-    EXPECT_EQ(is_inside(pixel, projective, texture), told);
-    return told;
+    return is_inside(pixel, AffineField{0, 0, lane, {}, {}, kMargin_fx32}, texture);
   };
   EXPECT_TRUE(is_told(1, 1));
   EXPECT_FALSE(is_told(0, 1));

@@ -17,6 +17,8 @@ namespace {
 
 // A vector of the most lanes walks so many steps.
 inline constexpr double kSteps = 15;
+// And four of them, from one anchor.
+inline constexpr double kPairSteps = 63;
 
 [[nodiscard]] ProjectiveField field_of(double turn, double walk_fx16, int64_t error_fx32 = 3) {
   ProjectiveField field{};
@@ -43,6 +45,38 @@ TEST(VectorLimits, AnchorsAreLoweredByTheProofsBound) {
       const double wanted =
           anchor_fx16 + kAnchoredRoundings * walk_fx16 / 16777216 + kAnchoredSlack_fx16;
       EXPECT_DOUBLE_EQ(anchored_error_fx16(field_of(0, walk_fx16, error_fx32)), wanted);
+    }
+  }
+}
+
+[[nodiscard]] ProjectiveBox box_of(double least_denominator, double turn, double walk_fx16) {
+  ProjectiveBox box(field_of(0, 0), one_span({0, 0, 1}), 0);
+  box.least_denominator = least_denominator;
+  box.turn = turn;
+  box.steepest_fx32 = walk_fx16 * kFx32PerFx16 / kPairSteps;
+  return box;
+}
+
+TEST(VectorLimits, PairsAreAnchoredWhereDenominatorsAreHalfAndWalksLeaveRoomForAWindow) {
+  const double most_turn = kMostTurn / kPairSteps, beyond = 1 + 0x1p-40;
+  const double most_walk = (1 << 22) - (16 << 16) - 68;
+  EXPECT_TRUE(are_pairs_anchored(box_of(0.5, most_turn, most_walk)));
+  EXPECT_FALSE(are_pairs_anchored(box_of(0.5 / beyond, most_turn, 1)));
+  EXPECT_FALSE(are_pairs_anchored(box_of(0, 0, 0)));
+  EXPECT_FALSE(are_pairs_anchored(box_of(1, most_turn * beyond, 1)));
+  EXPECT_FALSE(are_pairs_anchored(box_of(1, 0, most_walk * beyond)));
+  EXPECT_FALSE(are_pairs_anchored(box_of(1, 0, HUGE_VAL)));
+  EXPECT_FALSE(are_pairs_anchored(box_of(-1, -1, 1)));
+}
+
+TEST(VectorLimits, PairsAreLoweredByWhatHalfADenominatorMakesOfTheError) {
+  for (const int64_t error_fx32 : {2, 65538}) {
+    for (const double walk_fx16 : {0.0, 65536.0, kMostPairWalk_fx16}) {
+      const double anchor_fx16 = 4.0 * static_cast<double>(error_fx32) / kFx32PerFx16;
+      const double wanted =
+          anchor_fx16 + kAnchoredRoundings * walk_fx16 / 16777216 + kAnchoredSlack_fx16;
+      EXPECT_DOUBLE_EQ(pair_error_fx16(field_of(0, 0, error_fx32), box_of(1, 0, walk_fx16)),
+                       wanted);
     }
   }
 }

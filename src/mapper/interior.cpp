@@ -46,21 +46,6 @@ bool is_inside(const SpanBatch& batch, const AffineField& field, const selvage_t
   return true;
 }
 
-bool is_inside(const SpanBatch& batch, const ProjectiveField& field,
-               const selvage_texture& texture) {
-  const Inside inside(texture);
-  for (int32_t i = 0; i < batch.rows; ++i) {
-    const Span span = batch.span(i);
-    if (span.empty()) continue;
-    const DividedLanes lanes = field.of(span);
-    if (!(inside.has(lanes.at(0), lanes.margin_fx32()) &&
-          inside.has(lanes.at(span.width_px() - 1), lanes.margin_fx32()))) {
-      return false;
-    }
-  }
-  return true;
-}
-
 InteriorOfLine::InteriorOfLine(int64_t step_fx32, int32_t size_texel, uint32_t margin_fx32)
     : end_fx32_((int64_t{size_texel - 1} << kLaneFraction) - margin_fx32),
       columns_per_fx32_(step_fx32 == 0 ? kSteep : 1.0 / static_cast<double>(step_fx32)) {}

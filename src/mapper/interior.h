@@ -16,8 +16,6 @@ namespace selvage::mapper {
 // Whether the texels that all pixels of a batch show, near-ties among them, lie in the texture.
 [[nodiscard]] bool is_inside(const SpanBatch& batch, const AffineField& field,
                              const selvage_texture& texture);
-[[nodiscard]] bool is_inside(const SpanBatch& batch, const ProjectiveField& field,
-                             const selvage_texture& texture);
 
 // Columns of a row, still in doubles.
 struct Columns {

@@ -14,11 +14,6 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// Where a hot loop goes on: in this row of the batch, not before this pixel.
-struct Resume {
-  int32_t row = 0, px = INT32_MIN;
-};
-
 // Vectors side by side, found at once: so many, for they are read so soon after they are written
 // that the first of them wait for it.
 inline constexpr int32_t kRunVectors = 2 * kMostLanes, kRun_px = kRunVectors * kLanes;

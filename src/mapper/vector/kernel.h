@@ -10,6 +10,7 @@
 #include "mapper/kernel.h"
 #include "mapper/layout.h"
 #include "mapper/number.h"
+#include "mapper/projective_box.h"
 
 namespace selvage::mapper {
 
@@ -58,24 +59,54 @@ inline constexpr double kAnchoredRoundings = 6.25;  // in units of 2^-24 of the 
 inline constexpr double kAnchoredSlack_fx16 = 0.5 + 0x1p-10;
 inline constexpr int32_t kAnchoredTruncations_fx16 = 2;
 
+// In units of 2^-16 texel.
+[[nodiscard]] constexpr double anchored_error_fx16(double error_fx16, double walk_fx16) {
+  return 2 * error_fx16 + kAnchoredRoundings * 0x1p-24 * walk_fx16 + kAnchoredSlack_fx16;
+}
+inline constexpr double kFx16PerFx32 = 1.0 / (1 << (kLaneFraction - kTexelFraction));
 [[nodiscard]] inline double walk_fx16(const ProjectiveField& field) {
-  constexpr double kUnit_fx16 = 1.0 / (1 << (kLaneFraction - kTexelFraction));
-  return (kMostLanes - 1) * field.steepest_fx32 * kUnit_fx16;
+  return (kMostLanes - 1) * field.steepest_fx32 * kFx16PerFx32;
 }
 [[nodiscard]] inline bool are_anchored(const ProjectiveField& field) {
   return (kMostLanes - 1) * field.turn <= kMostTurn && walk_fx16(field) <= kMostWalk_fx16;
 }
 [[nodiscard]] inline double anchored_error_fx16(const ProjectiveField& field) {
-  constexpr double kUnit_fx16 = 1.0 / (1 << (kLaneFraction - kTexelFraction));
-  return 2 * static_cast<double>(field.error_fx32) * kUnit_fx16 +
-         kAnchoredRoundings * 0x1p-24 * walk_fx16(field) + kAnchoredSlack_fx16;
+  return anchored_error_fx16(static_cast<double>(field.error_fx32) * kFx16PerFx32,
+                             walk_fx16(field));
 }
 // Their near-ties are no further from the whole number than 2^-kLeastSpareBits.
 inline constexpr double kMostAnchoredError_fx16 =
-    2.0 * (kMostReach + kProjectiveTruncations_fx32) / (1 << (kLaneFraction - kTexelFraction)) +
-    kAnchoredRoundings * 0x1p-24 * kMostWalk_fx16 + kAnchoredSlack_fx16;
+    anchored_error_fx16((kMostReach + kProjectiveTruncations_fx32) * kFx16PerFx32, kMostWalk_fx16);
 inline constexpr int kLeastSpareBits = 12;
 static_assert(2 * kMostAnchoredError_fx16 + kAnchoredTruncations_fx16 <=
+              1 << (kTexelFraction - kLeastSpareBits));
+
+// In pairs of rows anchors are this far apart, and one may lie beyond its row's ends, where the
+// denominator may be half the least one of the field: errors are twice as large there. Walks are
+// added to lanes of the anchor that are counted from a window of kMostLanes columns, which must be
+// whole next to kWholeNumbers, too. And no texel there, of pixels or beside them, is beyond 16.16.
+inline constexpr int32_t kPairAnchor_px = 4 * kMostLanes;
+inline constexpr double kLeastPairDenominator = 0.5;
+inline constexpr double kMostPairWalk_fx16 = kMostWalk_fx16 - (kMostLanes << kTexelFraction) - 64;
+inline constexpr int32_t kMostPairTexture_texel = 1 << 14;
+
+[[nodiscard]] inline double pair_walk_fx16(const ProjectiveBox& box) {
+  return (kPairAnchor_px - 1) * box.steepest_fx32 * kFx16PerFx32;
+}
+[[nodiscard]] inline bool are_pairs_anchored(const ProjectiveBox& box) {
+  return box.least_denominator >= kLeastPairDenominator &&
+         (kPairAnchor_px - 1) * box.turn <= kMostTurn && pair_walk_fx16(box) <= kMostPairWalk_fx16;
+}
+[[nodiscard]] inline double pair_error_fx16(const ProjectiveField& field,
+                                            const ProjectiveBox& box) {
+  return anchored_error_fx16(
+      static_cast<double>(field.error_fx32) * (kFx16PerFx32 / kLeastPairDenominator),
+      pair_walk_fx16(box));
+}
+static_assert(2 * anchored_error_fx16((kMostReach + kProjectiveTruncations_fx32) *
+                                          (kFx16PerFx32 / kLeastPairDenominator),
+                                      kMostPairWalk_fx16) +
+                  kAnchoredTruncations_fx16 <=
               1 << (kTexelFraction - kLeastSpareBits));
 
 // 16.16 lanes fit 32 bits although they may be low by a little.

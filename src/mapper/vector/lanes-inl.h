@@ -104,6 +104,12 @@ class RaisedLanes {
     const auto least = hn::Min(hn::BitCast(d, raised.u), hn::BitCast(d, raised.v));
     return !hn::AllFalse(d, hn::Lt(least, lack_));
   }
+  [[nodiscard]] HWY_INLINE bool any_near(const LaneVectors& one, const LaneVectors& other) const {
+    const Halves d;
+    const auto least = hn::Min(hn::Min(hn::BitCast(d, one.u), hn::BitCast(d, one.v)),
+                               hn::Min(hn::BitCast(d, other.u), hn::BitCast(d, other.v)));
+    return !hn::AllFalse(d, hn::Lt(least, lack_));
+  }
 
  private:
   using Halves = hn::Repartition<uint16_t, D32>;

@@ -28,6 +28,11 @@ struct Left {
   [[nodiscard]] HWY_INLINE const Span& at(int32_t i) const { return rest[static_cast<size_t>(i)]; }
 };
 
+// Where a hot loop goes on: in this row of the batch, not before this pixel.
+struct Resume {
+  int32_t row = 0, px = INT32_MIN;
+};
+
 // What is left of some vectors after others, to be drawn at once.
 class KeptLeft {
  public:

@@ -102,17 +102,41 @@ class PieceLanes {
 class AnchoredVectors {
  public:
   HWY_INLINE explicit AnchoredVectors(const ProjectiveField& field)
+      : AnchoredVectors(field, anchored_error_fx16(field)) {}
+  HWY_INLINE AnchoredVectors(const ProjectiveField& field, double lowered_fx16)
       : u_(scaled(field.u_fx32)),
         v_(scaled(field.v_fx32)),
         denominator_(field.denominator),
         is_ruled_(field.is_ruled),
         first_px_(field.first_px),
         first_row_(field.first_row),
-        lowered_fx16_(anchored_error_fx16(field)) {}
+        lowered_fx16_(lowered_fx16) {}
 
   [[nodiscard]] HWY_INLINE PieceLanes lanes() const { return PieceLanes(constants_); }
   HWY_INLINE int32_t lack_fx16() const {
     return static_cast<int32_t>(2 * lowered_fx16_) + kAnchoredTruncations_fx16;
+  }
+
+  // u and v of kDoubles pixels, each off by less than the field's error, not lowered.
+  struct Estimates {
+    VD u_fx16, v_fx16;
+  };
+  HWY_INLINE Estimates estimates(VHalf px, VHalf row) const {
+    const Fractions at = fractions(px, row);
+    return {at.u, at.v};
+  }
+
+  // The anchors at kDoubles pixels.
+  struct HalfAnchors {
+    VHalf u_fx16, v_fx16;  // less kWholeNumbers, as bits
+    VHalfFloat turn, u_rise, v_rise;
+  };
+  HWY_INLINE HalfAnchors at(VHalf px, VHalf row) const {
+    const Fractions at = fractions(px, row);
+    const VD turn = hn::Mul(at.denominator_step, at.w);
+    return {whole_less_bits(at.u), whole_less_bits(at.v), narrow(turn),
+            narrow(hn::NegMulAdd(at.u, turn, hn::Mul(at.u_step, at.w))),
+            narrow(hn::NegMulAdd(at.v, turn, hn::Mul(at.v_step, at.w)))};
   }
 
   // Of kDoubles pieces from k on, counted from a texel.
@@ -163,25 +187,24 @@ class AnchoredVectors {
     const VD row = hn::MulAdd(y, step_y, hn::Set(d, form.start));
     return {hn::MulAdd(x, step_x, row), step_x};
   }
-  struct HalfAnchors {
-    VHalf u_fx16, v_fx16;
-    VHalfFloat turn, u_rise, v_rise;
+  // u and v, the steps of their numerators and of the denominator, and 1 over that.
+  struct Fractions {
+    VD u, v, u_step, v_step, denominator_step, w;
   };
-  HWY_INLINE HalfAnchors half_from(const Pieces& pieces, int32_t k) const {
+  HWY_INLINE Fractions fractions(VHalf px, VHalf row) const {
     const DD d;
-    const DHalf whole;
-    const auto from = [&](const int32_t* at, int32_t first) HWY_ATTR {
-      return hn::PromoteTo(d, hn::Sub(hn::LoadU(whole, at), hn::Set(whole, first)));
+    const auto from = [&](VHalf at, int32_t first) HWY_ATTR {
+      return hn::PromoteTo(d, hn::Sub(at, hn::Set(DHalf(), first)));
     };
-    const VD x = from(pieces.left_px + k, first_px_), y = from(pieces.row + k, first_row_);
+    const VD x = from(px, first_px_), y = from(row, first_row_);
     const Values n_u = values(u_, x, y), n_v = values(v_, x, y);
     const Values denominator = values(denominator_, x, y);
     const VD w = hn::Div(hn::Set(d, 1.0), denominator.at);
-    const VD u = hn::Mul(n_u.at, w), v = hn::Mul(n_v.at, w);
-    const VD turn = hn::Mul(denominator.step, w);
-    return {whole_less_bits(u), whole_less_bits(v), narrow(turn),
-            narrow(hn::NegMulAdd(u, turn, hn::Mul(n_u.step, w))),
-            narrow(hn::NegMulAdd(v, turn, hn::Mul(n_v.step, w)))};
+    return {hn::Mul(n_u.at, w), hn::Mul(n_v.at, w), n_u.step, n_v.step, denominator.step, w};
+  }
+  HWY_INLINE HalfAnchors half_from(const Pieces& pieces, int32_t k) const {
+    const DHalf d;
+    return at(hn::LoadU(d, pieces.left_px + k), hn::LoadU(d, pieces.row + k));
   }
   static HWY_INLINE VHalfFloat narrow(VD value) { return hn::DemoteTo(DHalfFloat(), value); }
   // The anchor's lane of a value, less kWholeNumbers, as bits.

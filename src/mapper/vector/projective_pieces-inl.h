@@ -6,11 +6,12 @@
 #define SELVAGE_VECTOR_PROJECTIVE_PIECES_INL_H
 #endif
 
-#include "mapper/interior.h"
 #include "mapper/vector/entries-inl.h"
 #include "mapper/vector/fetch-inl.h"
 #include "mapper/vector/left-inl.h"
 #include "mapper/vector/piece_queue-inl.h"
+#include "mapper/vector/projective_interior-inl.h"
+#include "mapper/vector/projective_pairs-inl.h"
 #include "mapper/vector/projective_ties-inl.h"
 #include "mapper/vector/projective_wide-inl.h"
 #include "mapper/vector/projective_window-inl.h"
@@ -166,7 +167,7 @@ HWY_NOINLINE void draw_all_pieces(const ProjectiveSpans& spans, const Surface& s
   ProjectiveTies batch_ties(spans, vectors);
   const bool cached = is_cached(surface.texture);
   const bool inside = cached && pays_to_ask_inside(spans.batch) &&
-                      is_inside(spans.batch, spans.field, surface.texture);
+                      is_inside(spans.batch, spans.field, vectors, surface.texture);
   const bool has_windows = may_have_windows(surface.texture) && spans.batch.widest_px >= 2 * kLanes;
   bool more = true, is_refused = false;
   while (more) {
@@ -189,6 +190,14 @@ HWY_NOINLINE void draw_all_pieces(const ProjectiveSpans& spans, const Surface& s
   }
 }
 
+// The last row of an odd number of them has none below it to be drawn with.
+template <class Pixel, class Address>
+HWY_INLINE void draw_last_row(const ProjectiveSpans& spans, const Surface& surface,
+                              const AnchoredVectors& vectors) {
+  const SpanBatch last = one_span(spans.batch.span(spans.batch.rows - 1));
+  draw_all_pieces<Pixel, Address>({last, spans.field, spans.texels, spans.exact}, surface, vectors);
+}
+
 template <class Pixel, class Address>
 HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& surface) {
   const AnchoredVectors vectors(spans.field);
@@ -196,6 +205,12 @@ HWY_NOINLINE void draw_by_pieces(const ProjectiveSpans& spans, const Surface& su
   if (in_one == InOneWindow::kDrawn) return;
   if (in_one == InOneWindow::kManyNearTies) {
     return draw_near_ties<Pixel, Address>(spans, surface, vectors);
+  }
+  if constexpr (kHasPairs) {
+    if (draw_by_pairs<Pixel, Address>(spans, surface)) {
+      if (spans.batch.rows % 2 != 0) draw_last_row<Pixel, Address>(spans, surface, vectors);
+      return;
+    }
   }
   draw_all_pieces<Pixel, Address>(spans, surface, vectors);
 }
