@@ -15,8 +15,6 @@ namespace {
 using spec::Rational;
 using Form = ProjectiveField::Form;
 
-inline constexpr int32_t kBeyond_px = 15;
-
 [[nodiscard]] Rational exact_value(const Form& form, int32_t x, int32_t y) {
   return Rational(form.start) + x * Rational(form.step_x) + y * Rational(form.step_y);
 }
@@ -71,7 +69,7 @@ struct Found {
   }
   Found found{100, 0, 0};
   for (int32_t i = 0; i < batch.rows; ++i) {
-    for (int32_t px = left_px; px < right_px + kBeyond_px; ++px) {
+    for (int32_t px = left_px; px < right_px; ++px) {
       const int32_t x = px - field.first_px, y = batch.first_row + i - field.first_row;
       const Rational d = exact_value(field.denominator, x, y);
       found.least = std::min(found.least, d);
@@ -95,7 +93,7 @@ TEST(ProjectiveBox, BoundsTheMapAtEveryPixelOfItAndIsNotMuchMore) {
   for (int i = 0; i < 3000; ++i) {
     const SpanBatch batch = any_small_batch(random);
     const ProjectiveField field = any_gentle_field(random, batch);
-    const ProjectiveBox box(field, batch, kBeyond_px);
+    const ProjectiveBox box(field, batch);
     const Found found = found_in_box(field, batch);
     ASSERT_EQ(box.least_denominator > 0, found.least > 0) << i;
     if (found.least <= 0) continue;

@@ -50,7 +50,7 @@ TEST(VectorLimits, AnchorsAreLoweredByTheProofsBound) {
 }
 
 [[nodiscard]] ProjectiveBox box_of(double least_denominator, double turn, double walk_fx16) {
-  ProjectiveBox box(field_of(0, 0), one_span({0, 0, 1}), 0);
+  ProjectiveBox box(field_of(0, 0), one_span({0, 0, 1}));
   box.least_denominator = least_denominator;
   box.turn = turn;
   box.steepest_fx32 = walk_fx16 * kFx32PerFx16 / kPairSteps;

@@ -1,5 +1,4 @@
-// What a projective map is at most in the box around a batch's spans, on its pixels and beside
-// them.
+// What a projective map is at most in the box around the spans of a batch, in them and beside them.
 #pragma once
 
 #include <algorithm>
@@ -18,9 +17,8 @@ struct ProjectiveBox {
   // anything.
   double least_denominator, turn, steepest_fx32;
 
-  // The box begins with the leftmost pixel of a span, and ends `beyond_px` right of the last one.
   // Not all spans are empty.
-  ProjectiveBox(const ProjectiveField& field, const SpanBatch& batch, int32_t beyond_px);
+  ProjectiveBox(const ProjectiveField& field, const SpanBatch& batch);
 };
 
 // With n = n_0 + x n_x + y n_y, and so d, u changes along x by
@@ -28,8 +26,7 @@ struct ProjectiveBox {
 //     (n_x d - n d_x) / d^2,       whose numerator is linear in y, and does not depend on x,
 //
 // so that it is largest in the first row or in the last one, and d is least in a corner.
-inline ProjectiveBox::ProjectiveBox(const ProjectiveField& field, const SpanBatch& batch,
-                                    int32_t beyond_px) {
+inline ProjectiveBox::ProjectiveBox(const ProjectiveField& field, const SpanBatch& batch) {
   Span box{batch.first_row, INT32_MAX, INT32_MIN};
   for (int32_t i = 0; i < batch.rows; ++i) {
     const Span span = batch.span(i);
@@ -37,7 +34,7 @@ inline ProjectiveBox::ProjectiveBox(const ProjectiveField& field, const SpanBatc
     box.left_px = std::min(box.left_px, span.left_px);
     box.right_px = std::max(box.right_px, span.right_px);
   }
-  const int32_t last_px = box.width_px() - 1 + beyond_px;
+  const int32_t last_px = box.width_px() - 1;
   least_denominator = HUGE_VAL;
   double rise_fx32 = 0;
   for (const int32_t row : {batch.first_row, batch.first_row + batch.rows - 1}) {

@@ -168,7 +168,7 @@ template <class Pixel, class Address>
                                               const Surface& surface) {
   const SpanBatch& batch = spans.batch;
   if (!pays_pairs(spans, surface.texture)) return false;
-  const ProjectiveBox box(spans.field, batch, kLanes - 1);
+  const ProjectiveBox box(spans.field, batch);
   if (!are_pairs_anchored(box)) return false;
   const AnchoredVectors vectors(spans.field, pair_error_fx16(spans.field, box));
   if (!is_inside(batch, spans.field, vectors, surface.texture)) return false;
