@@ -55,11 +55,11 @@ class AnchorLine {
 };
 
 // Draws vectors of pixels from `at` on, but for those it leaves to others.
-template <class Window>
-HWY_NOINLINE void blend_windows(const AffineSpans& spans, const Surface& surface, bool four,
-                                Resume* at, Left* left) {
+template <class Window, bool kFour>
+HWY_NOINLINE void blend_windows(const AffineSpans& spans, const Surface& surface, Resume* at,
+                                Left* left) {
   const AffineField field = spans.field;
-  const WindowBlender<Window> blender(surface, four, lack_fx24(field));
+  const WindowBlender<Window, kFour> blender(surface, lack_fx24(field));
   AnchorLine u(field.step_x.u_fx32, surface.texture.width);
   AnchorLine v(field.step_x.v_fx32, surface.texture.height);
   char* const pixels = static_cast<char*>(surface.target.pixels);
@@ -96,16 +96,18 @@ HWY_NOINLINE void blend_windows(const AffineSpans& spans, const Surface& surface
 }
 
 template <class Spans>
-using BlendWindows = void (*)(const Spans& spans, const Surface& surface, bool four, Resume* at,
-                              Left* left);
+using BlendWindows = void (*)(const Spans& spans, const Surface& surface, Resume* at, Left* left);
 
 // Or NULL.
+template <bool kFour>
 [[nodiscard]] HWY_INLINE BlendWindows<AffineSpans> blend_windows_for(const AffineSpans& spans,
                                                                      const Surface& surface) {
   if (lack_fx24(spans.field) > kMostLack_fx24) return nullptr;
   BlendWindows<AffineSpans> found = nullptr;
-  with_blend_window(spans.field.step_x, spans.texels, surface,
-                    [&](auto window) { found = blend_windows<typename decltype(window)::type>; });
+  with_blend_window(spans.field.step_x, spans.texels, surface, [&](auto window) {
+    using Window = typename decltype(window)::type;
+    found = blend_windows<Window, kFour>;
+  });
   return found;
 }
 

@@ -161,8 +161,8 @@ HWY_INLINE void draw_span(const AffineSteps& steps, const Span& span, const Span
 template <bool kFour, class Address>
 void blend_affine(const AffineSpans& spans, const Surface& surface) {
   const Anywhere<Address> anywhere(surface.texture, kFour);
-  if (const BlendWindows<AffineSpans> windows = blend_windows_for(spans, surface)) {
-    return draw_by_windows(spans, surface, kFour, windows, anywhere);
+  if (const auto windows = blend_windows_for<kFour>(spans, surface)) {
+    return draw_by_windows(spans, surface, windows, anywhere);
   }
   const Inside<kFour> inside(surface.texture);
   const Interior interior(spans.field, surface.texture);
@@ -192,8 +192,10 @@ template <class Address>
 HWY_NOINLINE void blend_projective(const ProjectiveSpans& spans, const Surface& surface,
                                    bool four) {
   const Anywhere<Address> anywhere(surface.texture, four);
-  if (const BlendWindows<ProjectiveSpans> windows = blend_windows_for(spans, surface)) {
-    return draw_by_windows(spans, surface, four, windows, anywhere);
+  const BlendWindows<ProjectiveSpans> windows =
+      four ? blend_windows_for<true>(spans, surface) : blend_windows_for<false>(spans, surface);
+  if (windows != nullptr) {
+    return draw_by_windows(spans, surface, windows, anywhere);
   }
   for (int32_t i = 0; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);

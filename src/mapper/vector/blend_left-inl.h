@@ -48,12 +48,12 @@ HWY_NOINLINE void draw_left(const Left& left, const ProjectiveSpans& spans, cons
 }
 
 template <class Spans, class BlendAnywhere>
-void draw_by_windows(const Spans& spans, const Surface& surface, bool four,
-                     BlendWindows<Spans> windows, const BlendAnywhere& anywhere) {
+void draw_by_windows(const Spans& spans, const Surface& surface, BlendWindows<Spans> windows,
+                     const BlendAnywhere& anywhere) {
   Resume at;
   Left left;
   do {
-    windows(spans, surface, four, &at, &left);
+    windows(spans, surface, &at, &left);
     if (left.count != 0) draw_left(left, spans, surface, anywhere);
   } while (at.row < spans.batch.rows);
 }

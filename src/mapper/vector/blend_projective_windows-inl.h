@@ -145,15 +145,15 @@ class DividedVectorsAhead {
 };
 
 // As with affine spans.
-template <class Window>
-HWY_NOINLINE void blend_windows(const ProjectiveSpans& spans, const Surface& surface, bool four,
-                                Resume* at, Left* left) {
+template <class Window, bool kFour>
+HWY_NOINLINE void blend_windows(const ProjectiveSpans& spans, const Surface& surface, Resume* at,
+                                Left* left) {
   char* const pixels = static_cast<char*>(surface.target.pixels);
   const ptrdiff_t pitch = surface.target.pitch;
   const int64_t end_u_fx24 = (surface.texture.width - 1) * kOneTexel_fx24;
   const int64_t end_v_fx24 = (surface.texture.height - 1) * kOneTexel_fx24;
   DividedVectorsAhead vectors(spans.field);
-  const WindowBlender<Window> blender(surface, four, vectors.lack_fx24());
+  const WindowBlender<Window, kFour> blender(surface, vectors.lack_fx24());
   int32_t left_count = 0;
   while (at->row < spans.batch.rows && left_count <= Left::kMost - DividedVectorsAhead::kMost) {
     vectors.find(spans, at);
@@ -192,14 +192,17 @@ HWY_NOINLINE void blend_windows(const ProjectiveSpans& spans, const Surface& sur
           static_cast<int64_t>(HWY_MIN(v, kTooSteep)) + 1};
 }
 
+template <bool kFour>
 [[nodiscard]] HWY_INLINE BlendWindows<ProjectiveSpans> blend_windows_for(
     const ProjectiveSpans& spans, const Surface& surface) {
   if (!kHasBlendWindows || spans.field.error_fx32 >> kWindowShift > kMostLack_fx24 / 2) {
     return nullptr;
   }
   BlendWindows<ProjectiveSpans> found = nullptr;
-  with_blend_window(steepest_fx32(spans), spans.texels, surface,
-                    [&](auto window) { found = blend_windows<typename decltype(window)::type>; });
+  with_blend_window(steepest_fx32(spans), spans.texels, surface, [&](auto window) {
+    using Window = typename decltype(window)::type;
+    found = blend_windows<Window, kFour>;
+  });
   return found;
 }
 

@@ -69,19 +69,17 @@ struct WindowOrigin {
   }
 };
 
-// Draws vectors of pixels whose texels lie in a window each.
-template <class Window>
+// Draws vectors of pixels whose texels lie in a window each: by the mean of four, or bilinear.
+template <class Window, bool kFour>
 class WindowBlender {
  public:
-  HWY_INLINE WindowBlender(const Surface& surface, bool four, int32_t lack_fx24)
+  HWY_INLINE WindowBlender(const Surface& surface, int32_t lack_fx24)
       : texels_(static_cast<const uint32_t*>(surface.texture.texels)),
         pitch_texel_(pitch_texel_of(surface.texture)),
         width_texel_(surface.texture.width),
         height_texel_(surface.texture.height),
         clamps_(surface.address == SELVAGE_ADDRESS_CLAMP),
-        sure_(hn::Set(D32(), ~lack_fx24)),
-        kept_(hn::Set(D32(), four ? ~0xFF << kWindowGridFraction : ~0)),
-        set_(hn::Set(D32(), four ? kTexel_fx8 / 2 << kWindowGridFraction : 0)) {}
+        sure_(hn::Set(D32(), ~lack_fx24)) {}
 
   // `lanes` are from(u_shift_fx24, v_shift_fx24), shifted by so much; `inside` is that all of them
   // have their four texels in the texture. False, and nothing is drawn, where one is a near-tie, or
@@ -124,14 +122,17 @@ class WindowBlender {
   }
   // The same for bilinear; for four, with weights of a half.
   HWY_INLINE WindowLanes weighted(const WindowLanes& lanes) const {
-    return {hn::Or(hn::And(lanes.u, kept_), set_), hn::Or(hn::And(lanes.v, kept_), set_)};
+    if constexpr (!kFour) return lanes;
+    const V32 weights = hn::Set(D32(), 0xFF << kWindowGridFraction);
+    const V32 half = hn::Set(D32(), kTexel_fx8 / 2 << kWindowGridFraction);
+    return {hn::IfVecThenElse(weights, half, lanes.u), hn::IfVecThenElse(weights, half, lanes.v)};
   }
 
   const uint32_t* texels_;
   ptrdiff_t pitch_texel_;
   int32_t width_texel_, height_texel_;
   bool clamps_;
-  V32 sure_, kept_, set_;
+  V32 sure_;
   BlendConstants constants_;
 };
 
