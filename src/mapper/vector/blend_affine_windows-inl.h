@@ -33,7 +33,8 @@ class AnchorLine {
       : to_anchor_fx32_(anchor_lane(step_fx32) * step_fx32 - (int64_t{1} << (kLaneFraction - 1))),
         step_fx32_(kLanes * step_fx32),
         offset_(offsets_from_anchor<kWindowShift>(step_fx32)) {
-    const int64_t walk_fx32 = (kLanes - 1) * (step_fx32 < 0 ? -step_fx32 : step_fx32);
+    const int64_t walk_fx32 = (kLanes - 1) * magnitude_fx32(step_fx32);
+    reach_fx24_ = static_cast<int32_t>(walk_fx32 >> kWindowShift);
     end_fx32_ =
         static_cast<uint64_t>(HWY_MAX(0, (int64_t{size_texel - 1} << kLaneFraction) - walk_fx32));
   }
@@ -41,6 +42,8 @@ class AnchorLine {
   HWY_INLINE void go_to(int64_t lane_fx32) { at_fx32_ = lane_fx32 + to_anchor_fx32_; }
   HWY_INLINE void advance() { at_fx32_ += step_fx32_; }
   HWY_INLINE int64_t anchor_fx24() const { return at_fx32_ >> kWindowShift; }
+  // Of the lane that lies furthest above it.
+  HWY_INLINE int32_t reach_fx24() const { return reach_fx24_; }
   // Of all lanes from here.
   HWY_INLINE bool inside() const { return static_cast<uint64_t>(at_fx32_) < end_fx32_; }
   HWY_INLINE V32 lanes(int32_t shift_fx24) const {
@@ -50,6 +53,7 @@ class AnchorLine {
 
  private:
   int64_t to_anchor_fx32_, step_fx32_, at_fx32_ = 0;
+  int32_t reach_fx24_;
   uint64_t end_fx32_;
   V32 offset_;
 };
@@ -78,8 +82,8 @@ HWY_NOINLINE void blend_windows(const AffineSpans& spans, const Surface& surface
           [&](int32_t u_fx24, int32_t v_fx24) HWY_ATTR -> WindowLanes {
             return {u.lanes(u_fx24), v.lanes(v_fx24)};
           },
-          {u.anchor_fx24(), v.anchor_fx24()}, u.inside() && v.inside(), span.right_px - px,
-          row + px);
+          {u.anchor_fx24(), v.anchor_fx24()}, v.reach_fx24(), u.inside() && v.inside(),
+          span.right_px - px, row + px);
       u.advance();
       v.advance();
       if (HWY_LIKELY(drawn)) continue;

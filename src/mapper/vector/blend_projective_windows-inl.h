@@ -166,10 +166,11 @@ HWY_NOINLINE void blend_windows(const ProjectiveSpans& spans, const Surface& sur
       const Anchor_fx24 least{HWY_MIN(first.u, last.u), HWY_MIN(first.v, last.v)};
       const bool inside = least.u >= 0 && least.v >= 0 && HWY_MAX(first.u, last.u) < end_u_fx24 &&
                           HWY_MAX(first.v, last.v) < end_v_fx24;
-      const bool drawn = blender.draw(
-          [&](int32_t u_shift_fx24, int32_t v_shift_fx24)
-              HWY_ATTR { return vectors.lanes(k, u_shift_fx24, v_shift_fx24); },
-          least, inside, count_px, reinterpret_cast<uint32_t*>(pixels + row * pitch) + px);
+      const bool drawn =
+          blender.draw([&](int32_t u_shift_fx24, int32_t v_shift_fx24)
+                           HWY_ATTR { return vectors.lanes(k, u_shift_fx24, v_shift_fx24); },
+                       least, static_cast<int32_t>(HWY_MAX(first.v, last.v) - least.v), inside,
+                       count_px, reinterpret_cast<uint32_t*>(pixels + row * pitch) + px);
       if (HWY_LIKELY(drawn)) continue;
       left->rest[static_cast<size_t>(left_count++)] = {row, px, vectors.right_px(k)};
     }

@@ -26,6 +26,9 @@ class BlendWindow {
  public:
   static constexpr int32_t kColumns = 1 << kColumnBits;
   static constexpr int32_t kRows = kVectors * (kLanes >> kColumnBits);
+  // Fewer permutes pick from the next smaller one with as many columns, if there is such.
+  static constexpr bool kHasSmaller = kVectors == 3 || kVectors > 4;
+  using Smaller = BlendWindow<kColumnBits, kVectors == 3 ? 2 : kVectors - 2>;
 
   HWY_INLINE BlendWindow(const uint32_t* texels, ptrdiff_t pitch_texel, const BlendConstants& k)
       : k_(k) {

@@ -44,6 +44,9 @@ struct WindowOrigin {
     return {Wrap::index(texel, size_texel), back_by(texel)};
   }
 
+  // How far a lane lies above it.
+  HWY_INLINE int64_t above(int64_t lane_fx24) const { return lane_fx24 - texel * kOneTexel_fx24; }
+
   // Lanes of the window within the texture: the mean there is that of texels clamped one by one.
   HWY_INLINE V32 clamp(V32 lanes, int32_t size_texel) const {
     const D32 d;
@@ -81,12 +84,13 @@ class WindowBlender {
         clamps_(surface.address == SELVAGE_ADDRESS_CLAMP),
         sure_(hn::Set(D32(), ~lack_fx24)) {}
 
-  // `lanes` are from(u_shift_fx24, v_shift_fx24), shifted by so much; `inside` is that all of them
-  // have their four texels in the texture. False, and nothing is drawn, where one is a near-tie, or
+  // `lanes` are from(u_shift_fx24, v_shift_fx24), shifted by so much; v is no more than
+  // `v_reach_fx24` above the anchor; `inside` is that all of them have their four texels in the
+  // texture. False, and nothing is drawn, where one is a near-tie, or
   // no window holds them. Rather few may be pixels, the first ones.
   template <class Lanes>
-  HWY_INLINE bool draw(const Lanes& from, const Anchor_fx24& anchor, bool inside, int32_t count_px,
-                       uint32_t* pixels) const {
+  HWY_INLINE bool draw(const Lanes& from, const Anchor_fx24& anchor, int32_t v_reach_fx24,
+                       bool inside, int32_t count_px, uint32_t* pixels) const {
     const int32_t last_column = width_texel_ - Window::kColumns;
     const int32_t last_row = height_texel_ - Window::kRows;
     WindowOrigin s = WindowOrigin::of(anchor.u, last_column);
@@ -108,12 +112,25 @@ class WindowBlender {
       }
     }
     if (HWY_UNLIKELY(is_left)) return false;
-    const Window window(texels_ + t.texel * pitch_texel_ + s.texel, pitch_texel_, constants_);
-    store_pixels(mix_corners(window.corners(lanes), lanes, constants_), count_px, pixels);
+    const ptrdiff_t place = t.texel * pitch_texel_ + s.texel;
+    if constexpr (Window::kHasSmaller) {
+      using Smaller = typename Window::Smaller;
+      if (inside && t.above(anchor.v) + v_reach_fx24 < (Smaller::kRows - 1) * kOneTexel_fx24) {
+        blend<Smaller>(lanes, place, count_px, pixels);
+        return true;
+      }
+    }
+    blend<Window>(lanes, place, count_px, pixels);
     return true;
   }
 
  private:
+  template <class From>
+  HWY_INLINE void blend(const WindowLanes& lanes, ptrdiff_t place, int32_t count_px,
+                        uint32_t* pixels) const {
+    const From window(texels_ + place, pitch_texel_, constants_);
+    store_pixels(mix_corners(window.corners(lanes), lanes, constants_), count_px, pixels);
+  }
   // Below the grid are the low words, and the high ones are never more than those of sure_.
   HWY_INLINE bool any_near(const WindowLanes& lanes) const {
     const hn::Repartition<uint16_t, D32> d;
