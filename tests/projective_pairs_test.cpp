@@ -166,6 +166,28 @@ TEST_P(ProjectivePairs, EveryKernelDecidesExactTies) {
   }
 }
 
+// The upper of two rows ends where u, far beyond its end, would be the greatest number of 16.16 and
+// more, and the lower one has pixels: with what lanes lack added, a window seemed to hold both.
+TEST(ProjectivePairsSeed, LanesBesideARowMayBeTheGreatestThereAre) {
+  spec::Case c;
+  c.format = SELVAGE_INDEX8;
+  c.target_width_px = 32704;
+  c.target_height_px = 64;
+  c.has_clip = true;
+  c.clip = {31760, 0, 32704, 64};
+  c.texture_width_texel = 16384;
+  c.texture_height_texel = 4;
+  c.vertices = {{-8388608, 128, 1567923238, 98304, 768},
+                {8388352, 129, 1299168517, 98304, 1387},
+                {8388352, 16640, 965754198, 98304, 16509448}};
+  ASSERT_NO_FATAL_FAILURE(expect_drawn_alike(c, 0));
+  c.texture_height_texel = 3;
+  c.vertices = {{-8388608, 128, 1529754390, 98304, 758},
+                {8388352, 129, 1224308148, 98304, 1392},
+                {8388352, 16640, 859167420, 98304, 16499669}};
+  ASSERT_NO_FATAL_FAILURE(expect_drawn_alike(c, 0));
+}
+
 INSTANTIATE_TEST_SUITE_P(Block, ProjectivePairs, testing::Range(uint64_t{0}, uint64_t{5}));
 
 }  // namespace

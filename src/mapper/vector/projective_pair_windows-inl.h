@@ -102,11 +102,15 @@ class PairFinder {
     return row;
   }
 
-  // The texels of lanes between these, whatever they lack.
-  static HWY_INLINE TexelRun texels_between(V32 least, V32 most, V32 lack) {
+  // The texels of lanes between these, whatever they lack. Where a row has no pixels, its lanes may
+  // be anything, the greatest number, too: no sum of it may count few texels.
+  HWY_INLINE TexelRun texels_between(V32 least, V32 most) const {
     const D32 d;
+    const int32_t lack_fx16 = vectors_.lack_fx16();
+    const V32 raised =
+        hn::Add(hn::Min(most, hn::Set(d, INT32_MAX - lack_fx16)), hn::Set(d, lack_fx16));
     const V32 first = hn::ShiftRight<kTexelFraction>(least);
-    const V32 last = hn::ShiftRight<kTexelFraction>(hn::Add(most, lack));
+    const V32 last = hn::ShiftRight<kTexelFraction>(raised);
     return {first, hn::Add(hn::Sub(last, first), hn::Set(d, 1))};
   }
 
@@ -115,10 +119,10 @@ class PairFinder {
     const D32 d;
     const RowEnds upper = row_ends(anchors, 0), lower = row_ends(anchors, 1);
     const V32 lack = hn::Set(d, vectors_.lack_fx16());
-    const TexelRun s = texels_between(hn::Min(upper.least_u, lower.least_u),
-                                      hn::Max(upper.most_u, lower.most_u), lack);
-    const TexelRun t = texels_between(hn::Min(upper.least_v, lower.least_v),
-                                      hn::Max(upper.most_v, lower.most_v), lack);
+    const TexelRun s =
+        texels_between(hn::Min(upper.least_u, lower.least_u), hn::Max(upper.most_u, lower.most_u));
+    const TexelRun t =
+        texels_between(hn::Min(upper.least_v, lower.least_v), hn::Max(upper.most_v, lower.most_v));
     const WindowShapes shapes = shapes_of(s.count, t.count, extent_.height_texel);
     const auto origins =
         window_origins<ClampVector>(s.first, t.first, shapes.columns, shapes.rows, extent_);
