@@ -155,11 +155,16 @@ TEST_P(ProjectivePairs, EveryKernelDecidesExactTies) {
                   {width_fx8, height_fx8, 0, 0, q_right},
                   {0, height_fx8, 0, 0, q_left}};
     for (int32_t selvage_vertex::*const texel : {&selvage_vertex::u, &selvage_vertex::v}) {
-      const int32_t tie_fx8 = random.in(0, c.target_width_px) * 256 + 128;
       const int64_t rise = int64_t{most_q} * random.pick({-3, -1, 1, 2, 4, 6});
+      // Anywhere, or at the pixel where it is greatest: the texture ends there.
+      const bool at_end = random.percent(25);
+      const int32_t tie_px = !at_end    ? random.in(0, c.target_width_px)
+                             : rise > 0 ? c.target_width_px - 1
+                                        : 0;
+      const int32_t tie_fx8 = tie_px * 256 + 128, whole = at_end ? 1024 : 512;
       for (selvage_vertex& vertex : c.vertices) {
         const int64_t beside_fx16 = rise * (vertex.x - tie_fx8) * 32 / vertex.q;
-        vertex.*texel = static_cast<int32_t>(512 * 65536 + beside_fx16);
+        vertex.*texel = static_cast<int32_t>(whole * 65536 + beside_fx16);
       }
     }
     ASSERT_NO_FATAL_FAILURE(expect_drawn_alike(c, seed));
