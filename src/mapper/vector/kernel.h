@@ -85,7 +85,8 @@ static_assert(2 * kMostAnchoredError_fx16 + kAnchoredTruncations_fx16 <=
 // denominator may be half the least one of the field: errors are twice as large there. Less than a
 // vector beside the box it is above 0 still, and u and v rise or fall all the way. Walks are added
 // to lanes of the anchor that are counted from a window of kMostLanes columns, which must be whole
-// next to kWholeNumbers, too. And no texel there, of pixels or beside them, is beyond 16.16.
+// next to kWholeNumbers, too. And no anchor that a pixel is counted from is beyond 16.16, as others
+// may be.
 inline constexpr int32_t kPairAnchor_px = 4 * kMostLanes;
 inline constexpr double kLeastPairDenominator = 0.5;
 inline constexpr double kMostPairWalk_fx16 = kMostWalk_fx16 - (kMostLanes << kTexelFraction) - 64;

@@ -162,7 +162,7 @@ HWY_NOINLINE void draw_left_of_pairs(const Left& left, const Surface& surface,
 }
 
 // Draws a batch two rows at a time, but for a last row that has none below it. False where it costs
-// less to draw all of it by others.
+// less to draw all of it by others, be it that some was drawn.
 template <class Pixel, class Address>
 [[nodiscard]] HWY_NOINLINE bool draw_by_pairs(const ProjectiveSpans& spans,
                                               const Surface& surface) {
