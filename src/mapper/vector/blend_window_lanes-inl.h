@@ -86,8 +86,8 @@ class WindowBlender {
 
   // `lanes` are from(u_shift_fx24, v_shift_fx24), shifted by so much; v is no more than
   // `v_reach_fx24` above the anchor; `inside` is that all of them have their four texels in the
-  // texture. False, and nothing is drawn, where one is a near-tie, or
-  // no window holds them. Rather few may be pixels, the first ones.
+  // texture. False, and nothing is drawn, where one is a near-tie, or no window holds them. Rather
+  // few may be pixels, the first ones.
   template <class Lanes>
   HWY_INLINE bool draw(const Lanes& from, const Anchor_fx24& anchor, int32_t v_reach_fx24,
                        bool inside, int32_t count_px, uint32_t* pixels) const {

@@ -10,6 +10,8 @@
 #define SELVAGE_VECTOR_PROJECTIVE_PAIRS_INL_H
 #endif
 
+#include <bit>
+
 #include "mapper/vector/projective_interior-inl.h"
 #include "mapper/vector/projective_pair_windows-inl.h"
 #include "mapper/vector/projective_ties-inl.h"
@@ -65,7 +67,11 @@ class ProjectivePairPicker {
     };
     return {lane(found.u_rise[anchor], u), lane(found.v_rise[anchor], v)};
   }
-  // One permute asks for no higher bits than those of texels.
+  // One permute asks for no higher bits than those of texels, and those of kWholeNumbers are 0
+  // there.
+  static constexpr auto kWholeBits = std::bit_cast<uint32_t>(kWholeNumbers);
+  static_assert((kWholeBits >> kTexelFraction) % (2 * kLanes) == 0);
+  static_assert((kWholeBits >> (kTexelFraction - kHalfColumnBits)) % (2 * kLanes) == 0);
   static HWY_INLINE V32 half_index(const LaneVectors& lanes) {
     return FixedLanes<Addressed<InsideVector>>::window_index<kHalfColumnBits>(lanes,
                                                                               kHalfWindowRows);
