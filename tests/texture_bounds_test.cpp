@@ -68,6 +68,16 @@ struct BorderDrawing {
   return format == SELVAGE_RGBA8888 ? 4 : format == SELVAGE_RGB565 ? 2 : 1;
 }
 
+// The same by the call for many polygons, which draws small ones in another way.
+[[nodiscard]] selvage_status drawn_by_many(const selvage_image& target, const BorderDrawing& d,
+                                           const selvage_texture& texture) {
+  const selvage_polygon polygon{d.vertices.data(), d.vertices.size(), &texture};
+  const size_t bytes = selvage_draw_many_bytes(1);
+  std::vector<std::max_align_t> scratch(bytes / sizeof(std::max_align_t) + 1);
+  return selvage_draw_many(&target, nullptr, &polygon, 1, &d.options, 1, scratch.data(), bytes,
+                           nullptr);
+}
+
 // Of some sizes: a small polygon may have all its texels in one window, two rows of a large one.
 class TextureBoundsOf : public testing::TestWithParam<int32_t> {};
 
@@ -100,6 +110,7 @@ TEST_P(TextureBoundsOf, AreKeptByEveryKernel) {
       ASSERT_EQ(selvage_draw(&target, nullptr, d.vertices.data(), d.vertices.size(), &texture,
                              &d.options),
                 SELVAGE_OK);
+      ASSERT_EQ(drawn_by_many(target, d, texture), SELVAGE_OK);
     }
   }
 }

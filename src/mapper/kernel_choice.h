@@ -41,7 +41,11 @@ class KernelChoice {
 
   [[nodiscard]] const Kernels& of(const Polygon& polygon) const {
     if (!lanes_fit(polygon)) return *scalar_;
-    return *by_work_[static_cast<size_t>(work_of(polygon, tolerance_))];
+    return of_work(work_of(polygon, tolerance_));
+  }
+  // Of polygons that lanes fit.
+  [[nodiscard]] const Kernels& of_work(selvage_work work) const {
+    return *by_work_[static_cast<size_t>(work)];
   }
 
  private:

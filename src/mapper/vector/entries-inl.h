@@ -26,6 +26,9 @@ void draw_ruled(const RuledSpans& spans, const Surface& surface);
 [[nodiscard]] bool pays_near_plane(const AffineField& field, const Surface& surface);
 void draw_near_plane(const AffineSpans& spans, const Surface& surface);
 
+// vector/small.cpp
+void draw_small(const SmallTriangles& triangles, const Surface& surface);
+
 // vector/projective.cpp
 void draw_projective(const ProjectiveSpans& spans, const Surface& surface);
 

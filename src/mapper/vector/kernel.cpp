@@ -14,6 +14,14 @@
 
 namespace selvage::mapper::HWY_NAMESPACE {
 
+#if HWY_TARGET == HWY_AVX3
+constexpr auto kDrawSmall = &draw_small;
+constexpr SmallLimits kSmallLimits = kSmall;
+#else
+constexpr decltype(&draw_small) kDrawSmall = nullptr;
+constexpr SmallLimits kSmallLimits = {};
+#endif
+
 constexpr Kernels kNearest = {
     .find_spans = find_spans,
     .find_lanes = find_lanes,
@@ -23,6 +31,8 @@ constexpr Kernels kNearest = {
     .draw_ruled = draw_ruled,
     .pays_near_plane = pays_near_plane,
     .draw_near_plane = draw_near_plane,
+    .draw_small = kDrawSmall,
+    .small = kSmallLimits,
     .draw_stepped = draw_stepped,
     .stepping = HWY_TARGET == HWY_AVX3 ? kWideStepping : kUsualStepping,
 };

@@ -14,6 +14,7 @@
 #include "mapper/plane_lanes.h"
 #include "mapper/vector/entries-inl.h"
 #include "mapper/vector/pair-inl.h"
+#include "mapper/vector/plane_quotient-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -35,23 +36,6 @@ class Most {
  private:
   Pair most_;
 };
-
-// floor(2^shift n / d), where that is below kMostRounded_fx32:
-// spec/proofs/plane_quotient.g.
-template <int kShift>
-[[nodiscard]] HWY_INLINE IntegerPair floor_quotient(Pair n, Pair d, Pair reciprocal, Most* most) {
-  constexpr double kUnit = static_cast<double>(int64_t{1} << kShift);
-  const PairTag tag;
-  const IntegerPairTag integers;
-  const Pair to_whole = hn::Set(tag, kRoundToWhole);
-  const Pair rounded = hn::MulAdd(n, hn::Mul(reciprocal, hn::Set(tag, kUnit)), to_whole);
-  const Pair quotient = most->of(hn::Sub(rounded, to_whole));
-  const Pair remainder = hn::NegMulAdd(quotient, hn::Mul(d, hn::Set(tag, 1 / kUnit)), n);
-  const IntegerPair whole =
-      hn::Sub(hn::BitCast(integers, rounded), hn::BitCast(integers, to_whole));
-  const auto is_above = hn::Lt(remainder, hn::Zero(tag));
-  return hn::Add(whole, hn::BitCast(integers, hn::VecFromMask(tag, is_above)));
-}
 
 HWY_INLINE void store_lane(IntegerPair lane, Lane* to) {
   static_assert(sizeof(Lane) == sizeof(int64_t[2]));

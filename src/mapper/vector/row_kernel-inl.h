@@ -7,32 +7,13 @@
 #endif
 
 #include "mapper/span_batch.h"
+#include "mapper/vector/edge_lines-inl.h"
 #include "mapper/vector/entries-inl.h"
 #include "mapper/vector/pair-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
-
-using RowTag = hn::CappedTag<double, kMostDoubles>;
-using ColumnTag = hn::Rebind<int32_t, RowTag>;
-using Columns = hn::Vec<ColumnTag>;
-inline constexpr int32_t kRows = static_cast<int32_t>(hn::MaxLanes(RowTag()));
-
-using RowNumbers = hn::Vec<RowTag>;
-
-// An EdgeLine in all lanes. The dividend is a half more, so that a product serves as a quotient: no
-// whole number is so near that roundings would reach it (spec/proofs/edge_reciprocal.g).
-struct LineVectors {
-  RowNumbers dividend, step, reciprocal;
-
-  // Where it crosses rows so far below its first one.
-  [[nodiscard]] HWY_INLINE Columns columns(RowNumbers rows_below) const {
-    const auto at_row = hn::MulAdd(rows_below, step, dividend);
-    return hn::DemoteTo(ColumnTag(), hn::Floor(hn::Mul(at_row, reciprocal)));
-  }
-};
-inline constexpr double kUpToHalf = 0.5;
 
 [[nodiscard]] HWY_INLINE LineVectors vectors_of(const EdgeLine& line) {
   const RowTag d;
@@ -112,24 +93,17 @@ HWY_INLINE void find_between_chains(Outline* outline, SpanMaker* spans, SpanBatc
   }
 }
 
-// A triangle's need no walk along its edges: one line goes through all rows, another one changes
-// at the corner between its edges.
 HWY_INLINE void find_in_triangle(const TriangleCorners& corners, SpanMaker* spans,
                                  const SpanBatch& batch) {
   const RowTag d;
   const auto& [top, middle, bottom] = corners;
   const int32_t row = batch.first_row;
-  const LineVectors whole = lines_between(top, bottom, row),
-                    upper = lines_between(top, middle, row),
-                    lower = lines_between(middle, bottom, row);
-  const auto corner = hn::Set(d, first_centre_px(middle.y) - row);
+  const TriangleLines lines = {lines_between(top, bottom, row), lines_between(top, middle, row),
+                               lines_between(middle, bottom, row),
+                               hn::Set(d, first_centre_px(middle.y) - row)};
   RowNumbers below = hn::Iota(d, 0);
   for (int32_t i = 0; i < batch.rows; i += kRows) {
-    const auto is_upper = hn::Lt(below, corner);
-    const LineVectors broken = {hn::IfThenElse(is_upper, upper.dividend, lower.dividend),
-                                hn::IfThenElse(is_upper, upper.step, lower.step),
-                                hn::IfThenElse(is_upper, upper.reciprocal, lower.reciprocal)};
-    spans->make(i, whole.columns(below), broken.columns(below));
+    spans->make(i, lines.whole_columns(below), lines.broken_columns(below));
     below = hn::Add(below, hn::Set(d, kRows));
   }
 }

@@ -1,0 +1,40 @@
+// Small triangles that wait until there are as many as one call draws.
+#pragma once
+
+#include "mapper/kernel.h"
+#include "mapper/polygon.h"
+#include "mapper/small_triangles.h"
+#include "selvage.h"
+
+namespace selvage::many {
+
+class SmallQueue {
+ public:
+  // Of one texture. Takes none where the kernels do not draw them.
+  SmallQueue(const mapper::Kernels& kernels, const selvage_texture& texture)
+      : kernels_(&kernels), takes_any_(mapper::SmallTriangles::take_from(texture, kernels.small)) {}
+
+  [[nodiscard]] bool takes(const mapper::Polygon& polygon, const selvage_texture& texture) const {
+    return takes_any_ && mapper::SmallTriangles::take(polygon, texture, kernels_->small);
+  }
+  // Of a polygon that it takes, to which it refers. Draws those that wait where they are enough.
+  void add(const mapper::Polygon& polygon, const selvage_rect& visible,
+           const mapper::Surface& surface) {
+    const selvage_rect part = mapper::part_of(polygon, visible);
+    if (mapper::is_empty(part)) return;
+    if (waiting_.count() == mapper::SmallTriangles::kMost) finish(surface);
+    waiting_.add(polygon, part);
+  }
+  void finish(const mapper::Surface& surface) {
+    if (waiting_.count() == 0) return;
+    kernels_->draw_small(waiting_, surface);
+    waiting_.clear();
+  }
+
+ private:
+  const mapper::Kernels* kernels_;
+  bool takes_any_;
+  mapper::SmallTriangles waiting_;
+};
+
+}  // namespace selvage::many

@@ -1,0 +1,172 @@
+// Small triangles from their vertices to their pixels: each is drawn from one window. Included once
+// for each SIMD target.
+//
+// Lanes walk from the part's first pixel by floors of steps in 8.24: those of affine_window, whose
+// law and proof they share, where each pixel is its own anchor. Where there is a near-tie, the
+// triangle is drawn once more, by quotients without error.
+#if defined(SELVAGE_VECTOR_SMALL_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_SMALL_TRIANGLES_INL_H
+#undef SELVAGE_VECTOR_SMALL_TRIANGLES_INL_H
+#else
+#define SELVAGE_VECTOR_SMALL_TRIANGLES_INL_H
+#endif
+
+#include "mapper/vector/affine_window-inl.h"
+#include "mapper/vector/entries-inl.h"
+#include "mapper/vector/small_set_up-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+#if HWY_TARGET == HWY_AVX3
+namespace {
+
+static_assert(kSmall.most_px == kLanes && kLanes == 2 * kRows, "a row is a vector, all are one");
+
+// Of each row: its first pixel, how many there are, and the lanes of the first.
+struct SmallRows {
+  HWY_ALIGN int32_t left_px[kLanes], count_px[kLanes], u_fx24[kLanes], v_fx24[kLanes];
+
+  HWY_INLINE SmallRows(const SmallSetUp& set_up, size_t i, int32_t first_px, int32_t end_px) {
+    const D32 d;
+    const TriangleLines lines = set_up.edges.of(i);
+    const RowNumbers upper = hn::Iota(RowTag(), 0), lower = hn::Iota(RowTag(), kRows);
+    const V32 a = hn::Combine(d, lines.whole_columns(lower), lines.whole_columns(upper));
+    const V32 b = hn::Combine(d, lines.broken_columns(lower), lines.broken_columns(upper));
+    const V32 left = hn::Max(hn::Min(a, b), hn::Set(d, first_px));
+    const V32 right = hn::Max(hn::Min(hn::Max(a, b), hn::Set(d, end_px)), left);
+    const V32 across = hn::Sub(left, hn::Set(d, first_px)), down = hn::Iota(d, 0);
+    const auto lanes = [&](const SmallCoordinate& of) HWY_ATTR {
+      const V32 at_left =
+          hn::Add(hn::Set(d, of.start_fx24[i]), hn::Mul(across, hn::Set(d, of.right_fx24[i])));
+      return hn::Add(at_left, hn::Mul(down, hn::Set(d, of.down_fx24[i])));
+    };
+    hn::Store(left, d, left_px);
+    hn::Store(hn::Sub(right, left), d, count_px);
+    hn::Store(lanes(set_up.u), d, u_fx24);
+    hn::Store(lanes(set_up.v), d, v_fx24);
+  }
+};
+
+// One of those that were set up.
+struct SmallTriangle {
+  const SmallSetUp& set_up;
+  size_t i;
+  const SmallRows& rows;
+  int32_t first_px, first_row, end_row;
+
+  // Calls draw(k, count_px, to) for each row, the k-th.
+  template <class Pixel, class Draw>
+  HWY_INLINE void for_each_row(const selvage_image& target, const Draw& draw) const {
+    char* row = static_cast<char*>(target.pixels) + first_row * target.pitch;
+    for (int32_t k = 0; k < end_row - first_row; ++k) {
+      draw(k, rows.count_px[k], reinterpret_cast<Pixel*>(row) + rows.left_px[k]);
+      row += target.pitch;
+    }
+  }
+};
+
+// Returns whether there is a near-tie among the pixels, of which all are drawn.
+template <class Pixel, class OneWindow>
+[[nodiscard]] HWY_INLINE bool draw_by_lanes(const SmallTriangle& triangle, const OneWindow& window,
+                                            const selvage_image& target) {
+  const D32 d;
+  const auto& [set_up, i, rows, first_px, first_row, end_row] = triangle;
+  const LowFineLanes low(kSmallLack_fx24);
+  const V32 offset_u = hn::Mul(hn::Iota(d, 0), hn::Set(d, set_up.u.right_fx24[i])),
+            offset_v = hn::Mul(hn::Iota(d, 0), hn::Set(d, set_up.v.right_fx24[i]));
+  V32 changed = hn::Zero(d);
+  triangle.for_each_row<Pixel>(target, [&](int32_t k, int32_t count_px, Pixel* to) HWY_ATTR {
+    const LaneVectors lanes{hn::Add(hn::Set(d, triangle.rows.u_fx24[k]), offset_u),
+                            hn::Add(hn::Set(d, triangle.rows.v_fx24[k]), offset_v)};
+    changed = draw_some(window, low, lanes, count_px, changed, to);
+  });
+  return changes_texels<kWindowFraction>(changed);
+}
+
+// Texels' 16.16 along a row, counted from a window: floors of numerators over one divisor.
+class ExactSmallCoordinate {
+ public:
+  HWY_INLINE ExactSmallCoordinate(const SmallCoordinate& of, size_t i, double divisor)
+      : start_(of.start[i]),
+        right_(of.right[i]),
+        down_(of.down[i]),
+        divisor_(hn::Set(RowTag(), divisor)),
+        reciprocal_(hn::Div(hn::Set(RowTag(), 1.0), divisor_)) {}
+
+  // From a pixel so far from the first one on.
+  [[nodiscard]] HWY_INLINE V32 from(int32_t right_px, int32_t down_px) const {
+    const double first = start_ + right_px * right_ + down_px * down_;
+    return hn::Combine(D32(), floors(first + kRows * right_), floors(first));
+  }
+
+ private:
+  struct Unchecked {
+    static HWY_INLINE RowNumbers of(RowNumbers value) { return value; }
+  };
+  [[nodiscard]] HWY_INLINE Columns floors(double first) const {
+    const RowTag d;
+    const RowNumbers n = hn::MulAdd(hn::Iota(d, 0), hn::Set(d, right_), hn::Set(d, first));
+    Unchecked all;
+    return low_bits<0>(floor_quotient<0>(n, divisor_, reciprocal_, &all));
+  }
+
+  double start_, right_, down_;
+  RowNumbers divisor_, reciprocal_;
+};
+
+template <class Pixel, class OneWindow>
+HWY_NOINLINE void draw_by_quotients(const SmallTriangle& triangle, const OneWindow& window,
+                                    const selvage_image& target) {
+  const SmallSetUp& set_up = triangle.set_up;
+  const double divisor = set_up.doubled_area[triangle.i];
+  const ExactSmallCoordinate u(set_up.u, triangle.i, divisor), v(set_up.v, triangle.i, divisor);
+  triangle.for_each_row<Pixel>(target, [&](int32_t k, int32_t count_px, Pixel* to) HWY_ATTR {
+    if (count_px == 0) return;
+    const int32_t right_px = triangle.rows.left_px[k] - triangle.first_px;
+    const LaneVectors lanes{u.from(right_px, k), v.from(right_px, k)};
+    store_pixels(window.template texels<kTexelFraction>(lanes), count_px, to);
+  });
+}
+
+template <class Pixel, int32_t kVectors>
+HWY_INLINE void draw_small_triangle(const SmallTriangle& triangle, const Surface& surface) {
+  const int32_t s = triangle.set_up.u.origin_texel[triangle.i],
+                t = triangle.set_up.v.origin_texel[triangle.i];
+  const Window<Pixel, Addressed<InsideVector>, kSmallColumnBits, kVectors> window(
+      surface.texture, {{s, s}, {t, t}, kVectors});
+  const bool has_lanes = (triangle.set_up.have_lanes >> triangle.i & 1) != 0;
+  if (HWY_LIKELY(has_lanes && !draw_by_lanes<Pixel>(triangle, window, surface.target))) return;
+  draw_by_quotients<Pixel>(triangle, window, surface.target);
+}
+
+template <class Pixel>
+HWY_INLINE void draw_small_as(const SmallTriangles& triangles, const Surface& surface) {
+  for (size_t first = 0; first < triangles.count(); first += kRows) {
+    const SmallSetUp set_up(triangles, first, surface.texture);
+    const size_t end = HWY_MIN(first + kRows, triangles.count());
+    for (size_t index = first; index < end; ++index) {
+      const size_t i = index - first;
+      const int32_t first_px = triangles.left_px()[index];
+      const SmallRows rows(set_up, i, first_px, triangles.right_px()[index]);
+      const SmallTriangle triangle{
+          set_up, i, rows, first_px, triangles.first_row()[index], triangles.end_row()[index]};
+      if ((set_up.are_tall >> i & 1) != 0) {
+        draw_small_triangle<Pixel, kMoreVectors>(triangle, surface);
+      } else {
+        draw_small_triangle<Pixel, kFewVectors>(triangle, surface);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void draw_small(const SmallTriangles& triangles, const Surface& surface) {
+  with_pixel(surface.target.format,
+             [&](auto pixel) HWY_ATTR { draw_small_as<decltype(pixel)>(triangles, surface); });
+}
+
+#endif
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
