@@ -123,6 +123,16 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
           use};
 }
 
+[[nodiscard]] Proof plane_quotient(const std::string& use, int shift) {
+  return {"plane_quotient",
+          {{"SHIFT", number(shift)},
+           {"AREA_BITS", number(kPlaneAreaBits)},
+           {"ROUND_TO_WHOLE", number(kRoundToWhole)},
+           {"MOST", number(2 * kMostRounded_fx32), "0x1.1p51"},
+           {"ERROR", number(kRoundedError_fx32), "0.74"}},
+          use};
+}
+
 [[nodiscard]] std::vector<Proof> mapper_proofs() {
   const Constant lane_fraction{"LANE_FRACTION", number(kLaneFraction)};
   const Constant denominator_bits{"DENOMINATOR_BITS", number(kDenominatorBits)};
@@ -207,12 +217,9 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
         {"POSITION_BITS", number(kPositionBits + 1)},
         {"MOST", number(kMostPlaneEstimate_fx32), "0x1p53"},
         {"ERROR", number(kPlaneEstimateError_fx32), "4.9"}}},
-      {"plane_quotient",
-       {{"SHIFT", number(kPlaneStepShift)},
-        {"AREA_BITS", number(kPlaneAreaBits)},
-        {"ROUND_TO_WHOLE", number(kRoundToWhole)},
-        {"MOST", number(2 * kMostRounded_fx32), "0x1.1p51"},
-        {"ERROR", number(kRoundedError_fx32), "0.74"}}},
+      plane_quotient("", kPlaneStepShift),
+      plane_quotient("_of_start", kPlaneStartShift),
+      plane_quotient("_unscaled", 0),
       projective_plane("", 0, kPlaneRoundings, kPlaneErrorPerReach_fx32, "0.29"),
       projective_plane("_of_slab", 0x1p-53, kSlabRoundings, kSlabErrorPerReach_fx32, "0.35"),
       {"edge_quotient",

@@ -23,7 +23,7 @@ struct BorderDrawing {
 
 // About one of the texture's four corners, at most a texel a pixel in most.
 [[nodiscard]] BorderDrawing about_a_corner(uint64_t seed, int32_t side_px) {
-  static constexpr int32_t kSizes[] = {1, 2, 3, 8, 15, 16, 17, 18, 31, 40};
+  static constexpr int32_t kSizes[] = {1, 2, 3, 4, 5, 7, 8, 11, 12, 15, 16, 17, 18, 31, 40};
   static constexpr int32_t kSlopes_fx16[] = {65536, 32768, 65535, 21845, 4000, 0, 90000};
   spec::Random random(seed);
   BorderDrawing d;

@@ -2,7 +2,7 @@
 # Columns of the vector kernels: a product with a rounded reciprocal, rounded. h is n + 1/2, D the
 # divisor of an edge; both n and D are integers, and n / D is at most 2^COLUMN_BITS.
 # Claim: the product is off by less than half of the reciprocal of the greatest divisor.
-# Used: src/mapper/vector/row_kernel-inl.h.
+# Used: src/mapper/vector/edge_lines-inl.h.
 # By hand: h / D is at least 1 / (2 D) from each whole number, so its floor is that of n / D, and
 # so is the floor of what is off by less.
 

@@ -1,8 +1,9 @@
 #@ -Eprecision=200 -Eno-auto-dichotomy
-# find_lanes of the vector kernels: a quotient 2^SHIFT n / D in double, the reciprocal rounded, then
-# the product and a sum that makes it whole rounded together. n and D are integers; unit 2^-32 texel.
+# floor_quotient of the vector kernels: a quotient 2^SHIFT n / D in double, the reciprocal rounded,
+# then the product and a sum that makes it whole rounded together. n and D are integers; unit 2^-32
+# texel where the shift says so.
 # Claim: it is off by at most ERROR where it is at most MOST.
-# Used: src/mapper/vector/plane_kernel-inl.h: the remainder's sign makes the floor of it.
+# Used: src/mapper/vector/plane_quotient-inl.h: the remainder's sign makes the floor of it.
 # By hand: scaling by a power of two does not round. What the code finds below half of MOST is below
 # MOST. The remainder is a whole multiple of 2^-SHIFT, below D, so that a fused product and
 # subtraction do not round it. Between ERROR below the quotient and as much above it, 1 apart, the

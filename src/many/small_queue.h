@@ -17,7 +17,7 @@ class SmallQueue {
   [[nodiscard]] bool takes(const mapper::Polygon& polygon, const selvage_texture& texture) const {
     return takes_any_ && mapper::SmallTriangles::take(polygon, texture, kernels_->small);
   }
-  // Of a polygon that it takes, to which it refers. Draws those that wait where they are enough.
+  // Of a polygon that it takes, to which it refers. Draws those that wait where there is no room.
   void add(const mapper::Polygon& polygon, const selvage_rect& visible,
            const mapper::Surface& surface) {
     const selvage_rect part = mapper::part_of(polygon, visible);

@@ -28,8 +28,7 @@ class SmallTriangles {
 
   // Whether any of a texture are taken.
   [[nodiscard]] static bool take_from(const selvage_texture& texture, const SmallLimits& limits) {
-    return limits.most_px > 0 && texture.layout == SELVAGE_LAYOUT_ROWS &&
-           texture.width >= limits.most_columns_texel && texture.height >= limits.most_rows_texel;
+    return limits.most_px > 0 && texture.layout == SELVAGE_LAYOUT_ROWS;
   }
   // Of such a texture. Its texels lie in it.
   [[nodiscard]] static bool take(const Polygon& polygon, const selvage_texture& texture,
@@ -69,7 +68,7 @@ class SmallTriangles {
  private:
   size_t count_ = 0;
   std::array<const Polygon*, kMost> polygons_;
-  std::array<int32_t, kMost> left_px_, right_px_, first_row_, end_row_;
+  std::array<int32_t, kMost> left_px_{}, right_px_{}, first_row_{}, end_row_{};
 };
 
 }  // namespace selvage::mapper

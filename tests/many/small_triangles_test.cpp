@@ -3,17 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <utility>
 #include <vector>
 
-#include "mapper/kernel_choice.h"
+#include "mapper/image.h"
 #include "mapper/polygon.h"
 #include "mapper/small_triangles.h"
 #include "spec/random.h"
 #include "spec/vertex_units.h"
 #include "tests/any_surfaces.h"
+#include "tests/fenced_bytes.h"
 #include "tests/kernel_support.h"
 
 namespace selvage::many {
@@ -24,64 +26,56 @@ using mapper::SmallTriangles;
 using spec::kPixel_fx8;
 using spec::kTexel_fx16;
 
-using Triangle = std::array<selvage_vertex, 3>;
+using Outline = spec::Vertices;
 
-[[nodiscard]] bool is_drawable(const Triangle& triangle) {
+[[nodiscard]] bool is_drawable(const Outline& outline) {
   mapper::Polygon polygon;
-  return mapper::examine(triangle, &polygon) == SELVAGE_OK;
+  return mapper::examine(outline, &polygon) == SELVAGE_OK;
 }
 
-// Of cases that differ in their vertices alone.
-class Drawing {
- public:
-  explicit Drawing(const spec::Case& c)
-      : texture_(mapper::texture_of(c)), target_(mapper::target_of(c)), case_(c) {}
+[[nodiscard]] const selvage_rect* clip_of(const spec::Case& c) {
+  return c.has_clip ? &c.clip : nullptr;
+}
+[[nodiscard]] selvage_options options_of(const spec::Case& c, selvage_kernel kernel) {
+  return {c.profile, c.filter, c.address, 0, kernel};
+}
 
-  void draw_each(const std::vector<Triangle>& triangles) {
-    const selvage_options options = options_of(SELVAGE_KERNEL_SCALAR);
-    const selvage_image image = target_.image();
-    for (const Triangle& triangle : triangles) {
-      EXPECT_EQ(selvage_draw(&image, clip(), triangle.data(), triangle.size(), &texture_.view(),
-                             &options),
-                SELVAGE_OK);
-    }
-  }
-  void draw_together(const std::vector<Triangle>& triangles, selvage_kernel kernel,
-                     int32_t threads) {
-    const selvage_options options = options_of(kernel);
-    const selvage_image image = target_.image();
-    std::vector<selvage_polygon> polygons;
-    for (const Triangle& triangle : triangles) {
-      polygons.push_back({triangle.data(), triangle.size(), &texture_.view()});
-    }
-    const size_t bytes = selvage_draw_many_bytes(polygons.size());
-    std::vector<std::max_align_t> scratch(bytes / sizeof(std::max_align_t) + 1);
-    EXPECT_EQ(selvage_draw_many(&image, clip(), polygons.data(), polygons.size(), &options, threads,
-                                scratch.data(), bytes, nullptr),
+// As a case says, but of these outlines.
+[[nodiscard]] spec::Canvas draw_each(const spec::Case& c, const selvage_texture& texture,
+                                     const std::vector<Outline>& outlines) {
+  spec::Canvas target = mapper::target_of(c);
+  const selvage_image image = target.image();
+  const selvage_options options = options_of(c, SELVAGE_KERNEL_SCALAR);
+  for (const Outline& outline : outlines) {
+    EXPECT_EQ(selvage_draw(&image, clip_of(c), outline.data(), outline.size(), &texture, &options),
               SELVAGE_OK);
   }
-  [[nodiscard]] const spec::Canvas& target() const { return target_; }
-
- private:
-  [[nodiscard]] const selvage_rect* clip() const { return case_.has_clip ? &case_.clip : nullptr; }
-  [[nodiscard]] selvage_options options_of(selvage_kernel kernel) const {
-    return {case_.profile, case_.filter, case_.address, 0, kernel};
+  return target;
+}
+[[nodiscard]] spec::Canvas draw_together(const spec::Case& c, const selvage_texture& texture,
+                                         const std::vector<Outline>& outlines,
+                                         selvage_kernel kernel, int32_t threads) {
+  spec::Canvas target = mapper::target_of(c);
+  const selvage_image image = target.image();
+  const selvage_options options = options_of(c, kernel);
+  std::vector<selvage_polygon> polygons;
+  for (const Outline& outline : outlines) {
+    polygons.push_back({outline.data(), outline.size(), &texture});
   }
+  const size_t bytes = selvage_draw_many_bytes(polygons.size());
+  std::vector<std::max_align_t> scratch(bytes / sizeof(std::max_align_t) + 1);
+  EXPECT_EQ(selvage_draw_many(&image, clip_of(c), polygons.data(), polygons.size(), &options,
+                              threads, scratch.data(), bytes, nullptr),
+            SELVAGE_OK);
+  return target;
+}
 
-  spec::TextureMemory texture_;
-  spec::Canvas target_;
-  spec::Case case_;
-};
-
-void expect_drawn_alike(const spec::Case& c, const std::vector<Triangle>& triangles,
-                        uint64_t seed) {
-  Drawing one_by_one(c);
-  one_by_one.draw_each(triangles);
+void expect_drawn_alike(const spec::Case& c, const std::vector<Outline>& outlines, uint64_t seed) {
+  const spec::TextureMemory texture = mapper::texture_of(c);
+  const spec::Canvas one_by_one = draw_each(c, texture.view(), outlines);
   for (const selvage_kernel kernel : mapper::usable_kernels()) {
     for (const int32_t threads : {1, 3}) {
-      Drawing together(c);
-      together.draw_together(triangles, kernel, threads);
-      ASSERT_TRUE(together.target() == one_by_one.target())
+      ASSERT_TRUE(draw_together(c, texture.view(), outlines, kernel, threads) == one_by_one)
           << "kernel " << kernel << ", " << threads << " threads, seed " << seed << "\n"
           << spec::print(c);
     }
@@ -95,8 +89,8 @@ void expect_drawn_alike(const spec::Case& c, const std::vector<Triangle>& triang
   }
   c.target_width_px = random.in(1, 60);
   c.target_height_px = random.in(1, 60);
-  c.texture_width_texel = random.pick({1, 7, 8, 9, 16, 33});
-  c.texture_height_texel = random.pick({1, 4, 7, 8, 9, 33});
+  c.texture_width_texel = random.pick({1, 7, 8, 9, 15, 16, 17, 33, 100});
+  c.texture_height_texel = random.pick({1, 3, 4, 7, 8, 9, 11, 12, 13, 33, 100});
   c.padding_px = random.in(0, 4);
   c.has_clip = random.percent(30);
   const int32_t left = random.in(-5, 50), top = random.in(-5, 50);
@@ -104,28 +98,48 @@ void expect_drawn_alike(const spec::Case& c, const std::vector<Triangle>& triang
   return c;
 }
 
-// About a pixel's centre, the only point of the grid in it: so thin that u and v may run by more
-// than lanes can tell.
-[[nodiscard]] Triangle any_needle(spec::Random& random, const spec::Case& c) {
+// b with a b = 1 modulo m, or 0 where there is none: Euclid's algorithm.
+[[nodiscard]] int64_t inverse(int64_t a, int64_t m) {
+  int64_t rest = m, other = a % m, factor = 0, other_factor = 1;
+  while (other != 0) {
+    const int64_t quotient = rest / other;
+    std::swap(rest -= quotient * other, other);
+    std::swap(factor -= quotient * other_factor, other_factor);
+  }
+  return rest == 1 ? (factor + m) % m : 0;
+}
+
+// Of hardly an area, so thin that u and v may run by more than lanes can tell: about a pixel's
+// centre, the only point of the grid in it, or with one for a corner.
+[[nodiscard]] Outline any_needle(spec::Random& random, const spec::Case& c) {
   const int32_t x = random.in(0, c.target_width_px) * kPixel_fx8 + kPixel_fx8 / 2,
                 y = random.in(0, c.target_height_px) * kPixel_fx8 + kPixel_fx8 / 2;
   const int32_t along = random.in(1, 8 * kPixel_fx8 - 2);
   const int32_t right = random.pick({1, -1}), down = random.pick({1, -1});
-  Triangle triangle{{{-along, 1 - along, 0, 0, 1}, {-1, -1, 0, 0, 1}, {along + 1, along, 0, 0, 1}}};
-  for (selvage_vertex& vertex : triangle) {
+  Outline needle{{-along, 1 - along, 0, 0, 1}, {-1, -1, 0, 0, 1}, {along + 1, along, 0, 0, 1}};
+  const int32_t across = random.in(1, 8 * kPixel_fx8 - 2);
+  const int64_t back = inverse(across, along);
+  if (back != 0 && random.percent(50)) {
+    const int64_t doubled_area = random.in(1, random.pick({4, 8, 8, 30}));
+    const int64_t dy = doubled_area * back % along, dx = (across * dy - doubled_area) / along;
+    needle = {{0, 0, 0, 0, 1},
+              {across, along, 0, 0, 1},
+              {static_cast<int32_t>(dx) - across, static_cast<int32_t>(dy) - along, 0, 0, 1}};
+  }
+  for (selvage_vertex& vertex : needle) {
     vertex.x = x + right * vertex.x;
     vertex.y = y + down * vertex.y;
   }
-  return triangle;
+  return needle;
 }
 
 // Up to the greatest that may be small, and a little beyond; on pixels' centres or anywhere.
-[[nodiscard]] Triangle any_outline(spec::Random& random, const spec::Case& c) {
+[[nodiscard]] Outline any_outline(spec::Random& random, const spec::Case& c) {
   const int32_t most_px = random.pick({1, 3, 8, 16, 17});
-  const int32_t x = random.in(-4, c.target_width_px) * kPixel_fx8,
-                y = random.in(-4, c.target_height_px) * kPixel_fx8;
+  const int32_t x = random.in(-4, c.target_width_px) * kPixel_fx8 + random.pick({0, 128}),
+                y = random.in(-4, c.target_height_px) * kPixel_fx8 + random.pick({0, 128});
   const int32_t grid_fx8 = random.pick({1, 1, kPixel_fx8 / 2, kPixel_fx8});
-  Triangle triangle;
+  Outline triangle(3);
   for (selvage_vertex& vertex : triangle) {
     const auto near = [&](int32_t from_fx8) {
       const int32_t by_fx8 = random.in(0, most_px * kPixel_fx8 + 1);
@@ -143,123 +157,243 @@ void expect_drawn_alike(const spec::Case& c, const std::vector<Triangle>& triang
 }
 
 // A coordinate anywhere in some texels of the texture or beside it; or what hardly leaves the
-// beginning of a texel, so that many pixels are near-ties; or the pixels' own, scaled.
+// beginning of a texel, so that many pixels are near-ties; or the pixels' own, scaled; or one that
+// is the beginning of a texel along an edge, and nowhere less.
 void set_texels(spec::Random& random, int32_t size_texel, int32_t selvage_vertex::*place,
-                int32_t selvage_vertex::*texel, Triangle* triangle) {
-  const int32_t most_texel = random.pick({1, 2, 4, 5, 8, 9, 20});
+                int32_t selvage_vertex::*texel, Outline* outline) {
+  const int32_t most_texel = random.pick({1, 2, 4, 5, 8, 9, 12, 16, 20, 64, 70});
   const int32_t first = random.percent(80) ? random.in(0, std::max(1, size_texel - most_texel + 1))
                                            : random.in(-3, size_texel + 3);
   const int32_t from_fx16 = first * kTexel_fx16;
-  const int32_t kind = random.in(0, 4), per_px = random.in(-128, 129);
+  const int32_t kind = random.in(0, 5), steepest = random.pick({128, 512, 2000});
+  const int32_t per_px = random.in(-steepest, steepest + 1);
   const int32_t divisor = random.pick({1, 3, 5, 7});
-  for (selvage_vertex& vertex : *triangle) {
+  const size_t raised = random.below(outline->size());
+  const int32_t first_fx8 = outline->front().*place;
+  for (size_t i = 0; i < outline->size(); ++i) {
+    selvage_vertex& vertex = (*outline)[i];
     int32_t& value = vertex.*texel;
-    if (kind == 0) value = from_fx16 + random.in(0, most_texel * kTexel_fx16);
-    if (kind == 1) value = from_fx16 + kTexel_fx16 - random.in(0, 3);
-    if (kind == 2) value = from_fx16 + random.in(0, most_texel) * kTexel_fx16;
-    if (kind == 3) value = from_fx16 + (vertex.*place - (*triangle)[0].*place) * per_px / divisor;
+    value = from_fx16;
+    if (kind == 0) value += random.in(0, most_texel * kTexel_fx16);
+    if (kind == 1) value += kTexel_fx16 - random.in(0, 3);
+    if (kind == 2) value += random.in(0, most_texel) * kTexel_fx16;
+    if (kind == 3) value += (vertex.*place - first_fx8) * per_px / divisor;
+    if (kind == 4 && i == raised) {
+      value += random.in(0, std::min(most_texel, size_texel) * kTexel_fx16);
+    }
   }
 }
 
-[[nodiscard]] std::vector<Triangle> any_triangles(spec::Random& random, const spec::Case& c) {
-  std::vector<Triangle> triangles(static_cast<size_t>(random.in(1, 40)));
-  for (Triangle& triangle : triangles) {
+// A parallelogram of a triangle, so that both lie in one plane.
+void add_fourth(Outline* outline) {
+  const selvage_vertex &a = (*outline)[0], &b = (*outline)[1], &c = (*outline)[2];
+  outline->push_back({a.x - b.x + c.x, a.y - b.y + c.y, a.u - b.u + c.u, a.v - b.v + c.v, 1});
+}
+
+[[nodiscard]] std::vector<Outline> any_outlines(spec::Random& random, const spec::Case& c) {
+  std::vector<Outline> outlines(static_cast<size_t>(random.in(1, 40)));
+  for (Outline& outline : outlines) {
     do {
-      triangle = random.percent(5) ? any_needle(random, c) : any_outline(random, c);
-      set_texels(random, c.texture_width_texel, &selvage_vertex::x, &selvage_vertex::u, &triangle);
-      set_texels(random, c.texture_height_texel, &selvage_vertex::y, &selvage_vertex::v, &triangle);
-    } while (!is_drawable(triangle));
+      outline = random.percent(15) ? any_needle(random, c) : any_outline(random, c);
+      set_texels(random, c.texture_width_texel, &selvage_vertex::x, &selvage_vertex::u, &outline);
+      set_texels(random, c.texture_height_texel, &selvage_vertex::y, &selvage_vertex::v, &outline);
+      if (random.percent(10)) add_fourth(&outline);
+    } while (!is_drawable(outline));
     const int32_t q = random.pick({1, 1, 1000});
-    for (selvage_vertex& vertex : triangle) vertex.q = q;
-    if (random.percent(5)) triangle[1].q = 7;
+    for (selvage_vertex& vertex : outline) vertex.q = q;
+    if (random.percent(5)) outline[1].q = 7;
   }
-  return triangles;
+  return outlines;
 }
 
 // A block of seeds.
 class SmallTrianglesOf : public testing::TestWithParam<uint64_t> {
  protected:
-  static constexpr uint64_t kSeeds = 2000;
+  static constexpr uint64_t kSeeds = 8000;
 };
 
 TEST_P(SmallTrianglesOf, EveryKernelDrawsAsTheScalarOneDoes) {
   for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
     spec::Random random(seed);
     const spec::Case c = any_case(random);
-    ASSERT_NO_FATAL_FAILURE(expect_drawn_alike(c, any_triangles(random, c), seed));
+    ASSERT_NO_FATAL_FAILURE(expect_drawn_alike(c, any_outlines(random, c), seed));
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(Block, SmallTrianglesOf, testing::Range(uint64_t{0}, uint64_t{5}));
 
-// What is taken: by limits of 16 px and 8 x 4 texels from a texture of 20 x 10.
-class Taken : public testing::Test {
- protected:
-  static constexpr SmallLimits kLimits{16, 8, 4};
+// How much of each vertex a point of a triangle has, times the doubled area: all of them positive
+// inside.
+struct Weights {
+  int64_t of[3];
 
-  [[nodiscard]] static bool takes(const Triangle& triangle) {
-    static constexpr uint8_t kTexels[200] = {};
-    const selvage_texture texture{kTexels, 20, 10, 20, SELVAGE_INDEX8, SELVAGE_LAYOUT_ROWS,
-                                  nullptr};
-    mapper::Polygon polygon;
-    EXPECT_EQ(mapper::examine(triangle, &polygon), SELVAGE_OK);
-    return SmallTriangles::take(polygon, texture, kLimits);
-  }
-  // All limits are met by less than a unit.
-  static constexpr Triangle kLargest{{{-127, -127, 12 << 16, 6 << 16, 1},
-                                      {128 + 16 * 256, 300, (20 << 16) - 1, 6 << 16, 1},
-                                      {400, 128 + 16 * 256, 13 << 16, (10 << 16) - 1, 1}}};
+  [[nodiscard]] int64_t sum() const { return of[0] + of[1] + of[2]; }
+  [[nodiscard]] bool are_inside() const { return of[0] > 0 && of[1] > 0 && of[2] > 0; }
 };
 
-TEST_F(Taken, IsWhatMeetsTheLimits) {
-  EXPECT_TRUE(takes(kLargest));
-  Triangle other = kLargest;
-  for (selvage_vertex& vertex : other) vertex.q = 5;
-  EXPECT_TRUE(takes(other));
+[[nodiscard]] Weights weights_at(const Outline& triangle, int32_t x_fx8, int32_t y_fx8) {
+  const auto doubled_area = [&](size_t from, size_t to) {
+    const int64_t ax = triangle[from].x - x_fx8, ay = triangle[from].y - y_fx8;
+    const int64_t bx = triangle[to].x - x_fx8, by = triangle[to].y - y_fx8;
+    return ax * by - ay * bx;
+  };
+  Weights weights{{doubled_area(1, 2), doubled_area(2, 0), doubled_area(0, 1)}};
+  if (weights.sum() < 0) {
+    for (int64_t& weight : weights.of) weight = -weight;
+  }
+  return weights;
 }
 
-TEST_F(Taken, IsNotWhatExceedsOne) {
-  const auto expect_left = [](size_t vertex, int32_t selvage_vertex::*of, int32_t by) {
-    Triangle other = kLargest;
-    other[vertex].*of += by;
-    EXPECT_FALSE(takes(other)) << "vertex " << vertex << " by " << by;
-  };
-  expect_left(0, &selvage_vertex::x, -1);
-  expect_left(1, &selvage_vertex::x, 1);
-  expect_left(0, &selvage_vertex::y, -1);
-  expect_left(2, &selvage_vertex::y, 1);
-  expect_left(0, &selvage_vertex::u, -1);
-  expect_left(1, &selvage_vertex::u, 1);
-  expect_left(0, &selvage_vertex::v, -1);
-  expect_left(2, &selvage_vertex::v, 1);
-  expect_left(1, &selvage_vertex::q, 1);
+// Of the pixels inside some triangle of most of 16 x 16 of them: the first, the last, or another.
+struct CoveredPixel {
+  Outline triangle;
+  Weights weights;
+};
+[[nodiscard]] CoveredPixel any_covered_pixel(spec::Random& random) {
+  const auto end = [&](bool far) { return (far ? 16 * kPixel_fx8 : 0) + random.in(-140, 141); };
+  for (;;) {
+    const size_t without = random.below(4);
+    Outline triangle;
+    for (size_t corner = 0; corner < 4; ++corner) {
+      if (corner == without) continue;
+      const int32_t x = end(corner == 1 || corner == 2), y = end(corner >= 2);
+      triangle.push_back({x, y, 0, 0, 1});
+    }
+    std::vector<Weights> inside;
+    for (int32_t row = 0; row < 16; ++row) {
+      for (int32_t px = 0; px < 16; ++px) {
+        const Weights weights = weights_at(triangle, px * kPixel_fx8 + 128, row * kPixel_fx8 + 128);
+        if (weights.are_inside()) inside.push_back(weights);
+      }
+    }
+    if (inside.empty()) continue;
+    const size_t any = random.below(inside.size());
+    return {triangle, inside[random.pick({size_t{0}, inside.size() - 1, any})]};
+  }
 }
 
-TEST_F(Taken, LiesInTheTexture) {
-  const auto moved = [](int32_t selvage_vertex::*of, int32_t by) {
-    Triangle triangle = kLargest;
-    for (selvage_vertex& vertex : triangle) vertex.*of += by;
-    return triangle;
-  };
-  EXPECT_TRUE(takes(moved(&selvage_vertex::u, -(12 << 16))));
-  EXPECT_FALSE(takes(moved(&selvage_vertex::u, -(13 << 16))));
-  EXPECT_FALSE(takes(moved(&selvage_vertex::u, 1 << 16)));
-  EXPECT_TRUE(takes(moved(&selvage_vertex::v, -(6 << 16))));
-  EXPECT_FALSE(takes(moved(&selvage_vertex::v, -(7 << 16))));
-  EXPECT_FALSE(takes(moved(&selvage_vertex::v, 1 << 16)));
+// Values at the vertices, within some texels, that are a whole texel at the pixel, but for so many
+// units of 1 / (65536 D) texel, D being the doubled area. False where chance found none.
+[[nodiscard]] bool set_near_whole(spec::Random& random, const Weights& weights, int64_t off,
+                                  int32_t most_texel, int32_t selvage_vertex::*texel,
+                                  Outline* triangle) {
+  const int64_t area = weights.sum(), back = inverse(weights.of[0] % area, area);
+  const int64_t most_fx16 = int64_t{most_texel} * kTexel_fx16;
+  for (int tries = 0; back != 0 && tries < 2000; ++tries) {
+    const int64_t b = random.in(0, most_fx16), c = random.in(0, most_fx16);
+    const int64_t others = weights.of[1] * b + weights.of[2] * c - off;
+    // weight a = -others, modulo the area
+    const int64_t missing = ((-others) % area + area) % area;
+    const int64_t a = missing * back % area;
+    if (a >= most_fx16) continue;
+    const int64_t value_fx16 = (weights.of[0] * a + others) / area;
+    const auto raise = static_cast<int32_t>(-value_fx16 & (kTexel_fx16 - 1));
+    (*triangle)[0].*texel = static_cast<int32_t>(a) + raise;
+    (*triangle)[1].*texel = static_cast<int32_t>(b) + raise;
+    (*triangle)[2].*texel = static_cast<int32_t>(c) + raise;
+    return true;
+  }
+  return false;
 }
 
-TEST_F(Taken, IsFromTexturesOfRowsThatHoldAWindow) {
-  const auto from = [](int32_t width, int32_t height, selvage_layout layout) {
-    return SmallTriangles::take_from(
-        {nullptr, width, height, width, SELVAGE_INDEX8, layout, nullptr}, kLimits);
-  };
-  EXPECT_TRUE(from(8, 4, SELVAGE_LAYOUT_ROWS));
-  EXPECT_FALSE(from(7, 4, SELVAGE_LAYOUT_ROWS));
-  EXPECT_FALSE(from(8, 3, SELVAGE_LAYOUT_ROWS));
-  EXPECT_FALSE(from(8, 8, SELVAGE_LAYOUT_TILES));
-  EXPECT_FALSE(SmallTriangles::take_from(
-      {nullptr, 8, 8, 8, SELVAGE_INDEX8, SELVAGE_LAYOUT_ROWS, nullptr}, SmallLimits{}));
+// At one pixel u or v is whole, or hardly more, or hardly less: as near as a lane may lie to it.
+TEST_P(SmallTrianglesOf, AreExactNextToWholeTexels) {
+  int drawn = 0;
+  for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
+    spec::Random random(seed);
+    auto [triangle, weights] = any_covered_pixel(random);
+    for (selvage_vertex& vertex : triangle) {
+      const int32_t u = random.in(0, 4 * kTexel_fx16), v = random.in(0, 4 * kTexel_fx16);
+      vertex.u = u;
+      vertex.v = v;
+    }
+    const int64_t area = weights.sum();
+    // Lanes lack up to 35 / 256 of a unit of u and v, and are no more than floors.
+    const int64_t off =
+        random.percent(50) ? random.in(0, 40 * area / 256) : -int64_t{random.in(0, 300)};
+    const auto texel = random.pick({&selvage_vertex::u, &selvage_vertex::v});
+    const int32_t most_texel = random.pick({7, 14, 60});
+    if (!set_near_whole(random, weights, off, most_texel, texel, &triangle)) continue;
+    spec::Case c = mapper::any_surfaces(random);
+    c.target_width_px = c.target_height_px = 17;
+    c.texture_width_texel = c.texture_height_texel = most_texel + 1;
+    ++drawn;
+    ASSERT_NO_FATAL_FAILURE(expect_drawn_alike(c, {triangle}, seed));
+  }
+  EXPECT_GT(drawn, static_cast<int>(kSeeds / 4));
+}
+
+// Found by search: lanes that lack as much as any do at a pixel where u or v is hardly more than
+// whole, and the exact values of the first pixel hardly less.
+TEST(SmallTriangles, AreExactWhereLanesLackMost) {
+  const std::vector<Outline> triangles = {
+      {{4135, 4143, 225403, 185313, 1}, {4131, 36, 405398, 26674, 1}, {108, 4134, 9480, 189801, 1}},
+      {{4122, 4015, 184408, 131171, 1},
+       {3985, -18, 160973, 224116, 1},
+       {34, 4157, 520201, 151711, 1}},
+      {{4123, 4158, 456557, 201086, 1},
+       {4113, 73, 479954, 359833, 1},
+       {121, 4051, 485830, 258811, 1}},
+      {{4214, 22, 449806, 55269, 1}, {4211, 4071, 330751, 364123, 1}, {33, 4057, 226323, 10945, 1}},
+      {{46, 5, 284238, 402047, 1}, {-97, 4040, 498404, 299485, 1}, {3975, -75, 142465, 144732, 1}},
+      {{-54, 4221, 335954, 524135, 1},
+       {-44, 15, 514864, 47076, 1},
+       {4056, -123, 302563, 165720, 1}}};
+  spec::Case c;
+  c.format = SELVAGE_INDEX8;
+  c.target_width_px = c.target_height_px = 32;
+  c.texture_width_texel = c.texture_height_texel = 8;
+  for (const Outline& triangle : triangles) {
+    ASSERT_NO_FATAL_FAILURE(expect_drawn_alike(c, {triangle}, /*seed=*/0));
+  }
+}
+
+// Found by search, too: needles of which the start alone, or a step alone, is more than lanes tell.
+TEST(SmallTriangles, AreExactWhereOneNumberIsBeyondLanes) {
+  const std::vector<Outline> needles = {{{10368, 8064, 8004354, 111186, 1},
+                                         {9935, 8289, 7973865, 111185, 1},
+                                         {13501, 6436, 8107703, 111185, 1}},
+                                        {{1152, 3968, 196606, 8006116, 1},
+                                         {219, 4722, 262144, 8006115, 1},
+                                         {1496, 3690, 262141, 8006114, 1}},
+                                        {{7296, 4992, 1768252, 296520, 1},
+                                         {6975, 4087, 1928731, 296518, 1},
+                                         {8187, 7504, 1867101, 296518, 1}},
+                                        {{9059, 3097, 196605, 2587648, 1},
+                                         {9808, 6075, 131069, 3541760, 1},
+                                         {9600, 5248, 196606, 3276800, 1}}};
+  spec::Case c;
+  c.target_width_px = c.target_height_px = 60;
+  c.texture_width_texel = c.texture_height_texel = 130;
+  for (const Outline& needle : needles) {
+    ASSERT_NO_FATAL_FAILURE(expect_drawn_alike(c, {needle}, /*seed=*/0));
+  }
+}
+
+// Its first byte lies behind a page that may not be read, or its last byte before one.
+TEST(SmallTriangles, ReadNoTexelBesideTheTexture) {
+  for (uint64_t seed = 1; seed <= 4000; ++seed) {
+    SCOPED_TRACE(seed);
+    spec::Random random(seed);
+    const spec::Case c = any_case(random);
+    const std::vector<Outline> outlines = any_outlines(random, c);
+    const ptrdiff_t pitch = c.texture_width_texel * ptrdiff_t{mapper::bytes_per_pixel(c.format)};
+    const auto bytes = static_cast<size_t>(pitch * c.texture_height_texel);
+    const FencedBytes texels(bytes,
+                             random.pick({FencedBytes::Side::kFirst, FencedBytes::Side::kLast}));
+    std::memset(texels.first(), 0x3C, bytes);
+    const ptrdiff_t last_row = c.flip_texture ? pitch * (c.texture_height_texel - 1) : 0;
+    const selvage_texture texture{texels.first() + last_row,
+                                  c.texture_width_texel,
+                                  c.texture_height_texel,
+                                  c.flip_texture ? -pitch : pitch,
+                                  c.format,
+                                  SELVAGE_LAYOUT_ROWS,
+                                  nullptr};
+    for (const selvage_kernel kernel : mapper::usable_kernels()) {
+      static_cast<void>(draw_together(c, texture, outlines, kernel, 1));
+    }
+  }
 }
 
 }  // namespace

@@ -44,15 +44,15 @@ inline constexpr int32_t kVectorTruncations_fx24 = kVectorTruncations_fx16;
   return kVectorTruncations_fx24 + steps + static_cast<int32_t>(margin_fx32 >> kWindowShift) + 1;
 }
 
-// Small triangles of AVX-512. Their changes in x and y, those in u and v, and what products of them
-// are times the way from a vertex to a pixel, are exact in double.
-inline constexpr SmallLimits kSmall = {kMostLanes, 8, 8};
-inline constexpr int kSmallPlaceBits = 13, kSmallTexelBits = kTexelFraction + 3;
+// Small triangles of AVX-512. In double, all sums and products of their whole numbers are exact:
+// those of changes in x, y, u and v from vertex to vertex, and of these by the way from a vertex to
+// a pixel, or to a lane of its vector that is none.
+inline constexpr SmallLimits kSmall = {kMostLanes, 64, 64};
+inline constexpr int kSmallPlaceBits = 13, kSmallTexelBits = kTexelFraction + 6;
 static_assert((kSmall.most_px + 1) << kSubpixelBits <= 1 << kSmallPlaceBits &&
               kSmall.most_columns_texel << kTexelFraction <= 1 << kSmallTexelBits &&
               kSmall.most_rows_texel << kTexelFraction <= 1 << kSmallTexelBits);
-static_assert(2 * (kSmallPlaceBits + 1) + kSmallTexelBits + 2 < 53,
-              "a vector beside the part, too");
+static_assert(2 * (kSmallPlaceBits + 1) + kSmallTexelBits + 2 < 53);
 
 // Their lanes walk right and down from the first pixel.
 inline constexpr int32_t kSmallLack_fx24 = fine_lack_fx24(

@@ -14,8 +14,8 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// floor(2^shift n / d), where that is below kMostRounded_fx32, which most->of() is told it for:
-// spec/proofs/plane_quotient.g.
+// floor(2^shift n / d), where its magnitude is below kMostRounded_fx32, which whoever calls asks
+// `most` that it was told to: spec/proofs/plane_quotient.g.
 template <int kShift, class Numbers, class AnyMost>
 [[nodiscard]] HWY_INLINE auto floor_quotient(Numbers n, Numbers d, Numbers reciprocal,
                                              AnyMost* most) {

@@ -14,10 +14,10 @@
 #include <cstddef>
 
 #include "mapper/small_triangles.h"
-#include "mapper/vector/edge_lines-inl.h"
 #include "mapper/vector/kernel.h"
 #include "mapper/vector/lanes-inl.h"
 #include "mapper/vector/plane_quotient-inl.h"
+#include "mapper/vector/small_edges-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -25,127 +25,8 @@ namespace {
 
 #if HWY_TARGET == HWY_AVX3
 
-static_assert(SmallTriangles::kMost % static_cast<size_t>(kRows) == 0);
-
-// Of a vertex of each triangle.
-struct VertexColumns {
-  Columns x, y, u, v;
-};
-
-// The k-th ones of kRows triangles from an index on; of fewer, the last one's again.
-[[nodiscard]] HWY_INLINE VertexColumns vertices_of(const SmallTriangles& triangles, size_t first,
-                                                   size_t k) {
-  const ColumnTag d;
-  const hn::Repartition<int64_t, ColumnTag> pairs;
-  const auto vertex = [&](size_t i) HWY_ATTR {
-    const size_t index = HWY_MIN(first + i, triangles.count() - 1);
-    return hn::LoadU(hn::FixedTag<int32_t, 4>(), &triangles.polygon(index).vertices[k].x);
-  };
-  const auto both = [&](size_t i) HWY_ATTR { return hn::Combine(d, vertex(i + 4), vertex(i)); };
-  const Columns a = both(0), b = both(1), c = both(2), e = both(3);
-  const auto xy_ab = hn::BitCast(pairs, hn::InterleaveLower(d, a, b)),
-             xy_ce = hn::BitCast(pairs, hn::InterleaveLower(d, c, e)),
-             uv_ab = hn::BitCast(pairs, hn::InterleaveUpper(d, a, b)),
-             uv_ce = hn::BitCast(pairs, hn::InterleaveUpper(d, c, e));
-  return {hn::BitCast(d, hn::InterleaveLower(pairs, xy_ab, xy_ce)),
-          hn::BitCast(d, hn::InterleaveUpper(pairs, xy_ab, xy_ce)),
-          hn::BitCast(d, hn::InterleaveLower(pairs, uv_ab, uv_ce)),
-          hn::BitCast(d, hn::InterleaveUpper(pairs, uv_ab, uv_ce))};
-}
-
-[[nodiscard]] HWY_INLINE RowNumbers number(Columns whole) { return hn::PromoteTo(RowTag(), whole); }
-
-// Of each number the bits from some bit on, modulo 2^32.
-template <int kShift>
-[[nodiscard]] HWY_INLINE Columns low_bits(hn::Vec<hn::Rebind<int64_t, RowTag>> wide) {
-  const auto bits = hn::BitCast(hn::Rebind<uint64_t, RowTag>(), wide);
-  const auto low = hn::TruncateTo(hn::Rebind<uint32_t, RowTag>(), hn::ShiftRight<kShift>(bits));
-  return hn::BitCast(ColumnTag(), low);
-}
-
-// A bit each.
-template <class D>
-[[nodiscard]] HWY_INLINE uint32_t bits_of_rows(D d, hn::Mask<D> mask) {
-  uint8_t bits[8] = {};  // up to so many may be stored
-  hn::StoreMaskBits(d, mask, bits);
-  return bits[0];
-}
-
-// ---- Edges -------------------------------------------------------------------------------------
-
-struct Corner {
-  RowNumbers x, y;
-
-  HWY_INLINE explicit Corner(const VertexColumns& vertex)
-      : x(number(vertex.x)), y(number(vertex.y)) {}
-};
-HWY_INLINE void sort(Corner* upper, Corner* lower) {
-  const Corner a = *upper, b = *lower;
-  const auto is_turned = hn::Lt(b.y, a.y);
-  upper->x = hn::IfThenElse(is_turned, b.x, a.x);
-  lower->x = hn::IfThenElse(is_turned, a.x, b.x);
-  upper->y = hn::Min(a.y, b.y);
-  lower->y = hn::Max(a.y, b.y);
-}
-
-// LineVectors of triangles, each to be picked.
-class SmallLines {
- public:
-  // lines_between() the two, from the row of this centre on.
-  HWY_INLINE SmallLines(const Corner& top, const Corner& bottom, RowNumbers centre_y_fx8) {
-    const RowTag d;
-    const RowNumbers height = hn::Sub(bottom.y, top.y), dx = hn::Sub(bottom.x, top.x);
-    const RowNumbers right_by = hn::Add(top.x, hn::Set(d, kHalfPixel)),
-                     below_by = hn::Sub(centre_y_fx8, top.y);
-    const RowNumbers sum = hn::MulAdd(right_by, height, hn::Mul(below_by, dx));
-    hn::Store(hn::Add(sum, hn::Set(d, kUpToHalf - 1)), d, dividend_);
-    hn::Store(hn::Mul(dx, hn::Set(d, kSubpixels)), d, step_);
-    hn::Store(hn::Div(hn::Set(d, 1.0 / kSubpixels), height), d, reciprocal_);
-  }
-  [[nodiscard]] HWY_INLINE LineVectors of(size_t i) const {
-    const RowTag d;
-    return {hn::Set(d, dividend_[i]), hn::Set(d, step_[i]), hn::Set(d, reciprocal_[i])};
-  }
-
- private:
-  HWY_ALIGN double dividend_[kRows], step_[kRows], reciprocal_[kRows];
-};
-
-class SmallEdges {
- public:
-  // The corners of triangles, sorted from top to bottom.
-  HWY_INLINE SmallEdges(const Corner& top, const Corner& middle, const Corner& bottom,
-                        RowNumbers centre_y_fx8)
-      : whole_(top, bottom, centre_y_fx8),
-        upper_(top, middle, centre_y_fx8),
-        lower_(middle, bottom, centre_y_fx8) {
-    const RowTag d;
-    const RowNumbers below_fx8 = hn::Sub(middle.y, centre_y_fx8);
-    hn::Store(hn::Mul(below_fx8, hn::Set(d, 1.0 / kSubpixels)), d, corner_);
-  }
-  [[nodiscard]] HWY_INLINE TriangleLines of(size_t i) const {
-    return {whole_.of(i), upper_.of(i), lower_.of(i), hn::Set(RowTag(), corner_[i])};
-  }
-
- private:
-  SmallLines whole_, upper_, lower_;
-  HWY_ALIGN double corner_[kRows];
-};
-
-[[nodiscard]] HWY_INLINE SmallEdges edges_of(Corner a, Corner b, Corner c,
-                                             const int32_t* first_row) {
-  const RowTag d;
-  sort(&a, &b);
-  sort(&b, &c);
-  sort(&a, &b);
-  const RowNumbers row = number(hn::LoadU(ColumnTag(), first_row));
-  return {a, b, c, hn::MulAdd(row, hn::Set(d, kSubpixels), hn::Set(d, kHalfPixel))};
-}
-
-// ---- Maps --------------------------------------------------------------------------------------
-
-// Whether some numbers are all so small, by the sum of their squares: rounding does not make it
-// less than the greatest of them.
+// Whether some numbers are all so small, by the sum of their squares, which rounding does not make
+// less than the greatest of those: one operation a number, where to keep the greatest takes two.
 class SumOfSquares {
  public:
   HWY_INLINE SumOfSquares() : sum_(hn::Zero(RowTag())) {}
@@ -215,7 +96,7 @@ class SmallMaps {
   // Of which triangles the lanes that were found are what they should be. Not where one has no
   // area: an estimate is infinite there, or no number.
   [[nodiscard]] HWY_INLINE uint32_t have_lanes() const {
-    return bits_of_rows(RowTag(), estimates_.is_below(kMostRounded_fx32));
+    return estimates_.is_below(kMostRounded_fx32).raw;
   }
 
  private:
@@ -241,37 +122,51 @@ class SmallMaps {
   SumOfSquares estimates_;
 };
 
-// ---- All of it ---------------------------------------------------------------------------------
+// The windows that triangles are drawn from, the smaller ones first. What lies in none is loaded
+// texel by texel.
+struct SmallShape {
+  int column_bits;
+  int32_t vectors;
 
-// Windows of two sizes.
-inline constexpr int kSmallColumnBits = kHalfColumnBits;
-inline constexpr int32_t kFewVectors = kRowsPerPermute, kMoreVectors = 2 * kRowsPerPermute;
-[[nodiscard]] constexpr int32_t texel_rows_of(int32_t vectors) {
-  return vectors * kRowsPerVector<kSmallColumnBits>;
-}
-static_assert(kSmall.most_columns_texel == kColumns<kSmallColumnBits> &&
-              kSmall.most_rows_texel == texel_rows_of(kMoreVectors));
+  [[nodiscard]] constexpr int32_t columns() const { return 1 << column_bits; }
+  [[nodiscard]] constexpr int32_t rows() const { return vectors * (kLanes >> column_bits); }
+};
+inline constexpr SmallShape kSmallShapes[] = {
+    {kHalfColumnBits, 2}, {kHalfColumnBits, 4}, {kWindowColumnBits, 8}, {kWindowColumnBits, 12}};
+inline constexpr int32_t kSmallShapeCount = 4;
 
-// Where they begin: at the least texels, or before them, so that they lie in the texture.
-struct SmallOrigins {
-  Columns s, t;
-  uint32_t are_tall;  // of the greater size
+// Which of them, and where they begin: at the least texels, or before them, so that they lie in the
+// texture.
+struct SmallWindows {
+  Columns s, t, shape;
 
-  HWY_INLINE SmallOrigins(const VertexColumns& a, const VertexColumns& b, const VertexColumns& c,
+  HWY_INLINE SmallWindows(const VertexColumns& a, const VertexColumns& b, const VertexColumns& c,
                           const selvage_texture& texture) {
     const ColumnTag d;
-    const auto least = [](Columns x, Columns y, Columns z) HWY_ATTR {
-      return hn::ShiftRight<kTexelFraction>(hn::Min(hn::Min(x, y), z));
-    };
-    const Columns first_t = least(a.v, b.v, c.v);
-    const Columns last_t = hn::ShiftRight<kTexelFraction>(hn::Max(hn::Max(a.v, b.v), c.v));
-    const auto is_tall =
-        hn::Gt(hn::Sub(last_t, first_t), hn::Set(d, texel_rows_of(kFewVectors) - 1));
-    const Columns rows = hn::IfThenElse(is_tall, hn::Set(d, texel_rows_of(kMoreVectors)),
-                                        hn::Set(d, texel_rows_of(kFewVectors)));
-    s = hn::Min(least(a.u, b.u, c.u), hn::Set(d, texture.width - kSmall.most_columns_texel));
-    t = hn::Min(first_t, hn::Sub(hn::Set(d, texture.height), rows));
-    are_tall = bits_of_rows(d, is_tall);
+    const Columns first_s = least(a.u, b.u, c.u), first_t = least(a.v, b.v, c.v);
+    const Columns last_s = most(a.u, b.u, c.u), last_t = most(a.v, b.v, c.v);
+    s = first_s;
+    t = first_t;
+    shape = hn::Set(d, kSmallShapeCount);
+    for (int32_t i = kSmallShapeCount - 1; i >= 0; --i) {
+      const auto& window = kSmallShapes[i];
+      if (texture.width < window.columns() || texture.height < window.rows()) continue;
+      const Columns column = hn::Min(first_s, hn::Set(d, texture.width - window.columns()));
+      const Columns row = hn::Min(first_t, hn::Set(d, texture.height - window.rows()));
+      const auto holds = hn::And(hn::Lt(hn::Sub(last_s, column), hn::Set(d, window.columns())),
+                                 hn::Lt(hn::Sub(last_t, row), hn::Set(d, window.rows())));
+      s = hn::IfThenElse(holds, column, s);
+      t = hn::IfThenElse(holds, row, t);
+      shape = hn::IfThenElse(holds, hn::Set(d, i), shape);
+    }
+  }
+
+ private:
+  static HWY_INLINE Columns least(Columns x, Columns y, Columns z) {
+    return hn::ShiftRight<kTexelFraction>(hn::Min(hn::Min(x, y), z));
+  }
+  static HWY_INLINE Columns most(Columns x, Columns y, Columns z) {
+    return hn::ShiftRight<kTexelFraction>(hn::Max(hn::Max(x, y), z));
   }
 };
 
@@ -280,7 +175,8 @@ struct SmallSetUp {
   SmallEdges edges;
   SmallCoordinate u, v;
   HWY_ALIGN double doubled_area[kRows];
-  uint32_t have_lanes, are_tall;  // a bit each
+  HWY_ALIGN int32_t shape[kRows];  // of windows
+  uint32_t have_lanes;             // a bit each
 
   HWY_INLINE SmallSetUp(const SmallTriangles& triangles, size_t first,
                         const selvage_texture& texture)
@@ -293,13 +189,13 @@ struct SmallSetUp {
                         const int32_t* first_px, const int32_t* first_row,
                         const selvage_texture& texture)
       : edges(edges_of(Corner(a), Corner(b), Corner(c), first_row)) {
-    const SmallOrigins origins(a, b, c, texture);
+    const SmallWindows windows(a, b, c, texture);
     SmallMaps maps(a, b, c, first_px, first_row);
-    maps.find(a.u, b.u, c.u, origins.s, &u);
-    maps.find(a.v, b.v, c.v, origins.t, &v);
+    maps.find(a.u, b.u, c.u, windows.s, &u);
+    maps.find(a.v, b.v, c.v, windows.t, &v);
     hn::Store(maps.doubled_area(), RowTag(), doubled_area);
     have_lanes = maps.have_lanes();
-    are_tall = origins.are_tall;
+    hn::Store(windows.shape, ColumnTag(), shape);
   }
 };
 

@@ -1,5 +1,5 @@
-// Small triangles from their vertices to their pixels: each is drawn from one window. Included once
-// for each SIMD target.
+// Small triangles from their vertices to their pixels: each from one window, or by a load for each
+// pixel. Included once for each SIMD target.
 //
 // Lanes walk from the part's first pixel by floors of steps in 8.24: those of affine_window, whose
 // law and proof they share, where each pixel is its own anchor. Where there is a near-tie, the
@@ -13,6 +13,7 @@
 
 #include "mapper/vector/affine_window-inl.h"
 #include "mapper/vector/entries-inl.h"
+#include "mapper/vector/fetch-inl.h"
 #include "mapper/vector/small_set_up-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -57,28 +58,33 @@ struct SmallTriangle {
   // Calls draw(k, count_px, to) for each row, the k-th.
   template <class Pixel, class Draw>
   HWY_INLINE void for_each_row(const selvage_image& target, const Draw& draw) const {
-    char* row = static_cast<char*>(target.pixels) + first_row * target.pitch;
+    char* const pixels = static_cast<char*>(target.pixels);
+    // Modulo 2^64: a pitch below the last row there may be no address.
+    const auto pitch = static_cast<size_t>(target.pitch);
+    size_t row = static_cast<size_t>(first_row) * pitch;
     for (int32_t k = 0; k < end_row - first_row; ++k) {
-      draw(k, rows.count_px[k], reinterpret_cast<Pixel*>(row) + rows.left_px[k]);
-      row += target.pitch;
+      auto* const to = reinterpret_cast<Pixel*>(pixels + static_cast<ptrdiff_t>(row));
+      draw(k, rows.count_px[k], to + rows.left_px[k]);
+      row += pitch;
     }
   }
 };
 
 // Returns whether there is a near-tie among the pixels, of which all are drawn.
-template <class Pixel, class OneWindow>
-[[nodiscard]] HWY_INLINE bool draw_by_lanes(const SmallTriangle& triangle, const OneWindow& window,
+template <class Pixel, class Source>
+[[nodiscard]] HWY_INLINE bool draw_by_lanes(const SmallTriangle& triangle, const Source& source,
                                             const selvage_image& target) {
   const D32 d;
-  const auto& [set_up, i, rows, first_px, first_row, end_row] = triangle;
   const LowFineLanes low(kSmallLack_fx24);
-  const V32 offset_u = hn::Mul(hn::Iota(d, 0), hn::Set(d, set_up.u.right_fx24[i])),
-            offset_v = hn::Mul(hn::Iota(d, 0), hn::Set(d, set_up.v.right_fx24[i]));
+  const auto offsets = [&](const SmallCoordinate& of) HWY_ATTR {
+    return hn::Mul(hn::Iota(d, 0), hn::Set(d, of.right_fx24[triangle.i]));
+  };
+  const V32 offset_u = offsets(triangle.set_up.u), offset_v = offsets(triangle.set_up.v);
   V32 changed = hn::Zero(d);
   triangle.for_each_row<Pixel>(target, [&](int32_t k, int32_t count_px, Pixel* to) HWY_ATTR {
     const LaneVectors lanes{hn::Add(hn::Set(d, triangle.rows.u_fx24[k]), offset_u),
                             hn::Add(hn::Set(d, triangle.rows.v_fx24[k]), offset_v)};
-    changed = draw_some(window, low, lanes, count_px, changed, to);
+    changed = source.draw(low, lanes, count_px, changed, to);
   });
   return changes_texels<kWindowFraction>(changed);
 }
@@ -100,6 +106,7 @@ class ExactSmallCoordinate {
   }
 
  private:
+  // Of pixels they are less than 2^kSmallTexelBits; others may be anything.
   struct Unchecked {
     static HWY_INLINE RowNumbers of(RowNumbers value) { return value; }
   };
@@ -114,8 +121,8 @@ class ExactSmallCoordinate {
   RowNumbers divisor_, reciprocal_;
 };
 
-template <class Pixel, class OneWindow>
-HWY_NOINLINE void draw_by_quotients(const SmallTriangle& triangle, const OneWindow& window,
+template <class Pixel, class Source>
+HWY_NOINLINE void draw_by_quotients(const SmallTriangle& triangle, const Source& source,
                                     const selvage_image& target) {
   const SmallSetUp& set_up = triangle.set_up;
   const double divisor = set_up.doubled_area[triangle.i];
@@ -124,19 +131,84 @@ HWY_NOINLINE void draw_by_quotients(const SmallTriangle& triangle, const OneWind
     if (count_px == 0) return;
     const int32_t right_px = triangle.rows.left_px[k] - triangle.first_px;
     const LaneVectors lanes{u.from(right_px, k), v.from(right_px, k)};
-    store_pixels(window.template texels<kTexelFraction>(lanes), count_px, to);
+    source.draw(lanes, count_px, to);
   });
 }
 
-template <class Pixel, int32_t kVectors>
+// Texels from a window, or each by itself, by lanes that are counted from its first one.
+template <class Pixel, int kShape>
+class SmallSource {
+ public:
+  HWY_INLINE SmallSource(const selvage_texture& texture, int32_t s, int32_t t)
+      : window_(texture, {{s, s}, {t, t}, kSmallShapes[kShape].vectors}) {}
+
+  // As draw_some() does.
+  [[nodiscard]] HWY_INLINE V32 draw(const LowFineLanes& low, const LaneVectors& lanes,
+                                    int32_t count_px, V32 changed, Pixel* to) const {
+    return draw_some(window_, low, lanes, count_px, changed, to);
+  }
+  // The first pixels of a vector, by lanes of 16.16 that lack nothing.
+  HWY_INLINE void draw(const LaneVectors& lanes, int32_t count_px, Pixel* to) const {
+    store_first(window_.template texels<kTexelFraction>(lanes), count_px, to);
+  }
+
+ private:
+  Window<Pixel, Addressed<InsideVector>, kSmallShapes[kShape].column_bits,
+         kSmallShapes[kShape].vectors>
+      window_;
+};
+template <class Pixel>
+class SmallSource<Pixel, kSmallShapeCount> {
+ public:
+  HWY_INLINE SmallSource(const selvage_texture& texture, int32_t s, int32_t t)
+      : first_(static_cast<const Pixel*>(texture.texels) + t * pitch_texel_of(texture) + s),
+        pitch_texel_(static_cast<int32_t>(pitch_texel_of(texture))) {}
+
+  [[nodiscard]] HWY_INLINE V32 draw(const LowFineLanes& low, const LaneVectors& lanes,
+                                    int32_t count_px, V32 changed, Pixel* to) const {
+    const D32 d;
+    fetch<LowFineLanes::kFraction>(lanes, count_px, to);
+    const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
+    return hn::IfThenElse(is_pixel, hn::Or(changed, low.changes(lanes)), changed);
+  }
+  HWY_INLINE void draw(const LaneVectors& lanes, int32_t count_px, Pixel* to) const {
+    fetch<kTexelFraction>(lanes, count_px, to);
+  }
+
+ private:
+  // Of the first texel's row and column, lanes may lie below it by what they lack.
+  template <int kFraction>
+  HWY_INLINE void fetch(const LaneVectors& lanes, int32_t count_px, Pixel* to) const {
+    const D32 d;
+    const V32 s = hn::Max(hn::ShiftRight<kFraction>(lanes.u), hn::Zero(d)),
+              t = hn::Max(hn::ShiftRight<kFraction>(lanes.v), hn::Zero(d));
+    fetch_first<Pixel>(first_, hn::Add(hn::Mul(t, hn::Set(d, pitch_texel_)), s), count_px,
+                       reinterpret_cast<char*>(to));
+  }
+
+  const Pixel* first_;
+  int32_t pitch_texel_;
+};
+
+template <class Pixel, int kShape>
 HWY_INLINE void draw_small_triangle(const SmallTriangle& triangle, const Surface& surface) {
-  const int32_t s = triangle.set_up.u.origin_texel[triangle.i],
-                t = triangle.set_up.v.origin_texel[triangle.i];
-  const Window<Pixel, Addressed<InsideVector>, kSmallColumnBits, kVectors> window(
-      surface.texture, {{s, s}, {t, t}, kVectors});
+  const SmallSource<Pixel, kShape> source(surface.texture,
+                                          triangle.set_up.u.origin_texel[triangle.i],
+                                          triangle.set_up.v.origin_texel[triangle.i]);
   const bool has_lanes = (triangle.set_up.have_lanes >> triangle.i & 1) != 0;
-  if (HWY_LIKELY(has_lanes && !draw_by_lanes<Pixel>(triangle, window, surface.target))) return;
-  draw_by_quotients<Pixel>(triangle, window, surface.target);
+  if (HWY_LIKELY(has_lanes && !draw_by_lanes<Pixel>(triangle, source, surface.target))) return;
+  draw_by_quotients<Pixel>(triangle, source, surface.target);
+}
+
+// By its shape, one of kShape or above.
+template <class Pixel, int kShape = 0>
+HWY_INLINE void draw_by_shape(const SmallTriangle& triangle, const Surface& surface) {
+  if constexpr (kShape < kSmallShapeCount) {
+    if (triangle.set_up.shape[triangle.i] != kShape) {
+      return draw_by_shape<Pixel, kShape + 1>(triangle, surface);
+    }
+  }
+  draw_small_triangle<Pixel, kShape>(triangle, surface);
 }
 
 template <class Pixel>
@@ -148,13 +220,9 @@ HWY_INLINE void draw_small_as(const SmallTriangles& triangles, const Surface& su
       const size_t i = index - first;
       const int32_t first_px = triangles.left_px()[index];
       const SmallRows rows(set_up, i, first_px, triangles.right_px()[index]);
-      const SmallTriangle triangle{
-          set_up, i, rows, first_px, triangles.first_row()[index], triangles.end_row()[index]};
-      if ((set_up.are_tall >> i & 1) != 0) {
-        draw_small_triangle<Pixel, kMoreVectors>(triangle, surface);
-      } else {
-        draw_small_triangle<Pixel, kFewVectors>(triangle, surface);
-      }
+      draw_by_shape<Pixel>(SmallTriangle{set_up, i, rows, first_px, triangles.first_row()[index],
+                                         triangles.end_row()[index]},
+                           surface);
     }
   }
 }

@@ -1,0 +1,133 @@
+// Small triangles' vertices and edges, several triangles at once: a lane is a triangle. Included
+// once for each SIMD target.
+#if defined(SELVAGE_VECTOR_SMALL_EDGES_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_SMALL_EDGES_INL_H
+#undef SELVAGE_VECTOR_SMALL_EDGES_INL_H
+#else
+#define SELVAGE_VECTOR_SMALL_EDGES_INL_H
+#endif
+
+#include <cstddef>
+
+#include "mapper/small_triangles.h"
+#include "mapper/vector/edge_lines-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+#if HWY_TARGET == HWY_AVX3
+
+static_assert(kRows == 8 && SmallTriangles::kMost % size_t{kRows} == 0);
+
+// Of a vertex of each triangle.
+struct VertexColumns {
+  Columns x, y, u, v;
+};
+
+// The k-th ones of kRows triangles from an index on; of fewer, the last one's again.
+[[nodiscard]] HWY_INLINE VertexColumns vertices_of(const SmallTriangles& triangles, size_t first,
+                                                   size_t k) {
+  const ColumnTag d;
+  const hn::Repartition<int64_t, ColumnTag> pairs;
+  const auto vertex = [&](size_t i) HWY_ATTR {
+    const size_t index = HWY_MIN(first + i, triangles.count() - 1);
+    return hn::LoadU(hn::FixedTag<int32_t, 4>(), &triangles.polygon(index).vertices[k].x);
+  };
+  const auto both = [&](size_t i) HWY_ATTR { return hn::Combine(d, vertex(i + 4), vertex(i)); };
+  const Columns a = both(0), b = both(1), c = both(2), e = both(3);
+  const auto xy_ab = hn::BitCast(pairs, hn::InterleaveLower(d, a, b)),
+             xy_ce = hn::BitCast(pairs, hn::InterleaveLower(d, c, e)),
+             uv_ab = hn::BitCast(pairs, hn::InterleaveUpper(d, a, b)),
+             uv_ce = hn::BitCast(pairs, hn::InterleaveUpper(d, c, e));
+  return {hn::BitCast(d, hn::InterleaveLower(pairs, xy_ab, xy_ce)),
+          hn::BitCast(d, hn::InterleaveUpper(pairs, xy_ab, xy_ce)),
+          hn::BitCast(d, hn::InterleaveLower(pairs, uv_ab, uv_ce)),
+          hn::BitCast(d, hn::InterleaveUpper(pairs, uv_ab, uv_ce))};
+}
+
+[[nodiscard]] HWY_INLINE RowNumbers number(Columns whole) { return hn::PromoteTo(RowTag(), whole); }
+
+// Of each number the bits from some bit on, modulo 2^32.
+template <int kShift>
+[[nodiscard]] HWY_INLINE Columns low_bits(hn::Vec<hn::Rebind<int64_t, RowTag>> wide) {
+  const auto bits = hn::BitCast(hn::Rebind<uint64_t, RowTag>(), wide);
+  const auto low = hn::TruncateTo(hn::Rebind<uint32_t, RowTag>(), hn::ShiftRight<kShift>(bits));
+  return hn::BitCast(ColumnTag(), low);
+}
+
+struct Corner {
+  RowNumbers x, y;
+
+  HWY_INLINE explicit Corner(const VertexColumns& vertex)
+      : x(number(vertex.x)), y(number(vertex.y)) {}
+};
+HWY_INLINE void sort(Corner* upper, Corner* lower) {
+  const Corner a = *upper, b = *lower;
+  const auto is_turned = hn::Lt(b.y, a.y);
+  upper->x = hn::IfThenElse(is_turned, b.x, a.x);
+  lower->x = hn::IfThenElse(is_turned, a.x, b.x);
+  upper->y = hn::Min(a.y, b.y);
+  lower->y = hn::Max(a.y, b.y);
+}
+
+// LineVectors of triangles, each to be picked.
+class SmallLines {
+ public:
+  // lines_between() the two, from the row of this centre on.
+  HWY_INLINE SmallLines(const Corner& top, const Corner& bottom, RowNumbers centre_y_fx8) {
+    const RowTag d;
+    const RowNumbers height = hn::Sub(bottom.y, top.y), dx = hn::Sub(bottom.x, top.x);
+    const RowNumbers right_by = hn::Add(top.x, hn::Set(d, kHalfPixel)),
+                     below_by = hn::Sub(centre_y_fx8, top.y);
+    const RowNumbers sum = hn::MulAdd(right_by, height, hn::Mul(below_by, dx));
+    hn::Store(hn::Add(sum, hn::Set(d, kUpToHalf - 1)), d, dividend_);
+    hn::Store(hn::Mul(dx, hn::Set(d, kSubpixels)), d, step_);
+    hn::Store(hn::Div(hn::Set(d, 1.0 / kSubpixels), height), d, reciprocal_);
+  }
+  [[nodiscard]] HWY_INLINE LineVectors of(size_t i) const {
+    const RowTag d;
+    return {hn::Set(d, dividend_[i]), hn::Set(d, step_[i]), hn::Set(d, reciprocal_[i])};
+  }
+
+ private:
+  HWY_ALIGN double dividend_[kRows], step_[kRows], reciprocal_[kRows];
+};
+
+class SmallEdges {
+ public:
+  // The corners of triangles, sorted from top to bottom.
+  HWY_INLINE SmallEdges(const Corner& top, const Corner& middle, const Corner& bottom,
+                        RowNumbers centre_y_fx8)
+      : whole_(top, bottom, centre_y_fx8),
+        upper_(top, middle, centre_y_fx8),
+        lower_(middle, bottom, centre_y_fx8) {
+    const RowTag d;
+    const RowNumbers below_fx8 = hn::Sub(middle.y, centre_y_fx8);
+    hn::Store(hn::Mul(below_fx8, hn::Set(d, 1.0 / kSubpixels)), d, corner_);
+  }
+  [[nodiscard]] HWY_INLINE TriangleLines of(size_t i) const {
+    return {whole_.of(i), upper_.of(i), lower_.of(i), hn::Set(RowTag(), corner_[i])};
+  }
+
+ private:
+  SmallLines whole_, upper_, lower_;
+  HWY_ALIGN double corner_[kRows];
+};
+
+[[nodiscard]] HWY_INLINE SmallEdges edges_of(Corner a, Corner b, Corner c,
+                                             const int32_t* first_row) {
+  const RowTag d;
+  sort(&a, &b);
+  sort(&b, &c);
+  sort(&a, &b);
+  const RowNumbers row = number(hn::LoadU(ColumnTag(), first_row));
+  return {a, b, c, hn::MulAdd(row, hn::Set(d, kSubpixels), hn::Set(d, kHalfPixel))};
+}
+
+#endif
+
+}  // namespace
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
