@@ -18,7 +18,7 @@
 #include "tests/fenced_bytes.h"
 #include "tests/kernel_support.h"
 
-namespace selvage::many {
+namespace selvage::mapper {
 namespace {
 
 using mapper::SmallLimits;
@@ -26,40 +26,40 @@ using mapper::SmallTriangles;
 using spec::kPixel_fx8;
 using spec::kTexel_fx16;
 
-using Outline = spec::Vertices;
+using SmallOutline = spec::Vertices;
 
-[[nodiscard]] bool is_drawable(const Outline& outline) {
-  mapper::Polygon polygon;
-  return mapper::examine(outline, &polygon) == SELVAGE_OK;
+[[nodiscard]] bool is_small_drawable(const SmallOutline& outline) {
+  Polygon polygon;
+  return examine(outline, &polygon) == SELVAGE_OK;
 }
 
 [[nodiscard]] const selvage_rect* clip_of(const spec::Case& c) {
   return c.has_clip ? &c.clip : nullptr;
 }
-[[nodiscard]] selvage_options options_of(const spec::Case& c, selvage_kernel kernel) {
+[[nodiscard]] selvage_options options_for(const spec::Case& c, selvage_kernel kernel) {
   return {c.profile, c.filter, c.address, 0, kernel};
 }
 
 // As a case says, but of these outlines.
 [[nodiscard]] spec::Canvas draw_each(const spec::Case& c, const selvage_texture& texture,
-                                     const std::vector<Outline>& outlines) {
-  spec::Canvas target = mapper::target_of(c);
+                                     const std::vector<SmallOutline>& outlines) {
+  spec::Canvas target = target_of(c);
   const selvage_image image = target.image();
-  const selvage_options options = options_of(c, SELVAGE_KERNEL_SCALAR);
-  for (const Outline& outline : outlines) {
+  const selvage_options options = options_for(c, SELVAGE_KERNEL_SCALAR);
+  for (const SmallOutline& outline : outlines) {
     EXPECT_EQ(selvage_draw(&image, clip_of(c), outline.data(), outline.size(), &texture, &options),
               SELVAGE_OK);
   }
   return target;
 }
 [[nodiscard]] spec::Canvas draw_together(const spec::Case& c, const selvage_texture& texture,
-                                         const std::vector<Outline>& outlines,
+                                         const std::vector<SmallOutline>& outlines,
                                          selvage_kernel kernel, int32_t threads) {
-  spec::Canvas target = mapper::target_of(c);
+  spec::Canvas target = target_of(c);
   const selvage_image image = target.image();
-  const selvage_options options = options_of(c, kernel);
+  const selvage_options options = options_for(c, kernel);
   std::vector<selvage_polygon> polygons;
-  for (const Outline& outline : outlines) {
+  for (const SmallOutline& outline : outlines) {
     polygons.push_back({outline.data(), outline.size(), &texture});
   }
   const size_t bytes = selvage_draw_many_bytes(polygons.size());
@@ -70,10 +70,11 @@ using Outline = spec::Vertices;
   return target;
 }
 
-void expect_drawn_alike(const spec::Case& c, const std::vector<Outline>& outlines, uint64_t seed) {
-  const spec::TextureMemory texture = mapper::texture_of(c);
+void expect_list_drawn_alike(const spec::Case& c, const std::vector<SmallOutline>& outlines,
+                             uint64_t seed) {
+  const spec::TextureMemory texture = texture_of(c);
   const spec::Canvas one_by_one = draw_each(c, texture.view(), outlines);
-  for (const selvage_kernel kernel : mapper::usable_kernels()) {
+  for (const selvage_kernel kernel : usable_kernels()) {
     for (const int32_t threads : {1, 3}) {
       ASSERT_TRUE(draw_together(c, texture.view(), outlines, kernel, threads) == one_by_one)
           << "kernel " << kernel << ", " << threads << " threads, seed " << seed << "\n"
@@ -82,8 +83,8 @@ void expect_drawn_alike(const spec::Case& c, const std::vector<Outline>& outline
   }
 }
 
-[[nodiscard]] spec::Case any_case(spec::Random& random) {
-  spec::Case c = mapper::any_surfaces(random);
+[[nodiscard]] spec::Case any_small_case(spec::Random& random) {
+  spec::Case c = any_surfaces(random);
   if (random.percent(10) && c.format == SELVAGE_RGBA8888) {
     c.filter = random.pick({SELVAGE_FILTER_BILINEAR, SELVAGE_FILTER_FOUR, SELVAGE_FILTER_AREA});
   }
@@ -111,12 +112,12 @@ void expect_drawn_alike(const spec::Case& c, const std::vector<Outline>& outline
 
 // Of hardly an area, so thin that u and v may run by more than lanes can tell: about a pixel's
 // centre, the only point of the grid in it, or with one for a corner.
-[[nodiscard]] Outline any_needle(spec::Random& random, const spec::Case& c) {
+[[nodiscard]] SmallOutline any_needle(spec::Random& random, const spec::Case& c) {
   const int32_t x = random.in(0, c.target_width_px) * kPixel_fx8 + kPixel_fx8 / 2,
                 y = random.in(0, c.target_height_px) * kPixel_fx8 + kPixel_fx8 / 2;
   const int32_t along = random.in(1, 8 * kPixel_fx8 - 2);
   const int32_t right = random.pick({1, -1}), down = random.pick({1, -1});
-  Outline needle{{-along, 1 - along, 0, 0, 1}, {-1, -1, 0, 0, 1}, {along + 1, along, 0, 0, 1}};
+  SmallOutline needle{{-along, 1 - along, 0, 0, 1}, {-1, -1, 0, 0, 1}, {along + 1, along, 0, 0, 1}};
   const int32_t across = random.in(1, 8 * kPixel_fx8 - 2);
   const int64_t back = inverse(across, along);
   if (back != 0 && random.percent(50)) {
@@ -134,12 +135,12 @@ void expect_drawn_alike(const spec::Case& c, const std::vector<Outline>& outline
 }
 
 // Up to the greatest that may be small, and a little beyond; on pixels' centres or anywhere.
-[[nodiscard]] Outline any_outline(spec::Random& random, const spec::Case& c) {
+[[nodiscard]] SmallOutline any_small_outline(spec::Random& random, const spec::Case& c) {
   const int32_t most_px = random.pick({1, 3, 8, 16, 17});
   const int32_t x = random.in(-4, c.target_width_px) * kPixel_fx8 + random.pick({0, 128}),
                 y = random.in(-4, c.target_height_px) * kPixel_fx8 + random.pick({0, 128});
   const int32_t grid_fx8 = random.pick({1, 1, kPixel_fx8 / 2, kPixel_fx8});
-  Outline triangle(3);
+  SmallOutline triangle(3);
   for (selvage_vertex& vertex : triangle) {
     const auto near = [&](int32_t from_fx8) {
       const int32_t by_fx8 = random.in(0, most_px * kPixel_fx8 + 1);
@@ -159,8 +160,8 @@ void expect_drawn_alike(const spec::Case& c, const std::vector<Outline>& outline
 // A coordinate anywhere in some texels of the texture or beside it; or what hardly leaves the
 // beginning of a texel, so that many pixels are near-ties; or the pixels' own, scaled; or one that
 // is the beginning of a texel along an edge, and nowhere less.
-void set_texels(spec::Random& random, int32_t size_texel, int32_t selvage_vertex::*place,
-                int32_t selvage_vertex::*texel, Outline* outline) {
+void set_any_texels(spec::Random& random, int32_t size_texel, int32_t selvage_vertex::*place,
+                    int32_t selvage_vertex::*texel, SmallOutline* outline) {
   const int32_t most_texel = random.pick({1, 2, 4, 5, 8, 9, 12, 16, 20, 64, 70});
   const int32_t first = random.percent(80) ? random.in(0, std::max(1, size_texel - most_texel + 1))
                                            : random.in(-3, size_texel + 3);
@@ -185,20 +186,23 @@ void set_texels(spec::Random& random, int32_t size_texel, int32_t selvage_vertex
 }
 
 // A parallelogram of a triangle, so that both lie in one plane.
-void add_fourth(Outline* outline) {
+void add_fourth(SmallOutline* outline) {
   const selvage_vertex &a = (*outline)[0], &b = (*outline)[1], &c = (*outline)[2];
   outline->push_back({a.x - b.x + c.x, a.y - b.y + c.y, a.u - b.u + c.u, a.v - b.v + c.v, 1});
 }
 
-[[nodiscard]] std::vector<Outline> any_outlines(spec::Random& random, const spec::Case& c) {
-  std::vector<Outline> outlines(static_cast<size_t>(random.in(1, 40)));
-  for (Outline& outline : outlines) {
+[[nodiscard]] std::vector<SmallOutline> any_small_outlines(spec::Random& random,
+                                                           const spec::Case& c) {
+  std::vector<SmallOutline> outlines(static_cast<size_t>(random.in(1, 40)));
+  for (SmallOutline& outline : outlines) {
     do {
-      outline = random.percent(15) ? any_needle(random, c) : any_outline(random, c);
-      set_texels(random, c.texture_width_texel, &selvage_vertex::x, &selvage_vertex::u, &outline);
-      set_texels(random, c.texture_height_texel, &selvage_vertex::y, &selvage_vertex::v, &outline);
+      outline = random.percent(15) ? any_needle(random, c) : any_small_outline(random, c);
+      set_any_texels(random, c.texture_width_texel, &selvage_vertex::x, &selvage_vertex::u,
+                     &outline);
+      set_any_texels(random, c.texture_height_texel, &selvage_vertex::y, &selvage_vertex::v,
+                     &outline);
       if (random.percent(10)) add_fourth(&outline);
-    } while (!is_drawable(outline));
+    } while (!is_small_drawable(outline));
     const int32_t q = random.pick({1, 1, 1000});
     for (selvage_vertex& vertex : outline) vertex.q = q;
     if (random.percent(5)) outline[1].q = 7;
@@ -215,8 +219,8 @@ class SmallTrianglesOf : public testing::TestWithParam<uint64_t> {
 TEST_P(SmallTrianglesOf, EveryKernelDrawsAsTheScalarOneDoes) {
   for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
     spec::Random random(seed);
-    const spec::Case c = any_case(random);
-    ASSERT_NO_FATAL_FAILURE(expect_drawn_alike(c, any_outlines(random, c), seed));
+    const spec::Case c = any_small_case(random);
+    ASSERT_NO_FATAL_FAILURE(expect_list_drawn_alike(c, any_small_outlines(random, c), seed));
   }
 }
 
@@ -231,7 +235,7 @@ struct Weights {
   [[nodiscard]] bool are_inside() const { return of[0] > 0 && of[1] > 0 && of[2] > 0; }
 };
 
-[[nodiscard]] Weights weights_at(const Outline& triangle, int32_t x_fx8, int32_t y_fx8) {
+[[nodiscard]] Weights weights_at(const SmallOutline& triangle, int32_t x_fx8, int32_t y_fx8) {
   const auto doubled_area = [&](size_t from, size_t to) {
     const int64_t ax = triangle[from].x - x_fx8, ay = triangle[from].y - y_fx8;
     const int64_t bx = triangle[to].x - x_fx8, by = triangle[to].y - y_fx8;
@@ -246,14 +250,14 @@ struct Weights {
 
 // Of the pixels inside some triangle of most of 16 x 16 of them: the first, the last, or another.
 struct CoveredPixel {
-  Outline triangle;
+  SmallOutline triangle;
   Weights weights;
 };
 [[nodiscard]] CoveredPixel any_covered_pixel(spec::Random& random) {
   const auto end = [&](bool far) { return (far ? 16 * kPixel_fx8 : 0) + random.in(-140, 141); };
   for (;;) {
     const size_t without = random.below(4);
-    Outline triangle;
+    SmallOutline triangle;
     for (size_t corner = 0; corner < 4; ++corner) {
       if (corner == without) continue;
       const int32_t x = end(corner == 1 || corner == 2), y = end(corner >= 2);
@@ -276,7 +280,7 @@ struct CoveredPixel {
 // units of 1 / (65536 D) texel, D being the doubled area. False where chance found none.
 [[nodiscard]] bool set_near_whole(spec::Random& random, const Weights& weights, int64_t off,
                                   int32_t most_texel, int32_t selvage_vertex::*texel,
-                                  Outline* triangle) {
+                                  SmallOutline* triangle) {
   const int64_t area = weights.sum(), back = inverse(weights.of[0] % area, area);
   const int64_t most_fx16 = int64_t{most_texel} * kTexel_fx16;
   for (int tries = 0; back != 0 && tries < 2000; ++tries) {
@@ -314,11 +318,11 @@ TEST_P(SmallTrianglesOf, AreExactNextToWholeTexels) {
     const auto texel = random.pick({&selvage_vertex::u, &selvage_vertex::v});
     const int32_t most_texel = random.pick({7, 14, 60});
     if (!set_near_whole(random, weights, off, most_texel, texel, &triangle)) continue;
-    spec::Case c = mapper::any_surfaces(random);
+    spec::Case c = any_surfaces(random);
     c.target_width_px = c.target_height_px = 17;
     c.texture_width_texel = c.texture_height_texel = most_texel + 1;
     ++drawn;
-    ASSERT_NO_FATAL_FAILURE(expect_drawn_alike(c, {triangle}, seed));
+    ASSERT_NO_FATAL_FAILURE(expect_list_drawn_alike(c, {triangle}, seed));
   }
   EXPECT_GT(drawn, static_cast<int>(kSeeds / 4));
 }
@@ -326,7 +330,7 @@ TEST_P(SmallTrianglesOf, AreExactNextToWholeTexels) {
 // Found by search: lanes that lack as much as any do at a pixel where u or v is hardly more than
 // whole, and the exact values of the first pixel hardly less.
 TEST(SmallTriangles, AreExactWhereLanesLackMost) {
-  const std::vector<Outline> triangles = {
+  const std::vector<SmallOutline> triangles = {
       {{4135, 4143, 225403, 185313, 1}, {4131, 36, 405398, 26674, 1}, {108, 4134, 9480, 189801, 1}},
       {{4122, 4015, 184408, 131171, 1},
        {3985, -18, 160973, 224116, 1},
@@ -343,30 +347,30 @@ TEST(SmallTriangles, AreExactWhereLanesLackMost) {
   c.format = SELVAGE_INDEX8;
   c.target_width_px = c.target_height_px = 32;
   c.texture_width_texel = c.texture_height_texel = 8;
-  for (const Outline& triangle : triangles) {
-    ASSERT_NO_FATAL_FAILURE(expect_drawn_alike(c, {triangle}, /*seed=*/0));
+  for (const SmallOutline& triangle : triangles) {
+    ASSERT_NO_FATAL_FAILURE(expect_list_drawn_alike(c, {triangle}, /*seed=*/0));
   }
 }
 
 // Found by search, too: needles of which the start alone, or a step alone, is more than lanes tell.
 TEST(SmallTriangles, AreExactWhereOneNumberIsBeyondLanes) {
-  const std::vector<Outline> needles = {{{10368, 8064, 8004354, 111186, 1},
-                                         {9935, 8289, 7973865, 111185, 1},
-                                         {13501, 6436, 8107703, 111185, 1}},
-                                        {{1152, 3968, 196606, 8006116, 1},
-                                         {219, 4722, 262144, 8006115, 1},
-                                         {1496, 3690, 262141, 8006114, 1}},
-                                        {{7296, 4992, 1768252, 296520, 1},
-                                         {6975, 4087, 1928731, 296518, 1},
-                                         {8187, 7504, 1867101, 296518, 1}},
-                                        {{9059, 3097, 196605, 2587648, 1},
-                                         {9808, 6075, 131069, 3541760, 1},
-                                         {9600, 5248, 196606, 3276800, 1}}};
+  const std::vector<SmallOutline> needles = {{{10368, 8064, 8004354, 111186, 1},
+                                              {9935, 8289, 7973865, 111185, 1},
+                                              {13501, 6436, 8107703, 111185, 1}},
+                                             {{1152, 3968, 196606, 8006116, 1},
+                                              {219, 4722, 262144, 8006115, 1},
+                                              {1496, 3690, 262141, 8006114, 1}},
+                                             {{7296, 4992, 1768252, 296520, 1},
+                                              {6975, 4087, 1928731, 296518, 1},
+                                              {8187, 7504, 1867101, 296518, 1}},
+                                             {{9059, 3097, 196605, 2587648, 1},
+                                              {9808, 6075, 131069, 3541760, 1},
+                                              {9600, 5248, 196606, 3276800, 1}}};
   spec::Case c;
   c.target_width_px = c.target_height_px = 60;
   c.texture_width_texel = c.texture_height_texel = 130;
-  for (const Outline& needle : needles) {
-    ASSERT_NO_FATAL_FAILURE(expect_drawn_alike(c, {needle}, /*seed=*/0));
+  for (const SmallOutline& needle : needles) {
+    ASSERT_NO_FATAL_FAILURE(expect_list_drawn_alike(c, {needle}, /*seed=*/0));
   }
 }
 
@@ -375,9 +379,9 @@ TEST(SmallTriangles, ReadNoTexelBesideTheTexture) {
   for (uint64_t seed = 1; seed <= 4000; ++seed) {
     SCOPED_TRACE(seed);
     spec::Random random(seed);
-    const spec::Case c = any_case(random);
-    const std::vector<Outline> outlines = any_outlines(random, c);
-    const ptrdiff_t pitch = c.texture_width_texel * ptrdiff_t{mapper::bytes_per_pixel(c.format)};
+    const spec::Case c = any_small_case(random);
+    const std::vector<SmallOutline> outlines = any_small_outlines(random, c);
+    const ptrdiff_t pitch = c.texture_width_texel * ptrdiff_t{bytes_per_pixel(c.format)};
     const auto bytes = static_cast<size_t>(pitch * c.texture_height_texel);
     const FencedBytes texels(bytes,
                              random.pick({FencedBytes::Side::kFirst, FencedBytes::Side::kLast}));
@@ -390,11 +394,11 @@ TEST(SmallTriangles, ReadNoTexelBesideTheTexture) {
                                   c.format,
                                   SELVAGE_LAYOUT_ROWS,
                                   nullptr};
-    for (const selvage_kernel kernel : mapper::usable_kernels()) {
+    for (const selvage_kernel kernel : usable_kernels()) {
       static_cast<void>(draw_together(c, texture, outlines, kernel, 1));
     }
   }
 }
 
 }  // namespace
-}  // namespace selvage::many
+}  // namespace selvage::mapper
