@@ -1,5 +1,5 @@
-// Small triangles of one affine map each that show few texels: some of them are drawn by one call,
-// in order, set up together.
+// Small triangles of one affine map each: some of them are drawn by one call, in order, set up
+// together.
 //
 // The set-up of one is a chain of operations that wait for each other; that of several is the same
 // chain, of vectors.

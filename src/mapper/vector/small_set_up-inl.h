@@ -1,7 +1,7 @@
 // The set-up of small triangles, several at once: a lane is a triangle. Included once for each SIMD
 // target.
 //
-// All of it is whole numbers in double, so few bits long that sums and products are exact, and
+// Maps are whole numbers in double, so few bits long that sums and products are exact, and
 // their quotients, as in row_kernel and plane_kernel, which find the same for one polygon of any
 // size.
 #if defined(SELVAGE_VECTOR_SMALL_SET_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -12,6 +12,7 @@
 #endif
 
 #include <cstddef>
+#include <iterator>
 
 #include "mapper/small_triangles.h"
 #include "mapper/vector/kernel.h"
@@ -122,8 +123,9 @@ class SmallMaps {
   SumOfSquares estimates_;
 };
 
-// The windows that triangles are drawn from, the smaller ones first. What lies in none is loaded
-// texel by texel.
+// The windows that triangles are drawn from, the smaller ones first: what lies in none is loaded
+// texel by texel. In meshes, where nobody foresees how many pixels a row has, that was measured to
+// cost more than the largest of them.
 struct SmallShape {
   int column_bits;
   int32_t vectors;
@@ -133,7 +135,7 @@ struct SmallShape {
 };
 inline constexpr SmallShape kSmallShapes[] = {
     {kHalfColumnBits, 2}, {kHalfColumnBits, 4}, {kWindowColumnBits, 8}, {kWindowColumnBits, 12}};
-inline constexpr int32_t kSmallShapeCount = 4;
+inline constexpr int32_t kSmallShapeCount = std::size(kSmallShapes);
 
 // Which of them, and where they begin: at the least texels, or before them, so that they lie in the
 // texture.
@@ -181,16 +183,15 @@ struct SmallSetUp {
   HWY_INLINE SmallSetUp(const SmallTriangles& triangles, size_t first,
                         const selvage_texture& texture)
       : SmallSetUp(vertices_of(triangles, first, 0), vertices_of(triangles, first, 1),
-                   vertices_of(triangles, first, 2), triangles.left_px() + first,
-                   triangles.first_row() + first, texture) {}
+                   vertices_of(triangles, first, 2), triangles, first, texture) {}
 
  private:
   HWY_INLINE SmallSetUp(const VertexColumns& a, const VertexColumns& b, const VertexColumns& c,
-                        const int32_t* first_px, const int32_t* first_row,
+                        const SmallTriangles& triangles, size_t first,
                         const selvage_texture& texture)
-      : edges(edges_of(Corner(a), Corner(b), Corner(c), first_row)) {
+      : edges(edges_of(Corner(a), Corner(b), Corner(c), triangles.first_row() + first)) {
     const SmallWindows windows(a, b, c, texture);
-    SmallMaps maps(a, b, c, first_px, first_row);
+    SmallMaps maps(a, b, c, triangles.left_px() + first, triangles.first_row() + first);
     maps.find(a.u, b.u, c.u, windows.s, &u);
     maps.find(a.v, b.v, c.v, windows.t, &v);
     hn::Store(maps.doubled_area(), RowTag(), doubled_area);

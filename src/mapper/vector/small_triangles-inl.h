@@ -22,6 +22,9 @@ namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
 static_assert(kSmall.most_px == kLanes && kLanes == 2 * kRows, "a row is a vector, all are one");
+static_assert(HWY_MAX(kSmall.most_columns_texel, kSmall.most_rows_texel) <
+                  1 << (31 - kWindowFraction),
+              "lanes of 8.24 hold them");
 
 // Of each row: its first pixel, how many there are, and the lanes of the first.
 struct SmallRows {
@@ -176,7 +179,7 @@ class SmallSource<Pixel, kSmallShapeCount> {
   }
 
  private:
-  // Of the first texel's row and column, lanes may lie below it by what they lack.
+  // Of the first texel's row or column, lanes of 8.24 may be less than 0 by what they lack.
   template <int kFraction>
   HWY_INLINE void fetch(const LaneVectors& lanes, int32_t count_px, Pixel* to) const {
     const D32 d;
