@@ -15,13 +15,14 @@ class SmallLimitsTo : public testing::Test {
  protected:
   static constexpr SmallLimits kLimits{16, 8, 4};
 
-  [[nodiscard]] static bool takes(const spec::Vertices& triangle) {
+  [[nodiscard]] static bool takes(const spec::Vertices& triangle,
+                                  selvage_address address = SELVAGE_ADDRESS_WRAP) {
     static constexpr uint8_t kTexels[200] = {};
     const selvage_texture texture{kTexels, 20, 10, 20, SELVAGE_INDEX8, SELVAGE_LAYOUT_ROWS,
                                   nullptr};
     Polygon polygon;
     EXPECT_EQ(examine(triangle, &polygon), SELVAGE_OK);
-    return SmallTriangles::take(polygon, texture, kLimits);
+    return SmallTriangles::take(polygon, SmallEnds(texture, address), kLimits);
   }
   // All limits are met by less than a unit.
   static inline const spec::Vertices kLargest{{-127, -127, 12 << 16, 6 << 16, 1},
@@ -68,6 +69,19 @@ TEST_F(SmallLimitsTo, LiesInTheTexture) {
   EXPECT_TRUE(takes(moved(&selvage_vertex::v, -(6 << 16))));
   EXPECT_FALSE(takes(moved(&selvage_vertex::v, -(7 << 16))));
   EXPECT_FALSE(takes(moved(&selvage_vertex::v, 1 << 16)));
+}
+
+TEST_F(SmallLimitsTo, MayEndWithAClampedTexture) {
+  spec::Vertices triangle = kLargest;
+  triangle[0].u += 1 << 16;
+  triangle[0].v += 1 << 16;
+  triangle[1].v += 1 << 16;
+  triangle[1].u = 20 << 16;
+  triangle[2].v = 10 << 16;
+  EXPECT_TRUE(takes(triangle, SELVAGE_ADDRESS_CLAMP));
+  EXPECT_FALSE(takes(triangle, SELVAGE_ADDRESS_WRAP));
+  for (selvage_vertex& vertex : triangle) ++vertex.u;
+  EXPECT_FALSE(takes(triangle, SELVAGE_ADDRESS_CLAMP));
 }
 
 TEST_F(SmallLimitsTo, IsFromTexturesOfRows) {

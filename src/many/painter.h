@@ -31,7 +31,7 @@ class Painter {
       finish();
       change_to(one.texture);
     }
-    if (keeps_ && small_->takes(one.polygon, surface_.texture)) {
+    if (keeps_ && small_->takes(one.polygon)) {
       ahead_.finish(surface_);
       return small_->add(one.polygon, visible_, surface_);
     }
@@ -52,7 +52,7 @@ class Painter {
     known_ = texture;
     surface_.texture = *texture;
     kernels_.emplace(options_, *texture);
-    small_.emplace(kernels_->of_work(SELVAGE_WORK_MESH), *texture);
+    small_.emplace(kernels_->of_work(SELVAGE_WORK_MESH), *texture, options_.address);
   }
 
   selvage_options options_;

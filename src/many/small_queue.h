@@ -11,11 +11,14 @@ namespace selvage::many {
 class SmallQueue {
  public:
   // Of one texture. Takes none where the kernels do not draw them.
-  SmallQueue(const mapper::Kernels& kernels, const selvage_texture& texture)
-      : kernels_(&kernels), takes_any_(mapper::SmallTriangles::take_from(texture, kernels.small)) {}
+  SmallQueue(const mapper::Kernels& kernels, const selvage_texture& texture,
+             selvage_address address)
+      : kernels_(&kernels),
+        takes_any_(mapper::SmallTriangles::take_from(texture, kernels.small)),
+        ends_(texture, address) {}
 
-  [[nodiscard]] bool takes(const mapper::Polygon& polygon, const selvage_texture& texture) const {
-    return takes_any_ && mapper::SmallTriangles::take(polygon, texture, kernels_->small);
+  [[nodiscard]] bool takes(const mapper::Polygon& polygon) const {
+    return takes_any_ && mapper::SmallTriangles::take(polygon, ends_, kernels_->small);
   }
   // Of a polygon that it takes, to which it refers. Draws those that wait where there is no room.
   void add(const mapper::Polygon& polygon, const selvage_rect& visible,
@@ -34,6 +37,7 @@ class SmallQueue {
  private:
   const mapper::Kernels* kernels_;
   bool takes_any_;
+  mapper::SmallEnds ends_;
   mapper::SmallTriangles waiting_;
 };
 

@@ -5,6 +5,7 @@
 // chain, of vectors.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -22,6 +23,20 @@ struct SmallLimits {
   int32_t most_px = 0, most_columns_texel = 0, most_rows_texel = 0;
 };
 
+// What a texture's small triangles show: nothing beside it. Where it is clamped u and v may be its
+// ends, of which its last texels are shown.
+struct SmallEnds {
+  int64_t most_u_fx16, most_v_fx16;
+
+  SmallEnds(const selvage_texture& texture, selvage_address address)
+      : most_u_fx16(most(texture.width, address)), most_v_fx16(most(texture.height, address)) {}
+
+ private:
+  [[nodiscard]] static int64_t most(int32_t size_texel, selvage_address address) {
+    return (int64_t{size_texel} << kTexelFraction) - (address == SELVAGE_ADDRESS_CLAMP ? 0 : 1);
+  }
+};
+
 class SmallTriangles {
  public:
   static constexpr size_t kMost = kMostDoubles;
@@ -30,19 +45,19 @@ class SmallTriangles {
   [[nodiscard]] static bool take_from(const selvage_texture& texture, const SmallLimits& limits) {
     return limits.most_px > 0 && texture.layout == SELVAGE_LAYOUT_ROWS;
   }
-  // Of such a texture. Its texels lie in it.
-  [[nodiscard]] static bool take(const Polygon& polygon, const selvage_texture& texture,
+  // Of such a texture, of which these are the ends.
+  [[nodiscard]] static bool take(const Polygon& polygon, const SmallEnds& ends,
                                  const SmallLimits& limits) {
     const TexelBox& box = polygon.texels;
-    const int32_t s = box.least_u_fx16 >> kTexelFraction,
-                  last_s = box.most_u_fx16 >> kTexelFraction;
-    const int32_t t = box.least_v_fx16 >> kTexelFraction,
-                  last_t = box.most_v_fx16 >> kTexelFraction;
+    const auto across = [](int32_t least_fx16, int32_t most_fx16) {
+      return (most_fx16 >> kTexelFraction) - (least_fx16 >> kTexelFraction);
+    };
     return polygon.right_px - polygon.left_px <= limits.most_px &&
            polygon.bottom_row - polygon.top_row <= limits.most_px && polygon.vertices.size() == 3 &&
-           polygon.affine && s >= 0 && t >= 0 && last_s < texture.width &&
-           last_t < texture.height && last_s - s < limits.most_columns_texel &&
-           last_t - t < limits.most_rows_texel;
+           polygon.affine && std::min(box.least_u_fx16, box.least_v_fx16) >= 0 &&
+           box.most_u_fx16 <= ends.most_u_fx16 && box.most_v_fx16 <= ends.most_v_fx16 &&
+           across(box.least_u_fx16, box.most_u_fx16) < limits.most_columns_texel &&
+           across(box.least_v_fx16, box.most_v_fx16) < limits.most_rows_texel;
   }
 
   // One that is taken and its part_of(), which is not empty, while there are fewer than kMost.

@@ -44,13 +44,78 @@ class SumOfSquares {
   RowNumbers sum_;
 };
 
+// The windows that triangles are drawn from, the smaller ones first: what lies in none is loaded
+// texel by texel. In meshes, where nobody foresees how many pixels a row has, that was measured to
+// cost more than the largest of them.
+struct SmallShape {
+  int column_bits;
+  int32_t vectors;
+
+  [[nodiscard]] constexpr int32_t columns() const { return 1 << column_bits; }
+  [[nodiscard]] constexpr int32_t rows() const { return vectors * (kLanes >> column_bits); }
+};
+inline constexpr SmallShape kSmallShapes[] = {
+    {kHalfColumnBits, 2}, {kHalfColumnBits, 4}, {kWindowColumnBits, 8}, {kWindowColumnBits, 12}};
+inline constexpr int32_t kSmallShapeCount = std::size(kSmallShapes);
+
+// Where a window begins, u or v, and kLowered_fx24 where lanes are lowered by that.
+inline constexpr int32_t kLowered_fx24 = 1;
+struct SmallOrigin {
+  Columns texel, lowered_fx24;
+};
+
+// Which of them, and where they begin: at the least texels, or before them, so that they lie in the
+// texture.
+struct SmallWindows {
+  SmallOrigin s, t;
+  Columns shape;
+
+  HWY_INLINE SmallWindows(const VertexColumns& a, const VertexColumns& b, const VertexColumns& c,
+                          const selvage_texture& texture) {
+    const ColumnTag d;
+    const TexelsOf u(a.u, b.u, c.u, texture.width), v(a.v, b.v, c.v, texture.height);
+    s = {u.first, u.lowered_fx24};
+    t = {v.first, v.lowered_fx24};
+    shape = hn::Set(d, kSmallShapeCount);
+    for (int32_t i = kSmallShapeCount - 1; i >= 0; --i) {
+      const auto& window = kSmallShapes[i];
+      if (texture.width < window.columns() || texture.height < window.rows()) continue;
+      const Columns column = hn::Min(u.first, hn::Set(d, texture.width - window.columns()));
+      const Columns row = hn::Min(v.first, hn::Set(d, texture.height - window.rows()));
+      const auto holds = hn::And(hn::Lt(hn::Sub(u.last, column), hn::Set(d, window.columns())),
+                                 hn::Lt(hn::Sub(v.last, row), hn::Set(d, window.rows())));
+      s.texel = hn::IfThenElse(holds, column, s.texel);
+      t.texel = hn::IfThenElse(holds, row, t.texel);
+      shape = hn::IfThenElse(holds, hn::Set(d, i), shape);
+    }
+  }
+
+ private:
+  // Of triangles, the first and the last one that they show.
+  struct TexelsOf {
+    Columns first, last, lowered_fx24;
+
+    HWY_INLINE TexelsOf(Columns a, Columns b, Columns c, int32_t size_texel) {
+      const ColumnTag d;
+      const Columns end = hn::Set(d, size_texel);
+      const Columns most = hn::ShiftRight<kTexelFraction>(hn::Max(hn::Max(a, b), c));
+      const auto is_end = hn::Eq(most, end);
+      lowered_fx24 = hn::IfThenElseZero(is_end, hn::Set(d, kLowered_fx24));
+      last = hn::Min(most, hn::Sub(end, hn::Set(d, 1)));
+      // All three may be the end.
+      first = hn::Min(hn::ShiftRight<kTexelFraction>(hn::Min(hn::Min(a, b), c)), last);
+    }
+  };
+};
+
 // u or v of triangles, each to be picked: counted from the first texel of a window, at the part's
 // first pixel, and from there to the right and down.
 struct SmallCoordinate {
   HWY_ALIGN int32_t origin_texel[kRows];
   // 1/65536 texel times the doubled area.
   HWY_ALIGN double start[kRows], right[kRows], down[kRows];
-  // Lanes of 8.24 and their steps: floors, modulo 2^32.
+  // Lanes of 8.24 and their steps: floors, modulo 2^32. Where the texture ends at a vertex, lanes
+  // are lowered, so that none is so far.
   HWY_ALIGN int32_t start_fx24[kRows], right_fx24[kRows], down_fx24[kRows];
 };
 
@@ -73,22 +138,23 @@ class SmallMaps {
   }
 
   // Of what is such at the three vertices.
-  HWY_INLINE void find(Columns a, Columns b, Columns c, Columns origin_texel, SmallCoordinate* to) {
+  HWY_INLINE void find(Columns a, Columns b, Columns c, const SmallOrigin& origin,
+                       SmallCoordinate* to) {
     const RowTag d;
     const ColumnTag columns;
     const RowNumbers to_second = change(a, b), to_third = change(a, c);
     const RowNumbers along_x = cross(to_second, y3_, to_third, y2_),
                      along_y = cross(to_third, x2_, to_second, x3_);
-    const RowNumbers from_origin = number(hn::Sub(a, hn::ShiftLeft<kTexelFraction>(origin_texel)));
+    const RowNumbers from_origin = number(hn::Sub(a, hn::ShiftLeft<kTexelFraction>(origin.texel)));
     const RowNumbers rise = hn::MulAdd(dx_, along_x, hn::Mul(dy_, along_y));
     const RowNumbers start = hn::MulAdd(from_origin, area_, rise);
     const RowNumbers right = hn::Mul(along_x, hn::Set(d, kSubpixels)),
                      down = hn::Mul(along_y, hn::Set(d, kSubpixels));
-    hn::Store(origin_texel, columns, to->origin_texel);
+    hn::Store(origin.texel, columns, to->origin_texel);
     hn::Store(start, d, to->start);
     hn::Store(right, d, to->right);
     hn::Store(down, d, to->down);
-    hn::Store(floor_fx24(start), columns, to->start_fx24);
+    hn::Store(hn::Sub(floor_fx24(start), origin.lowered_fx24), columns, to->start_fx24);
     hn::Store(floor_fx24(right), columns, to->right_fx24);
     hn::Store(floor_fx24(down), columns, to->down_fx24);
   }
@@ -121,55 +187,6 @@ class SmallMaps {
 
   RowNumbers x2_, y2_, x3_, y3_, dx_, dy_, turn_, area_, reciprocal_;
   SumOfSquares estimates_;
-};
-
-// The windows that triangles are drawn from, the smaller ones first: what lies in none is loaded
-// texel by texel. In meshes, where nobody foresees how many pixels a row has, that was measured to
-// cost more than the largest of them.
-struct SmallShape {
-  int column_bits;
-  int32_t vectors;
-
-  [[nodiscard]] constexpr int32_t columns() const { return 1 << column_bits; }
-  [[nodiscard]] constexpr int32_t rows() const { return vectors * (kLanes >> column_bits); }
-};
-inline constexpr SmallShape kSmallShapes[] = {
-    {kHalfColumnBits, 2}, {kHalfColumnBits, 4}, {kWindowColumnBits, 8}, {kWindowColumnBits, 12}};
-inline constexpr int32_t kSmallShapeCount = std::size(kSmallShapes);
-
-// Which of them, and where they begin: at the least texels, or before them, so that they lie in the
-// texture.
-struct SmallWindows {
-  Columns s, t, shape;
-
-  HWY_INLINE SmallWindows(const VertexColumns& a, const VertexColumns& b, const VertexColumns& c,
-                          const selvage_texture& texture) {
-    const ColumnTag d;
-    const Columns first_s = least(a.u, b.u, c.u), first_t = least(a.v, b.v, c.v);
-    const Columns last_s = most(a.u, b.u, c.u), last_t = most(a.v, b.v, c.v);
-    s = first_s;
-    t = first_t;
-    shape = hn::Set(d, kSmallShapeCount);
-    for (int32_t i = kSmallShapeCount - 1; i >= 0; --i) {
-      const auto& window = kSmallShapes[i];
-      if (texture.width < window.columns() || texture.height < window.rows()) continue;
-      const Columns column = hn::Min(first_s, hn::Set(d, texture.width - window.columns()));
-      const Columns row = hn::Min(first_t, hn::Set(d, texture.height - window.rows()));
-      const auto holds = hn::And(hn::Lt(hn::Sub(last_s, column), hn::Set(d, window.columns())),
-                                 hn::Lt(hn::Sub(last_t, row), hn::Set(d, window.rows())));
-      s = hn::IfThenElse(holds, column, s);
-      t = hn::IfThenElse(holds, row, t);
-      shape = hn::IfThenElse(holds, hn::Set(d, i), shape);
-    }
-  }
-
- private:
-  static HWY_INLINE Columns least(Columns x, Columns y, Columns z) {
-    return hn::ShiftRight<kTexelFraction>(hn::Min(hn::Min(x, y), z));
-  }
-  static HWY_INLINE Columns most(Columns x, Columns y, Columns z) {
-    return hn::ShiftRight<kTexelFraction>(hn::Max(hn::Max(x, y), z));
-  }
 };
 
 // Of kRows triangles.

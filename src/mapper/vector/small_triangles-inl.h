@@ -78,7 +78,7 @@ template <class Pixel, class Source>
 [[nodiscard]] HWY_INLINE bool draw_by_lanes(const SmallTriangle& triangle, const Source& source,
                                             const selvage_image& target) {
   const D32 d;
-  const LowFineLanes low(kSmallLack_fx24);
+  const LowFineLanes low(kSmallLack_fx24 + kLowered_fx24);
   const auto offsets = [&](const SmallCoordinate& of) HWY_ATTR {
     return hn::Mul(hn::Iota(d, 0), hn::Set(d, of.right_fx24[triangle.i]));
   };
@@ -92,23 +92,30 @@ template <class Pixel, class Source>
   return changes_texels<kWindowFraction>(changed);
 }
 
-// Texels' 16.16 along a row, counted from a window: floors of numerators over one divisor.
+// Texels' 16.16 along a row, counted from a window: floors of numerators over one divisor, and
+// where the texture ends, the last ones in it.
 class ExactSmallCoordinate {
  public:
-  HWY_INLINE ExactSmallCoordinate(const SmallCoordinate& of, size_t i, double divisor)
+  HWY_INLINE ExactSmallCoordinate(const SmallCoordinate& of, size_t i, double divisor,
+                                  int32_t size_texel)
       : start_(of.start[i]),
         right_(of.right[i]),
         down_(of.down[i]),
         divisor_(hn::Set(RowTag(), divisor)),
-        reciprocal_(hn::Div(hn::Set(RowTag(), 1.0), divisor_)) {}
+        reciprocal_(hn::Div(hn::Set(RowTag(), 1.0), divisor_)),
+        most_(hn::Set(D32(), most_fx16(size_texel - of.origin_texel[i]))) {}
 
   // From a pixel so far from the first one on.
   [[nodiscard]] HWY_INLINE V32 from(int32_t right_px, int32_t down_px) const {
     const double first = start_ + right_px * right_ + down_px * down_;
-    return hn::Combine(D32(), floors(first + kRows * right_), floors(first));
+    return hn::Min(hn::Combine(D32(), floors(first + kRows * right_), floors(first)), most_);
   }
 
  private:
+  // So many texels from the window's first one the texture ends, or far beyond the triangle.
+  static HWY_INLINE int32_t most_fx16(int32_t end_texel) {
+    return (HWY_MIN(end_texel, 1 << 8) << kTexelFraction) - 1;
+  }
   // Of pixels they are less than 2^kSmallTexelBits; others may be anything.
   struct Unchecked {
     static HWY_INLINE RowNumbers of(RowNumbers value) { return value; }
@@ -122,20 +129,23 @@ class ExactSmallCoordinate {
 
   double start_, right_, down_;
   RowNumbers divisor_, reciprocal_;
+  V32 most_;
 };
 
 template <class Pixel, class Source>
 HWY_NOINLINE void draw_by_quotients(const SmallTriangle& triangle, const Source& source,
-                                    const selvage_image& target) {
+                                    const Surface& surface) {
   const SmallSetUp& set_up = triangle.set_up;
   const double divisor = set_up.doubled_area[triangle.i];
-  const ExactSmallCoordinate u(set_up.u, triangle.i, divisor), v(set_up.v, triangle.i, divisor);
-  triangle.for_each_row<Pixel>(target, [&](int32_t k, int32_t count_px, Pixel* to) HWY_ATTR {
-    if (count_px == 0) return;
-    const int32_t right_px = triangle.rows.left_px[k] - triangle.first_px;
-    const LaneVectors lanes{u.from(right_px, k), v.from(right_px, k)};
-    source.draw(lanes, count_px, to);
-  });
+  const ExactSmallCoordinate u(set_up.u, triangle.i, divisor, surface.texture.width),
+      v(set_up.v, triangle.i, divisor, surface.texture.height);
+  triangle.for_each_row<Pixel>(
+      surface.target, [&](int32_t k, int32_t count_px, Pixel* to) HWY_ATTR {
+        if (count_px == 0) return;
+        const int32_t right_px = triangle.rows.left_px[k] - triangle.first_px;
+        const LaneVectors lanes{u.from(right_px, k), v.from(right_px, k)};
+        source.draw(lanes, count_px, to);
+      });
 }
 
 // Texels from a window, or each by itself, by lanes that are counted from its first one.
@@ -200,7 +210,7 @@ HWY_INLINE void draw_small_triangle(const SmallTriangle& triangle, const Surface
                                           triangle.set_up.v.origin_texel[triangle.i]);
   const bool has_lanes = (triangle.set_up.have_lanes >> triangle.i & 1) != 0;
   if (HWY_LIKELY(has_lanes && !draw_by_lanes<Pixel>(triangle, source, surface.target))) return;
-  draw_by_quotients<Pixel>(triangle, source, surface.target);
+  draw_by_quotients<Pixel>(triangle, source, surface);
 }
 
 // By its shape, one of kShape or above.
