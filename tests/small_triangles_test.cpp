@@ -6,81 +6,25 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <utility>
 #include <vector>
 
 #include "mapper/image.h"
 #include "mapper/polygon.h"
-#include "mapper/small_triangles.h"
 #include "spec/random.h"
 #include "spec/vertex_units.h"
 #include "tests/any_surfaces.h"
 #include "tests/fenced_bytes.h"
-#include "tests/kernel_support.h"
+#include "tests/small_support.h"
 
 namespace selvage::mapper {
 namespace {
 
-using mapper::SmallLimits;
-using mapper::SmallTriangles;
 using spec::kPixel_fx8;
 using spec::kTexel_fx16;
-
-using SmallOutline = spec::Vertices;
 
 [[nodiscard]] bool is_small_drawable(const SmallOutline& outline) {
   Polygon polygon;
   return examine(outline, &polygon) == SELVAGE_OK;
-}
-
-[[nodiscard]] const selvage_rect* clip_of(const spec::Case& c) {
-  return c.has_clip ? &c.clip : nullptr;
-}
-[[nodiscard]] selvage_options options_for(const spec::Case& c, selvage_kernel kernel) {
-  return {c.profile, c.filter, c.address, 0, kernel};
-}
-
-// As a case says, but of these outlines.
-[[nodiscard]] spec::Canvas draw_each(const spec::Case& c, const selvage_texture& texture,
-                                     const std::vector<SmallOutline>& outlines) {
-  spec::Canvas target = target_of(c);
-  const selvage_image image = target.image();
-  const selvage_options options = options_for(c, SELVAGE_KERNEL_SCALAR);
-  for (const SmallOutline& outline : outlines) {
-    EXPECT_EQ(selvage_draw(&image, clip_of(c), outline.data(), outline.size(), &texture, &options),
-              SELVAGE_OK);
-  }
-  return target;
-}
-[[nodiscard]] spec::Canvas draw_together(const spec::Case& c, const selvage_texture& texture,
-                                         const std::vector<SmallOutline>& outlines,
-                                         selvage_kernel kernel, int32_t threads) {
-  spec::Canvas target = target_of(c);
-  const selvage_image image = target.image();
-  const selvage_options options = options_for(c, kernel);
-  std::vector<selvage_polygon> polygons;
-  for (const SmallOutline& outline : outlines) {
-    polygons.push_back({outline.data(), outline.size(), &texture});
-  }
-  const size_t bytes = selvage_draw_many_bytes(polygons.size());
-  std::vector<std::max_align_t> scratch(bytes / sizeof(std::max_align_t) + 1);
-  EXPECT_EQ(selvage_draw_many(&image, clip_of(c), polygons.data(), polygons.size(), &options,
-                              threads, scratch.data(), bytes, nullptr),
-            SELVAGE_OK);
-  return target;
-}
-
-void expect_list_drawn_alike(const spec::Case& c, const std::vector<SmallOutline>& outlines,
-                             uint64_t seed) {
-  const spec::TextureMemory texture = texture_of(c);
-  const spec::Canvas one_by_one = draw_each(c, texture.view(), outlines);
-  for (const selvage_kernel kernel : usable_kernels()) {
-    for (const int32_t threads : {1, 3}) {
-      ASSERT_TRUE(draw_together(c, texture.view(), outlines, kernel, threads) == one_by_one)
-          << "kernel " << kernel << ", " << threads << " threads, seed " << seed << "\n"
-          << spec::print(c);
-    }
-  }
 }
 
 [[nodiscard]] spec::Case any_small_case(spec::Random& random) {
@@ -97,17 +41,6 @@ void expect_list_drawn_alike(const spec::Case& c, const std::vector<SmallOutline
   const int32_t left = random.in(-5, 50), top = random.in(-5, 50);
   c.clip = {left, top, left + random.in(1, 40), top + random.in(1, 40)};
   return c;
-}
-
-// b with a b = 1 modulo m, or 0 where there is none: Euclid's algorithm.
-[[nodiscard]] int64_t inverse(int64_t a, int64_t m) {
-  int64_t rest = m, other = a % m, factor = 0, other_factor = 1;
-  while (other != 0) {
-    const int64_t quotient = rest / other;
-    std::swap(rest -= quotient * other, other);
-    std::swap(factor -= quotient * other_factor, other_factor);
-  }
-  return rest == 1 ? (factor + m) % m : 0;
 }
 
 // Of hardly an area, so thin that u and v may run by more than lanes can tell: about a pixel's
@@ -225,154 +158,6 @@ TEST_P(SmallTrianglesOf, EveryKernelDrawsAsTheScalarOneDoes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Block, SmallTrianglesOf, testing::Range(uint64_t{0}, uint64_t{5}));
-
-// How much of each vertex a point of a triangle has, times the doubled area: all of them positive
-// inside.
-struct Weights {
-  int64_t of[3];
-
-  [[nodiscard]] int64_t sum() const { return of[0] + of[1] + of[2]; }
-  [[nodiscard]] bool are_inside() const { return of[0] > 0 && of[1] > 0 && of[2] > 0; }
-};
-
-[[nodiscard]] Weights weights_at(const SmallOutline& triangle, int32_t x_fx8, int32_t y_fx8) {
-  const auto doubled_area = [&](size_t from, size_t to) {
-    const int64_t ax = triangle[from].x - x_fx8, ay = triangle[from].y - y_fx8;
-    const int64_t bx = triangle[to].x - x_fx8, by = triangle[to].y - y_fx8;
-    return ax * by - ay * bx;
-  };
-  Weights weights{{doubled_area(1, 2), doubled_area(2, 0), doubled_area(0, 1)}};
-  if (weights.sum() < 0) {
-    for (int64_t& weight : weights.of) weight = -weight;
-  }
-  return weights;
-}
-
-// Of the pixels inside some triangle of most of 16 x 16 of them: the first, the last, or another.
-struct CoveredPixel {
-  SmallOutline triangle;
-  Weights weights;
-};
-[[nodiscard]] CoveredPixel any_covered_pixel(spec::Random& random) {
-  const auto end = [&](bool far) { return (far ? 16 * kPixel_fx8 : 0) + random.in(-140, 141); };
-  for (;;) {
-    const size_t without = random.below(4);
-    SmallOutline triangle;
-    for (size_t corner = 0; corner < 4; ++corner) {
-      if (corner == without) continue;
-      const int32_t x = end(corner == 1 || corner == 2), y = end(corner >= 2);
-      triangle.push_back({x, y, 0, 0, 1});
-    }
-    std::vector<Weights> inside;
-    for (int32_t row = 0; row < 16; ++row) {
-      for (int32_t px = 0; px < 16; ++px) {
-        const Weights weights = weights_at(triangle, px * kPixel_fx8 + 128, row * kPixel_fx8 + 128);
-        if (weights.are_inside()) inside.push_back(weights);
-      }
-    }
-    if (inside.empty()) continue;
-    const size_t any = random.below(inside.size());
-    return {triangle, inside[random.pick({size_t{0}, inside.size() - 1, any})]};
-  }
-}
-
-// Values at the vertices, within some texels, that are a whole texel at the pixel, but for so many
-// units of 1 / (65536 D) texel, D being the doubled area. False where chance found none.
-[[nodiscard]] bool set_near_whole(spec::Random& random, const Weights& weights, int64_t off,
-                                  int32_t most_texel, int32_t selvage_vertex::*texel,
-                                  SmallOutline* triangle) {
-  const int64_t area = weights.sum(), back = inverse(weights.of[0] % area, area);
-  const int64_t most_fx16 = int64_t{most_texel} * kTexel_fx16;
-  for (int tries = 0; back != 0 && tries < 2000; ++tries) {
-    const int64_t b = random.in(0, most_fx16), c = random.in(0, most_fx16);
-    const int64_t others = weights.of[1] * b + weights.of[2] * c - off;
-    // weight a = -others, modulo the area
-    const int64_t missing = ((-others) % area + area) % area;
-    const int64_t a = missing * back % area;
-    if (a >= most_fx16) continue;
-    const int64_t value_fx16 = (weights.of[0] * a + others) / area;
-    const auto raise = static_cast<int32_t>(-value_fx16 & (kTexel_fx16 - 1));
-    (*triangle)[0].*texel = static_cast<int32_t>(a) + raise;
-    (*triangle)[1].*texel = static_cast<int32_t>(b) + raise;
-    (*triangle)[2].*texel = static_cast<int32_t>(c) + raise;
-    return true;
-  }
-  return false;
-}
-
-// At one pixel u or v is whole, or hardly more, or hardly less: as near as a lane may lie to it.
-TEST_P(SmallTrianglesOf, AreExactNextToWholeTexels) {
-  int drawn = 0;
-  for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
-    spec::Random random(seed);
-    auto [triangle, weights] = any_covered_pixel(random);
-    for (selvage_vertex& vertex : triangle) {
-      const int32_t u = random.in(0, 4 * kTexel_fx16), v = random.in(0, 4 * kTexel_fx16);
-      vertex.u = u;
-      vertex.v = v;
-    }
-    const int64_t area = weights.sum();
-    // Lanes lack up to 35 / 256 of a unit of u and v, and are no more than floors.
-    const int64_t off =
-        random.percent(50) ? random.in(0, 40 * area / 256) : -int64_t{random.in(0, 300)};
-    const auto texel = random.pick({&selvage_vertex::u, &selvage_vertex::v});
-    const int32_t most_texel = random.pick({7, 15, 60});
-    if (!set_near_whole(random, weights, off, most_texel, texel, &triangle)) continue;
-    spec::Case c = any_surfaces(random);
-    c.target_width_px = c.target_height_px = 17;
-    c.texture_width_texel = c.texture_height_texel = most_texel + 1;
-    ++drawn;
-    ASSERT_NO_FATAL_FAILURE(expect_list_drawn_alike(c, {triangle}, seed));
-  }
-  EXPECT_GT(drawn, static_cast<int>(kSeeds / 4));
-}
-
-// Found by search: lanes that lack as much as any do at a pixel where u or v is hardly more than
-// whole, and the exact values of the first pixel hardly less.
-TEST(SmallTriangles, AreExactWhereLanesLackMost) {
-  const std::vector<SmallOutline> triangles = {
-      {{4135, 4143, 225403, 185313, 1}, {4131, 36, 405398, 26674, 1}, {108, 4134, 9480, 189801, 1}},
-      {{4122, 4015, 184408, 131171, 1},
-       {3985, -18, 160973, 224116, 1},
-       {34, 4157, 520201, 151711, 1}},
-      {{4123, 4158, 456557, 201086, 1},
-       {4113, 73, 479954, 359833, 1},
-       {121, 4051, 485830, 258811, 1}},
-      {{4214, 22, 449806, 55269, 1}, {4211, 4071, 330751, 364123, 1}, {33, 4057, 226323, 10945, 1}},
-      {{46, 5, 284238, 402047, 1}, {-97, 4040, 498404, 299485, 1}, {3975, -75, 142465, 144732, 1}},
-      {{-54, 4221, 335954, 524135, 1},
-       {-44, 15, 514864, 47076, 1},
-       {4056, -123, 302563, 165720, 1}}};
-  spec::Case c;
-  c.format = SELVAGE_INDEX8;
-  c.target_width_px = c.target_height_px = 32;
-  c.texture_width_texel = c.texture_height_texel = 8;
-  for (const SmallOutline& triangle : triangles) {
-    ASSERT_NO_FATAL_FAILURE(expect_list_drawn_alike(c, {triangle}, /*seed=*/0));
-  }
-}
-
-// Found by search, too: needles of which the start alone, or a step alone, is more than lanes tell.
-TEST(SmallTriangles, AreExactWhereOneNumberIsBeyondLanes) {
-  const std::vector<SmallOutline> needles = {{{10368, 8064, 8004354, 111186, 1},
-                                              {9935, 8289, 7973865, 111185, 1},
-                                              {13501, 6436, 8107703, 111185, 1}},
-                                             {{1152, 3968, 196606, 8006116, 1},
-                                              {219, 4722, 262144, 8006115, 1},
-                                              {1496, 3690, 262141, 8006114, 1}},
-                                             {{7296, 4992, 1768252, 296520, 1},
-                                              {6975, 4087, 1928731, 296518, 1},
-                                              {8187, 7504, 1867101, 296518, 1}},
-                                             {{9059, 3097, 196605, 2587648, 1},
-                                              {9808, 6075, 131069, 3541760, 1},
-                                              {9600, 5248, 196606, 3276800, 1}}};
-  spec::Case c;
-  c.target_width_px = c.target_height_px = 60;
-  c.texture_width_texel = c.texture_height_texel = 130;
-  for (const SmallOutline& needle : needles) {
-    ASSERT_NO_FATAL_FAILURE(expect_list_drawn_alike(c, {needle}, /*seed=*/0));
-  }
-}
 
 // Its first byte lies behind a page that may not be read, or its last byte before one.
 TEST(SmallTriangles, ReadNoTexelBesideTheTexture) {

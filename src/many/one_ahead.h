@@ -19,7 +19,7 @@ class OneAhead {
   [[nodiscard]] bool find(const mapper::Polygon& polygon, const selvage_rect& visible,
                           const mapper::Surface& surface, const mapper::Kernels& kernels) {
     const selvage_rect part = mapper::part_of(polygon, visible);
-    if (!is_small(polygon, part)) return false;
+    if (!is_one_batch(polygon, part)) return false;
     const size_t next = 1 - last_;
     if (!found_[next].emplace(polygon, part, kernels).has_plane()) return false;
     finish(surface);
@@ -34,7 +34,7 @@ class OneAhead {
   }
 
  private:
-  [[nodiscard]] static bool is_small(const mapper::Polygon& polygon, const selvage_rect& part) {
+  [[nodiscard]] static bool is_one_batch(const mapper::Polygon& polygon, const selvage_rect& part) {
     return polygon.vertices.size() == 3 && !mapper::is_empty(part) &&
            mapper::PlaneDraw::fits(polygon, part) && !polygon.untransformed;
   }

@@ -55,8 +55,9 @@ static_assert((kSmall.most_px + 1) << kSubpixelBits <= 1 << kSmallPlaceBits &&
 static_assert(2 * (kSmallPlaceBits + 1) + kSmallTexelBits + 2 < 53);
 
 // Their lanes walk right and down from the first pixel.
-inline constexpr int32_t kSmallLack_fx24 = fine_lack_fx24(
-    2 * kSmall.most_px, kPlaneErrorPerStep_fx32* static_cast<uint32_t>(2 * kSmall.most_px + 1));
+inline constexpr int32_t kMostSmallSteps = 2 * kSmall.most_px;
+inline constexpr int32_t kSmallLack_fx24 =
+    fine_lack_fx24(kMostSmallSteps, uint32_t{kMostSmallSteps + 1} * kPlaneErrorPerStep_fx32);
 
 // In perspective they are floors of estimates that are lowered by their error, and lack less than
 // twice that, the floor's unit, and what is left of one where the sum is floored.

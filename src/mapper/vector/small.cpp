@@ -1,5 +1,4 @@
-// Small triangles from vertices to pixels: Highway includes this file again
-// for each SIMD target.
+// Small triangles from vertices to pixels: Highway includes this file again for each SIMD target.
 #include "mapper/vector/targets.h"
 
 #undef HWY_TARGET_INCLUDE

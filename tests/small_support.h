@@ -1,0 +1,82 @@
+// Lists of small triangles, drawn together and one after another.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "selvage.h"
+#include "spec/canvas.h"
+#include "spec/case.h"
+#include "tests/kernel_support.h"
+
+namespace selvage::mapper {
+
+using SmallOutline = spec::Vertices;
+
+[[nodiscard]] inline const selvage_rect* clip_of(const spec::Case& c) {
+  return c.has_clip ? &c.clip : nullptr;
+}
+[[nodiscard]] inline selvage_options options_for(const spec::Case& c, selvage_kernel kernel) {
+  return {c.profile, c.filter, c.address, 0, kernel};
+}
+
+// As a case says, but of these outlines.
+[[nodiscard]] inline spec::Canvas draw_each(const spec::Case& c, const selvage_texture& texture,
+                                            const std::vector<SmallOutline>& outlines) {
+  spec::Canvas target = target_of(c);
+  const selvage_image image = target.image();
+  const selvage_options options = options_for(c, SELVAGE_KERNEL_SCALAR);
+  for (const SmallOutline& outline : outlines) {
+    EXPECT_EQ(selvage_draw(&image, clip_of(c), outline.data(), outline.size(), &texture, &options),
+              SELVAGE_OK);
+  }
+  return target;
+}
+[[nodiscard]] inline spec::Canvas draw_together(const spec::Case& c, const selvage_texture& texture,
+                                                const std::vector<SmallOutline>& outlines,
+                                                selvage_kernel kernel, int32_t threads) {
+  spec::Canvas target = target_of(c);
+  const selvage_image image = target.image();
+  const selvage_options options = options_for(c, kernel);
+  std::vector<selvage_polygon> polygons;
+  for (const SmallOutline& outline : outlines) {
+    polygons.push_back({outline.data(), outline.size(), &texture});
+  }
+  const size_t bytes = selvage_draw_many_bytes(polygons.size());
+  std::vector<std::max_align_t> scratch(bytes / sizeof(std::max_align_t) + 1);
+  EXPECT_EQ(selvage_draw_many(&image, clip_of(c), polygons.data(), polygons.size(), &options,
+                              threads, scratch.data(), bytes, nullptr),
+            SELVAGE_OK);
+  return target;
+}
+
+// Fatal where some kernel draws the list otherwise than the scalar one draws its outlines in turn.
+inline void expect_list_drawn_alike(const spec::Case& c, const std::vector<SmallOutline>& outlines,
+                                    uint64_t seed) {
+  const spec::TextureMemory texture = texture_of(c);
+  const spec::Canvas one_by_one = draw_each(c, texture.view(), outlines);
+  for (const selvage_kernel kernel : usable_kernels()) {
+    for (const int32_t threads : {1, 3}) {
+      ASSERT_TRUE(draw_together(c, texture.view(), outlines, kernel, threads) == one_by_one)
+          << "kernel " << kernel << ", " << threads << " threads, seed " << seed << "\n"
+          << spec::print(c);
+    }
+  }
+}
+
+// b with a b = 1 modulo m, or 0 where there is none: Euclid's algorithm.
+[[nodiscard]] inline int64_t inverse(int64_t a, int64_t m) {
+  int64_t rest = m, other = a % m, factor = 0, other_factor = 1;
+  while (other != 0) {
+    const int64_t quotient = rest / other;
+    std::swap(rest -= quotient * other, other);
+    std::swap(factor -= quotient * other_factor, other_factor);
+  }
+  return rest == 1 ? (factor + m) % m : 0;
+}
+
+}  // namespace selvage::mapper
