@@ -151,5 +151,32 @@ TEST(BlendWindows, KernelsDrawTheSameWhereAllIsNear) {
   }
 }
 
+// Steps of 1/16 texel, from any such place on: in some vector of each slope the last pixel lies on
+// a whole texel, which may be the first one that a window of fewer rows lacks.
+TEST(BlendWindows, KernelsDrawTheSameWherePixelsLieOnTexels) {
+  constexpr int32_t first = kPixel_fx8 / 2, kSide_px = 64, end = first + kSide_px * kPixel_fx8;
+  constexpr int32_t kSixteenth_fx16 = kTexel_fx16 / 16;
+  for (int32_t step = -16; step <= 16; ++step) {
+    for (int32_t place = 0; place < 16; ++place) {
+      for (const int32_t across : {1, 8, 15}) {
+        SCOPED_TRACE("steps of " + std::to_string(across) + " and " + std::to_string(step) +
+                     " sixteenths, from " + std::to_string(place) + " on");
+        const int32_t u = kTexel_fx16, v = 66 * kTexel_fx16 + place * kSixteenth_fx16;
+        const int32_t far_u = u + kSide_px * across * kSixteenth_fx16;
+        const int32_t far_v = v + kSide_px * step * kSixteenth_fx16;
+        const std::vector<selvage_vertex> vertices{
+            {first, first, u, v, 1}, {end, first, far_u, far_v, 1}, {first, end, u, v, 1}};
+        ASSERT_NO_FATAL_FAILURE(expect_fenced_alike({{64, 132, 64, false},
+                                                     kSide_px,
+                                                     4,
+                                                     SELVAGE_ADDRESS_CLAMP,
+                                                     SELVAGE_FILTER_BILINEAR,
+                                                     vertices},
+                                                    FencedBytes::Side::kLast));
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace selvage::mapper

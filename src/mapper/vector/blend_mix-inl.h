@@ -16,7 +16,6 @@
 
 #include "mapper/filter_point.h"
 #include "mapper/vector/blend_pairs-inl.h"
-#include "mapper/vector/words-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -44,9 +43,21 @@ HWY_ALIGN inline constexpr uint8_t kSpreadLast[16] = {8,  8,  8,  8,  8,  8,  8,
 // Channels of the left texel beside those of the right one.
 HWY_ALIGN inline constexpr uint8_t kInterleave[16] = {0, 4,  1, 5,  2,  6,  3,  7,
                                                       8, 12, 9, 13, 10, 14, 11, 15};
-// Channels of four pixels, those of the second and third swapped, to pixels.
-HWY_ALIGN inline constexpr uint8_t kTranspose[16] = {0, 4, 8, 12, 2, 6, 10, 14,
-                                                     1, 5, 9, 13, 3, 7, 11, 15};
+// The same as the high bytes of words, 4 times each: 256 times the number.
+HWY_ALIGN inline constexpr uint8_t kWordsFirst[16] = {0x80, 0, 0x80, 0, 0x80, 0, 0x80, 0,
+                                                      0x80, 4, 0x80, 4, 0x80, 4, 0x80, 4};
+HWY_ALIGN inline constexpr uint8_t kWordsLast[16] = {0x80, 8,  0x80, 8,  0x80, 8,  0x80, 8,
+                                                     0x80, 12, 0x80, 12, 0x80, 12, 0x80, 12};
+// Channels of the first two pixels, each before one of the last two, to pixels.
+HWY_ALIGN inline constexpr uint8_t kFirstThenLast[16] = {0, 2, 4, 6, 8, 10, 12, 14,
+                                                         1, 3, 5, 7, 9, 11, 13, 15};
+
+// Bytes of each block spread over words: 0 where the order is 0x80.
+[[nodiscard]] HWY_INLINE V16 spread(V32 bytes, const uint8_t* order) {
+  const hn::Repartition<uint8_t, D32> d8;
+  return hn::BitCast(D16(),
+                     hn::TableLookupBytesOr0(hn::BitCast(d8, bytes), hn::LoadDup128(d8, order)));
+}
 
 // Of neighbouring bytes, unsigned weights and signed levels. No sum may leave 16 bits.
 [[nodiscard]] HWY_INLINE V16 byte_products(V32 weights, V32 levels) {
@@ -77,18 +88,36 @@ HWY_ALIGN inline constexpr uint8_t kTranspose[16] = {0, 4, 8, 12, 2, 6, 10, 14,
   return hn::Add(hn::BitCast(d, left), byte_products(weights, centred));
 }
 
-// Of pixels kFirst and kFirst + 1 of each block: S + 32768 - 2^23 of each channel, for the 128
-// above come to (256 - z) 128 + z 128 = 32768. Bits 16 to 23 of that, the channel less 128, go to
-// the low bytes of 16 bits, of the two pixels in turn. `weights` are 256 - z and z.
-template <int kFirst>
-[[nodiscard]] HWY_INLINE V32 mix_down(V16 upper, V16 lower, V32 weights) {
+[[nodiscard]] HWY_INLINE V16 subtract_where(hn::Mask<D16> mask, V16 from, V16 number) {
+#if HWY_TARGET == HWY_AVX3
+  return V16{_mm512_mask_sub_epi16(from.raw, mask.raw, from.raw, number.raw)};
+#else
+  return hn::Sub(from, hn::IfThenElseZero(mask, number));
+#endif
+}
+
+// `start` and floor(S / 256) of each channel, less what the sums across are less, in 16 bits, of
+// 256 z:
+//
+//     floor(S / 256) = upper + floor(z (lower - upper) / 256).
+//
+// The difference is modulo 2^16. Where it is negative it is 2^16 too large, and the high word of
+// the product z too large by 256.
+[[nodiscard]] HWY_INLINE V16 mix_down(V16 start, V16 upper, V16 lower, V16 z_fx16) {
   const D16 d;
-  const auto of = [&](V32 pixel) { return hn::BitCast(d, pixel); };
-  const V32 one =
-      word_products(hn::InterleaveLower(d, upper, lower), of(hn::Broadcast<kFirst>(weights)));
-  const V32 next =
-      word_products(hn::InterleaveUpper(d, upper, lower), of(hn::Broadcast<kFirst + 1>(weights)));
-  return hn::BitCast(D32(), hn::OddEven(of(next), of(hn::ShiftRight<16>(one))));
+  const hn::RebindToUnsigned<D16> du;
+  const auto rise = hn::BitCast(du, hn::Sub(lower, upper));
+  const V16 part = hn::BitCast(d, hn::MulHigh(rise, hn::BitCast(du, z_fx16)));
+  const V16 right = subtract_where(hn::Gt(upper, lower), start, z_fx16);
+  return hn::Add(hn::Add(upper, part), right);
+}
+
+// The high bytes of words, of `even` to the even bytes. `odd_bytes` has these set.
+[[nodiscard]] HWY_INLINE V32 high_bytes(V16 even, V16 odd, V32 odd_bytes) {
+  const D32 d;
+  const hn::RebindToUnsigned<D16> du;
+  const V32 low = hn::BitCast(d, hn::ShiftRight<8>(hn::BitCast(du, even)));
+  return hn::OrAnd(low, hn::BitCast(d, odd), odd_bytes);
 }
 
 // Channels of the left texels beside those of the right ones.
@@ -102,19 +131,16 @@ template <int kFirst>
 // kLanes pixels of pairs whose channels are side by side; the weights are the low bytes of the
 // points.
 [[nodiscard]] HWY_INLINE V32 mix(const Around<Pairs>& channels, V32 u_fx8, V32 v_fx8) {
-  const D32 d;
   const V32 flip = all_bytes(0x00FF00FF);
-  const V32 across_first = hn::Xor(reorder(u_fx8, kSpreadFirst), flip);
-  const V32 across_last = hn::Xor(reorder(u_fx8, kSpreadLast), flip);
-  const V32 z = hn::And(v_fx8, hn::Set(d, kTexel_fx8 - 1));
-  const V32 down = hn::Add(hn::Sub(hn::ShiftLeft<16>(z), z), hn::Set(d, kTexel_fx8));
-  const V32 first = mix_down<0>(mix_across(channels.upper.first, across_first),
-                                mix_across(channels.lower.first, across_first), down);
-  const V32 last = mix_down<2>(mix_across(channels.upper.last, across_last),
-                               mix_across(channels.lower.last, across_last), down);
-  const hn::Repartition<uint8_t, D32> d8;
-  const auto bytes = hn::OddEven(hn::BitCast(d8, hn::ShiftLeft<8>(last)), hn::BitCast(d8, first));
-  return hn::Xor(reorder(hn::BitCast(d, bytes), kTranspose), all_bytes(0x80808080));
+  const V32 w_first = hn::Xor(reorder(u_fx8, kSpreadFirst), flip);
+  const V32 w_last = hn::Xor(reorder(u_fx8, kSpreadLast), flip);
+  const V16 none = hn::Zero(D16());
+  const V16 first = mix_down(none, mix_across(channels.upper.first, w_first),
+                             mix_across(channels.lower.first, w_first), spread(v_fx8, kWordsFirst));
+  const V16 last = mix_down(none, mix_across(channels.upper.last, w_last),
+                            mix_across(channels.lower.last, w_last), spread(v_fx8, kWordsLast));
+  const V32 pixels = reorder(high_bytes(first, last, all_bytes(0xFF00FF00)), kFirstThenLast);
+  return hn::Xor(pixels, all_bytes(0x80808080));
 }
 
 }  // namespace

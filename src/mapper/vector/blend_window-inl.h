@@ -20,48 +20,72 @@ namespace {
 
 inline constexpr bool kHasBlendWindows = HWY_TARGET == HWY_AVX3;
 
-// Of so many vectors, each one row or two halves.
+// Upper texels are picked from so many vectors, each one row or two halves. Lower ones are picked
+// from as many that begin a row below, at the same places; where that were too many vectors of
+// halves, from the same ones.
 template <int kColumnBits, int32_t kVectors>
 class BlendWindow {
+  static constexpr bool kHalves = 1 << kColumnBits < kLanes;
+  static constexpr bool kHasLower = !kHalves || kVectors <= 3;
+
  public:
   static constexpr int32_t kColumns = 1 << kColumnBits;
-  static constexpr int32_t kRows = kVectors * (kLanes >> kColumnBits);
+  static constexpr int32_t kRows = kVectors * (kLanes >> kColumnBits) + (kHasLower ? 1 : 0);
   // Fewer permutes pick from the next smaller one with as many columns, if there is such.
-  static constexpr bool kHasSmaller = kVectors == 3 || kVectors > 4;
-  using Smaller = BlendWindow<kColumnBits, kVectors == 3 ? 2 : kVectors - 2>;
+  static constexpr bool kHasSmaller = kVectors > 4;
+  using Smaller = BlendWindow<kColumnBits, kVectors - 2>;
 
-  HWY_INLINE BlendWindow(const uint32_t* texels, ptrdiff_t pitch_texel, const BlendConstants& k)
+  // Where there are fewer rows, the last one stands for those below it.
+  HWY_INLINE BlendWindow(const uint32_t* texels, ptrdiff_t pitch_texel, int32_t rows,
+                         const BlendConstants& k)
       : k_(k) {
+    constexpr int32_t kRowsApart = kHasLower ? 1 : kLanes >> kColumnBits;
+    const auto below = [&](int32_t row) { return row + 1 < rows ? pitch_texel : 0; };
 #pragma GCC unroll 16
-    for (int32_t i = 0; i < kVectors; ++i) {
-      vectors_[i] = hn::Xor(load(texels, pitch_texel), k.signs);
-      texels += (kLanes >> kColumnBits) * pitch_texel;
+    for (int32_t i = 0; i < kLoads; ++i) {
+      const int32_t row = i * kRowsApart;
+      vectors_[i] = hn::Xor(load(texels, below(row)), k.signs);
+#pragma GCC unroll 2
+      for (int32_t next = row; next < row + kRowsApart; ++next) texels += below(next);
     }
   }
 
-  // With a weight of 0 the right texel is the left one.
   HWY_INLINE Corners corners(const WindowLanes& lanes) const {
-    const D32 d;
-    const V32 s = hn::ShiftRight<kWindowFraction>(lanes.u);
+    const V32 rows = kHalves ? k_.rows_of_8 : k_.rows_of_16;
     const V32 t = hn::ShiftRight<kWindowFraction - kColumnBits>(lanes.v);
-    const V32 upper = hn::Or(s, hn::And(t, hn::Set(d, -kColumns)));
-    const V32 lower = hn::Add(upper, hn::Set(d, kColumns));
-    const auto has_right = hn::TestBit(lanes.u, k_.weight_bits);
-    const V32 right = hn::IfThenElseZero(has_right, k_.one);
-    const V32 upper_right = hn::Add(upper, right), lower_right = hn::Add(lower, right);
-    // The right texel is in the same row, and so in the same vector, as the left one.
-    const Pick in_upper(upper, k_), in_lower(lower, k_);
-    return {pick(upper, in_upper), pick(upper_right, in_upper), pick(lower, in_lower),
-            pick(lower_right, in_lower)};
+    const auto at = [&](V32 u) HWY_ATTR {
+      return hn::IfVecThenElse(rows, t, hn::ShiftRight<kWindowFraction>(u));
+    };
+    // With a weight of 0 the right texel is the left one. It is in the same row, and so in the same
+    // vector.
+    const V32 left = at(lanes.u), right = at(hn::Add(lanes.u, k_.to_right));
+    const Pick upper(left, k_);
+    if constexpr (kHasLower) {
+      return {pick<0>(left, upper), pick<0>(right, upper), pick<1>(left, upper),
+              pick<1>(right, upper)};
+    } else {
+      // ~(kColumns - 1) is -kColumns.
+      const V32 lower_left = hn::Sub(left, rows), lower_right = hn::Sub(right, rows);
+      const Pick lower(lower_left, k_);
+      return {pick<0>(left, upper), pick<0>(right, upper), pick<0>(lower_left, lower),
+              pick<0>(lower_right, lower)};
+    }
   }
 
  private:
-  static HWY_INLINE V32 load(const uint32_t* texels, ptrdiff_t pitch_texel) {
-    if constexpr (1 << kColumnBits == kLanes) {
-      return load_row<D32>(texels);
-    } else {
+  static constexpr int32_t kLoads = !kHasLower ? kVectors : (kHalves ? 2 * kVectors : kVectors + 1);
+
+  // The i-th vector to pick from, of those that begin kBelow rows below the first.
+  template <int32_t kBelow>
+  HWY_INLINE V32 vector(int32_t i) const {
+    return vectors_[(kHalves && kHasLower ? 2 * i : i) + kBelow];
+  }
+  static HWY_INLINE V32 load(const uint32_t* texels, ptrdiff_t to_next_texel) {
+    if constexpr (kHalves) {
       using Half = hn::Half<D32>;
-      return hn::Combine(D32(), load_row<Half>(texels + pitch_texel), load_row<Half>(texels));
+      return hn::Combine(D32(), load_row<Half>(texels + to_next_texel), load_row<Half>(texels));
+    } else {
+      return load_row<D32>(texels);
     }
   }
 
@@ -72,38 +96,41 @@ class BlendWindow {
     hn::Mask<D32> odd_pair, last_pairs;
   };
 
-  template <int32_t kFirst>
+  template <int32_t kBelow, int32_t kFirst>
   HWY_INLINE V32 permute(V32 index) const {
 #if HWY_TARGET == HWY_AVX3
     if constexpr (kFirst + 1 == kVectors) {
-      return V32{_mm512_permutexvar_epi32(index.raw, vectors_[kFirst].raw)};
+      return V32{_mm512_permutexvar_epi32(index.raw, vector<kBelow>(kFirst).raw)};
     } else {
-      return V32{
-          _mm512_permutex2var_epi32(vectors_[kFirst].raw, index.raw, vectors_[kFirst + 1].raw)};
+      return V32{_mm512_permutex2var_epi32(vector<kBelow>(kFirst).raw, index.raw,
+                                           vector<kBelow>(kFirst + 1).raw)};
     }
 #else
     return index;
 #endif
   }
   // From the pair at kFirst and the next one.
-  template <int32_t kFirst>
+  template <int32_t kBelow, int32_t kFirst>
   HWY_INLINE V32 pick_four(V32 index, const Pick& of) const {
     if constexpr (kFirst + 2 >= kVectors) {
-      return permute<kFirst>(index);
+      return permute<kBelow, kFirst>(index);
     } else {
-      return hn::IfThenElse(of.odd_pair, permute<kFirst + 2>(index), permute<kFirst>(index));
+      return hn::IfThenElse(of.odd_pair, permute<kBelow, kFirst + 2>(index),
+                            permute<kBelow, kFirst>(index));
     }
   }
+  template <int32_t kBelow>
   HWY_INLINE V32 pick(V32 index, const Pick& of) const {
     if constexpr (kVectors <= 4) {
-      return pick_four<0>(index, of);
+      return pick_four<kBelow, 0>(index, of);
     } else {
-      return hn::IfThenElse(of.last_pairs, pick_four<4>(index, of), pick_four<0>(index, of));
+      return hn::IfThenElse(of.last_pairs, pick_four<kBelow, 4>(index, of),
+                            pick_four<kBelow, 0>(index, of));
     }
   }
 
   const BlendConstants& k_;
-  V32 vectors_[kVectors];
+  V32 vectors_[kLoads];
 };
 
 }  // namespace

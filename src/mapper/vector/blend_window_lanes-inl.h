@@ -91,44 +91,64 @@ class WindowBlender {
   template <class Lanes>
   HWY_INLINE bool draw(const Lanes& from, const Anchor_fx24& anchor, int32_t v_reach_fx24,
                        bool inside, int32_t count_px, uint32_t* pixels) const {
-    const int32_t last_column = width_texel_ - Window::kColumns;
-    const int32_t last_row = height_texel_ - Window::kRows;
-    WindowOrigin s = WindowOrigin::of(anchor.u, last_column);
-    WindowOrigin t = WindowOrigin::of(anchor.v, last_row);
-    WindowLanes lanes = from(s.shift_fx24, t.shift_fx24);
-    bool is_left = any_near(lanes);
-    lanes = weighted(lanes);
-    if (HWY_UNLIKELY(!inside)) {
-      if (clamps_) {
-        s = WindowOrigin::clamped(anchor.u, last_column, width_texel_);
-        t = WindowOrigin::clamped(anchor.v, last_row, height_texel_);
-        lanes = weighted(from(s.shift_fx24, t.shift_fx24));
-        lanes = {s.clamp(lanes.u, width_texel_), t.clamp(lanes.v, height_texel_)};
-      } else {
-        s = WindowOrigin::wrapped(anchor.u, width_texel_);
-        t = WindowOrigin::wrapped(anchor.v, height_texel_);
-        lanes = weighted(from(s.shift_fx24, t.shift_fx24));
-        is_left |= s.texel > last_column || t.texel > last_row;
-      }
-    }
-    if (HWY_UNLIKELY(is_left)) return false;
-    const ptrdiff_t place = t.texel * pitch_texel_ + s.texel;
+    const WindowOrigin s = WindowOrigin::of(anchor.u, width_texel_ - Window::kColumns);
+    const WindowOrigin t = WindowOrigin::of(anchor.v, height_texel_ - Window::kRows);
+    const WindowLanes lanes = from(s.shift_fx24, t.shift_fx24);
+    if (HWY_UNLIKELY(any_near(lanes))) return false;
+    if (HWY_UNLIKELY(!inside)) return draw_at_sides(lanes, s, t, anchor, count_px, pixels);
     if constexpr (Window::kHasSmaller) {
       using Smaller = typename Window::Smaller;
-      if (inside && t.above(anchor.v) + v_reach_fx24 < (Smaller::kRows - 1) * kOneTexel_fx24) {
-        blend<Smaller>(lanes, place, count_px, pixels);
+      if (t.above(anchor.v) + v_reach_fx24 < (Smaller::kRows - 1) * kOneTexel_fx24) {
+        blend<Smaller>(lanes, s, t, Smaller::kRows, count_px, pixels);
         return true;
       }
     }
-    blend<Window>(lanes, place, count_px, pixels);
+    blend<Window>(lanes, s, t, Window::kRows, count_px, pixels);
     return true;
   }
 
  private:
+  // The same of lanes from `s` and `t` on that are beyond the texture, or that have no texel right
+  // of or below them.
+  HWY_INLINE bool draw_at_sides(const WindowLanes& lanes, const WindowOrigin& s,
+                                const WindowOrigin& t, const Anchor_fx24& anchor, int32_t count_px,
+                                uint32_t* pixels) const {
+    const int32_t last_column = width_texel_ - Window::kColumns;
+    const int32_t last_row = height_texel_ - Window::kRows;
+    if (clamps_) {
+      // Below the last row there is nothing to pick: it may be the last upper one.
+      const WindowOrigin left = WindowOrigin::clamped(anchor.u, last_column, width_texel_);
+      const WindowOrigin top = WindowOrigin::clamped(anchor.v, last_row + 1, height_texel_);
+      const V32 u = weighted(shifted(lanes.u, s, left)), v = weighted(shifted(lanes.v, t, top));
+      blend_weighted<Window>({left.clamp(u, width_texel_), top.clamp(v, height_texel_)}, left, top,
+                             height_texel_ - top.texel, count_px, pixels);
+      return true;
+    }
+    const WindowOrigin left = WindowOrigin::wrapped(anchor.u, width_texel_);
+    const WindowOrigin top = WindowOrigin::wrapped(anchor.v, height_texel_);
+    if (left.texel > last_column || top.texel > last_row) return false;
+    blend<Window>({shifted(lanes.u, s, left), shifted(lanes.v, t, top)}, left, top, Window::kRows,
+                  count_px, pixels);
+    return true;
+  }
+
+  // Lanes from `to` on instead of `from`.
+  static HWY_INLINE V32 shifted(V32 lanes, const WindowOrigin& from, const WindowOrigin& to) {
+    const uint32_t by_fx24 =
+        static_cast<uint32_t>(to.shift_fx24) - static_cast<uint32_t>(from.shift_fx24);
+    return hn::Add(lanes, hn::Set(D32(), static_cast<int32_t>(by_fx24)));
+  }
   template <class From>
-  HWY_INLINE void blend(const WindowLanes& lanes, ptrdiff_t place, int32_t count_px,
-                        uint32_t* pixels) const {
-    const From window(texels_ + place, pitch_texel_, constants_);
+  HWY_INLINE void blend(const WindowLanes& lanes, const WindowOrigin& s, const WindowOrigin& t,
+                        int32_t rows, int32_t count_px, uint32_t* pixels) const {
+    blend_weighted<From>({weighted(lanes.u), weighted(lanes.v)}, s, t, rows, count_px, pixels);
+  }
+  template <class From>
+  HWY_INLINE void blend_weighted(const WindowLanes& lanes, const WindowOrigin& s,
+                                 const WindowOrigin& t, int32_t rows, int32_t count_px,
+                                 uint32_t* pixels) const {
+    const uint32_t* const first = texels_ + (t.texel * pitch_texel_ + s.texel);
+    const From window(first, pitch_texel_, rows, constants_);
     store_pixels(mix_corners(window.corners(lanes), lanes, constants_), count_px, pixels);
   }
   // Below the grid are the low words, and the high ones are never more than those of sure_.
@@ -138,11 +158,10 @@ class WindowBlender {
     return !hn::AllFalse(d, hn::Gt(below, hn::BitCast(d, sure_)));
   }
   // The same for bilinear; for four, with weights of a half.
-  HWY_INLINE WindowLanes weighted(const WindowLanes& lanes) const {
+  HWY_INLINE V32 weighted(V32 lanes) const {
     if constexpr (!kFour) return lanes;
     const V32 weights = hn::Set(D32(), 0xFF << kWindowGridFraction);
-    const V32 half = hn::Set(D32(), kTexel_fx8 / 2 << kWindowGridFraction);
-    return {hn::IfVecThenElse(weights, half, lanes.u), hn::IfVecThenElse(weights, half, lanes.v)};
+    return hn::IfVecThenElse(weights, hn::Set(D32(), kTexel_fx8 / 2 << kWindowGridFraction), lanes);
   }
 
   const uint32_t* texels_;
@@ -198,11 +217,13 @@ HWY_INLINE void with_blend_window([[maybe_unused]] Lane step_fx32,
       with(window);
       return true;
     };
-    static_cast<void>(holds(std::type_identity<BlendWindow<3, 2>>()) ||
+    static_cast<void>(holds(std::type_identity<BlendWindow<3, 1>>()) ||
                       holds(std::type_identity<BlendWindow<4, 2>>()) ||
+                      holds(std::type_identity<BlendWindow<3, 2>>()) ||
                       holds(std::type_identity<BlendWindow<3, 3>>()) ||
-                      holds(std::type_identity<BlendWindow<3, 4>>()) ||
+                      holds(std::type_identity<BlendWindow<4, 3>>()) ||
                       holds(std::type_identity<BlendWindow<4, 4>>()) ||
+                      holds(std::type_identity<BlendWindow<3, 4>>()) ||
                       holds(std::type_identity<BlendWindow<4, 6>>()) ||
                       holds(std::type_identity<BlendWindow<4, 8>>()));
   }

@@ -26,6 +26,7 @@
 #include "mapper/vector/blend_mix-inl.h"
 #include "mapper/vector/box_edges-inl.h"
 #include "mapper/vector/box_rounding-inl.h"
+#include "mapper/vector/words-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
