@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <numeric>
 #include <vector>
 
 #include "mapper/image.h"
@@ -181,6 +182,58 @@ TEST(SmallTriangles, ReadNoTexelBesideTheTexture) {
                                   nullptr};
     for (const selvage_kernel kernel : usable_kernels()) {
       static_cast<void>(draw_together(c, texture, outlines, kernel, 1));
+    }
+  }
+}
+
+// A list on some rows, which are returned one after another.
+[[nodiscard]] std::vector<uint32_t> rows_drawn(char* first_row, ptrdiff_t pitch,
+                                               selvage_kernel kernel) {
+  constexpr int32_t kWidth_px = 40, kRows = 10;
+  std::vector<uint32_t> texels(size_t{32} * 32);
+  std::iota(texels.begin(), texels.end(), 1U);
+  const selvage_texture texture{texels.data(),       32,     32, 128, SELVAGE_RGBA8888,
+                                SELVAGE_LAYOUT_ROWS, nullptr};
+  const selvage_image target{first_row, kWidth_px, kRows, pitch, SELVAGE_RGBA8888};
+  std::vector<SmallOutline> outlines;
+  for (int32_t i = 0; i < 11; ++i) {
+    const int32_t x_fx8 = i * 3 * kPixel_fx8 + 17, u_fx16 = i * kTexel_fx16;
+    outlines.push_back({{x_fx8, 30 * i, u_fx16, kTexel_fx16, 1},
+                        {x_fx8 + 9 * kPixel_fx8, 100 + 40 * i, u_fx16 + 7 * kTexel_fx16, 0, 1},
+                        {x_fx8 + kPixel_fx8, 2500 - 40 * i, u_fx16, 20 * kTexel_fx16, 1}});
+  }
+  std::vector<selvage_polygon> polygons;
+  for (const SmallOutline& outline : outlines) {
+    polygons.push_back({outline.data(), outline.size(), &texture});
+  }
+  selvage_options options{};
+  options.kernel = kernel;
+  const size_t bytes = selvage_draw_many_bytes(polygons.size());
+  std::vector<std::max_align_t> scratch(bytes / sizeof(std::max_align_t) + 1);
+  EXPECT_EQ(selvage_draw_many(&target, nullptr, polygons.data(), polygons.size(), &options, 1,
+                              scratch.data(), bytes, nullptr),
+            SELVAGE_OK);
+  std::vector<uint32_t> pixels(size_t{kWidth_px} * kRows);
+  for (int32_t row = 0; row < kRows; ++row) {
+    std::memcpy(pixels.data() + row * kWidth_px, first_row + row * pitch,
+                kWidth_px * sizeof(uint32_t));
+  }
+  return pixels;
+}
+
+// 32 bits hold how many bytes one row is from the next, but not from the one nine rows away.
+TEST(SmallTriangles, RowsMayBeFarApart) {
+  constexpr ptrdiff_t kFar = ptrdiff_t{1} << 28, kLastRow = 9 * kFar;
+  std::vector<char> near(10 * 160);
+  const std::vector<uint32_t> wanted = rows_drawn(near.data(), 160, SELVAGE_KERNEL_SCALAR);
+  ASSERT_GT(std::count_if(wanted.begin(), wanted.end(), [](uint32_t p) { return p != 0; }), 200);
+  for (const selvage_kernel kernel : usable_kernels()) {
+    for (const bool up : {false, true}) {
+      const FencedBytes memory(kLastRow + 160, FencedBytes::Side::kFirst);
+      EXPECT_EQ(up ? rows_drawn(memory.first() + kLastRow, -kFar, kernel)
+                   : rows_drawn(memory.first(), kFar, kernel),
+                wanted)
+          << "kernel " << kernel;
     }
   }
 }

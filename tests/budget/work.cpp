@@ -8,6 +8,7 @@
 #include <random>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "reports/bench/near_tie_maps.h"
 #include "reports/bench/workloads.h"
@@ -185,10 +186,12 @@ std::optional<Work> near_tie_map(std::string_view seed_or_twin) {
 }  // namespace
 
 std::optional<Work> work_of(std::string_view kind) {
-  constexpr std::string_view kFlipped = "-flipped";
-  if (kind.ends_with(kFlipped)) {
-    std::optional<Work> work = work_of(kind.substr(0, kind.size() - kFlipped.size()));
-    if (work) work->flips_texture = true;
+  constexpr std::string_view kFlipped = "-flipped", kList = "-list";
+  for (const auto& [suffix, setting] :
+       {std::pair(kFlipped, &Work::flips_texture), std::pair(kList, &Work::as_list)}) {
+    if (!kind.ends_with(suffix)) continue;
+    std::optional<Work> work = work_of(kind.substr(0, kind.size() - suffix.size()));
+    if (work) (*work).*setting = true;
     return work;
   }
   if (kind == "mesh-52") return mesh(52, Depth::kFlat);

@@ -21,6 +21,7 @@ struct Work {
   selvage_address address = SELVAGE_ADDRESS_CLAMP;
   bool with_sums = false;
   bool flips_texture = false;  // its bottom row is stored first
+  bool as_list = false;        // drawn by one call
 };
 
 // mesh-52 and mesh-484: a jittered mesh of triangles of about so many pixels; tilted-52 and
@@ -28,7 +29,8 @@ struct Work {
 // area-tilted, area-ruled and area-sums: minified spans, the last by looking boxes up; A1 and so
 // on, A1-ordinary and so on: 64 rows of an adversarial item of the report, and of its ordinary
 // twin; seed-N and seed-N-ordinary: a map of `selvage bench --near-ties`, and one of its twins.
-// With -flipped behind it, from a texture stored bottom row first. Nothing for another name.
+// With -flipped behind it, from a texture stored bottom row first; with -list, by one call of
+// selvage_draw_many. Nothing for another name.
 [[nodiscard]] std::optional<Work> work_of(std::string_view kind);
 
 }  // namespace selvage::budget

@@ -14,7 +14,7 @@
 
 namespace selvage::mapper::HWY_NAMESPACE {
 
-#if HWY_TARGET == HWY_AVX3
+#if SELVAGE_DRAWS_SMALL
 constexpr auto kDrawSmall = &draw_small;
 constexpr SmallLimits kSmallLimits = kSmall;
 #else

@@ -16,14 +16,24 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-#if HWY_TARGET == HWY_AVX3
+#if SELVAGE_DRAWS_SMALL
 
-static_assert(kRows == 8 && SmallTriangles::kMost % size_t{kRows} == 0);
+static_assert((kRows == 4 || kRows == 8) && SmallTriangles::kMost % size_t{kRows} == 0);
 
 // Of a vertex of each triangle.
 struct VertexColumns {
   Columns x, y, u, v;
 };
+
+// Numbers of the i-th triangle, four to each, and of every fourth one from there.
+template <class D, class Numbers>
+[[nodiscard]] HWY_INLINE hn::Vec<D> every_fourth(D d, const Numbers& numbers, size_t i) {
+  if constexpr (hn::MaxLanes(D()) == 4) {
+    return numbers(i);
+  } else {
+    return hn::Combine(d, numbers(i + 4), numbers(i));
+  }
+}
 
 // The k-th ones of kRows triangles from an index on; of fewer, the last one's again.
 [[nodiscard]] HWY_INLINE VertexColumns vertices_of(const SmallTriangles& triangles, size_t first,
@@ -34,8 +44,8 @@ struct VertexColumns {
     const size_t index = HWY_MIN(first + i, triangles.count() - 1);
     return hn::LoadU(hn::FixedTag<int32_t, 4>(), &triangles.polygon(index).vertices[k].x);
   };
-  const auto both = [&](size_t i) HWY_ATTR { return hn::Combine(d, vertex(i + 4), vertex(i)); };
-  const Columns a = both(0), b = both(1), c = both(2), e = both(3);
+  const auto all = [&](size_t i) HWY_ATTR { return every_fourth(d, vertex, i); };
+  const Columns a = all(0), b = all(1), c = all(2), e = all(3);
   const auto xy_ab = hn::BitCast(pairs, hn::InterleaveLower(d, a, b)),
              xy_ce = hn::BitCast(pairs, hn::InterleaveLower(d, c, e)),
              uv_ab = hn::BitCast(pairs, hn::InterleaveUpper(d, a, b)),
@@ -124,6 +134,24 @@ class SmallEdges {
   const RowNumbers row = number(hn::LoadU(ColumnTag(), first_row));
   return {a, b, c, hn::MulAdd(row, hn::Set(d, kSubpixels), hn::Set(d, kHalfPixel))};
 }
+
+// The spans of kLanes rows between two columns, no pixels where they are not in the triangle.
+struct SmallSpans {
+  V32 left_px, right_px;
+
+  // From so many rows below the first one on.
+  HWY_INLINE SmallSpans(const TriangleLines& lines, int32_t down_px, int32_t first_px,
+                        int32_t end_px) {
+    static_assert(kLanes == 2 * kRows);
+    const D32 d;
+    const RowNumbers upper = hn::Iota(RowTag(), down_px),
+                     lower = hn::Iota(RowTag(), down_px + kRows);
+    const V32 a = hn::Combine(d, lines.whole_columns(lower), lines.whole_columns(upper));
+    const V32 b = hn::Combine(d, lines.broken_columns(lower), lines.broken_columns(upper));
+    left_px = hn::Max(hn::Min(a, b), hn::Set(d, first_px));
+    right_px = hn::Max(hn::Min(hn::Max(a, b), hn::Set(d, end_px)), left_px);
+  }
+};
 
 #endif
 

@@ -11,8 +11,8 @@
 #define SELVAGE_VECTOR_SMALL_SET_UP_INL_H
 #endif
 
+#include <array>
 #include <cstddef>
-#include <iterator>
 
 #include "mapper/small_triangles.h"
 #include "mapper/vector/kernel.h"
@@ -24,7 +24,7 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-#if HWY_TARGET == HWY_AVX3
+#if SELVAGE_DRAWS_SMALL
 
 // Whether some numbers are all so small, by the sum of their squares, which rounding does not make
 // less than the greatest of those: one operation a number, where to keep the greatest takes two.
@@ -54,9 +54,13 @@ struct SmallShape {
   [[nodiscard]] constexpr int32_t columns() const { return 1 << column_bits; }
   [[nodiscard]] constexpr int32_t rows() const { return vectors * (kLanes >> column_bits); }
 };
-inline constexpr SmallShape kSmallShapes[] = {
-    {kHalfColumnBits, 2}, {kHalfColumnBits, 4}, {kWindowColumnBits, 8}, {kWindowColumnBits, 12}};
-inline constexpr int32_t kSmallShapeCount = std::size(kSmallShapes);
+#if HWY_TARGET == HWY_AVX3
+inline constexpr std::array<SmallShape, 4> kSmallShapes = {
+    {{kHalfColumnBits, 2}, {kHalfColumnBits, 4}, {kWindowColumnBits, 8}, {kWindowColumnBits, 12}}};
+#else
+inline constexpr std::array<SmallShape, 0> kSmallShapes = {};
+#endif
+inline constexpr int32_t kSmallShapeCount = kSmallShapes.size();
 
 // Where a window begins, u or v, and kLowered_fx24 where lanes are lowered by that.
 inline constexpr int32_t kLowered_fx24 = 1;
@@ -78,7 +82,7 @@ struct SmallWindows {
     t = {v.first, v.lowered_fx24};
     shape = hn::Set(d, kSmallShapeCount);
     for (int32_t i = kSmallShapeCount - 1; i >= 0; --i) {
-      const auto& window = kSmallShapes[i];
+      const SmallShape window = kSmallShapes[static_cast<size_t>(i)];
       if (texture.width < window.columns() || texture.height < window.rows()) continue;
       const Columns column = hn::Min(u.first, hn::Set(d, texture.width - window.columns()));
       const Columns row = hn::Min(v.first, hn::Set(d, texture.height - window.rows()));
@@ -163,7 +167,9 @@ class SmallMaps {
   // Of which triangles the lanes that were found are what they should be. Not where one has no
   // area: an estimate is infinite there, or no number.
   [[nodiscard]] HWY_INLINE uint32_t have_lanes() const {
-    return estimates_.is_below(kMostRounded_fx32).raw;
+    uint8_t bits[8] = {};  // as many as are stored
+    hn::StoreMaskBits(RowTag(), estimates_.is_below(kMostRounded_fx32), bits);
+    return bits[0];
   }
 
  private:

@@ -1,9 +1,8 @@
-// Small triangles from their vertices to their pixels: each from one window, or by a load for each
-// pixel. Included once for each SIMD target.
+// Small triangles from their vertices to their pixels. Included once for each SIMD target.
 //
 // Lanes walk from the part's first pixel by floors of steps in 8.24: those of affine_window, whose
-// law and proof they share, where each pixel is its own anchor. Where there is a near-tie, the
-// triangle is drawn once more, by quotients without error.
+// law and proof they share, where each pixel is its own anchor. Near-ties are found by quotients
+// without error.
 #if defined(SELVAGE_VECTOR_SMALL_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_SMALL_TRIANGLES_INL_H
 #undef SELVAGE_VECTOR_SMALL_TRIANGLES_INL_H
@@ -11,232 +10,25 @@
 #define SELVAGE_VECTOR_SMALL_TRIANGLES_INL_H
 #endif
 
-#include "mapper/vector/affine_window-inl.h"
 #include "mapper/vector/entries-inl.h"
-#include "mapper/vector/fetch-inl.h"
-#include "mapper/vector/small_set_up-inl.h"
+#include "mapper/vector/small_list-inl.h"
+#include "mapper/vector/small_windows-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
-#if HWY_TARGET == HWY_AVX3
+#if SELVAGE_DRAWS_SMALL
 namespace {
 
-static_assert(kSmall.most_px == kLanes && kLanes == 2 * kRows, "a row is a vector, all are one");
 static_assert(HWY_MAX(kSmall.most_columns_texel, kSmall.most_rows_texel) <
                   1 << (31 - kWindowFraction),
               "lanes of 8.24 hold them");
-
-// Of each row: its first pixel, how many there are, and the lanes of the first.
-struct SmallRows {
-  HWY_ALIGN int32_t left_px[kLanes], count_px[kLanes], u_fx24[kLanes], v_fx24[kLanes];
-
-  HWY_INLINE SmallRows(const SmallSetUp& set_up, size_t i, int32_t first_px, int32_t end_px) {
-    const D32 d;
-    const TriangleLines lines = set_up.edges.of(i);
-    const RowNumbers upper = hn::Iota(RowTag(), 0), lower = hn::Iota(RowTag(), kRows);
-    const V32 a = hn::Combine(d, lines.whole_columns(lower), lines.whole_columns(upper));
-    const V32 b = hn::Combine(d, lines.broken_columns(lower), lines.broken_columns(upper));
-    const V32 left = hn::Max(hn::Min(a, b), hn::Set(d, first_px));
-    const V32 right = hn::Max(hn::Min(hn::Max(a, b), hn::Set(d, end_px)), left);
-    const V32 across = hn::Sub(left, hn::Set(d, first_px)), down = hn::Iota(d, 0);
-    const auto lanes = [&](const SmallCoordinate& of) HWY_ATTR {
-      const V32 at_left =
-          hn::Add(hn::Set(d, of.start_fx24[i]), hn::Mul(across, hn::Set(d, of.right_fx24[i])));
-      return hn::Add(at_left, hn::Mul(down, hn::Set(d, of.down_fx24[i])));
-    };
-    hn::Store(left, d, left_px);
-    hn::Store(hn::Sub(right, left), d, count_px);
-    hn::Store(lanes(set_up.u), d, u_fx24);
-    hn::Store(lanes(set_up.v), d, v_fx24);
-  }
-};
-
-// One of those that were set up.
-struct SmallTriangle {
-  const SmallSetUp& set_up;
-  size_t i;
-  const SmallRows& rows;
-  int32_t first_px, first_row, end_row;
-
-  // Calls draw(k, count_px, to) for each row, the k-th.
-  template <class Pixel, class Draw>
-  HWY_INLINE void for_each_row(const selvage_image& target, const Draw& draw) const {
-    char* const pixels = static_cast<char*>(target.pixels);
-    // Modulo 2^64: a pitch below the last row there may be no address.
-    const auto pitch = static_cast<size_t>(target.pitch);
-    size_t row = static_cast<size_t>(first_row) * pitch;
-    for (int32_t k = 0; k < end_row - first_row; ++k) {
-      auto* const to = reinterpret_cast<Pixel*>(pixels + static_cast<ptrdiff_t>(row));
-      draw(k, rows.count_px[k], to + rows.left_px[k]);
-      row += pitch;
-    }
-  }
-};
-
-// Returns whether there is a near-tie among the pixels, of which all are drawn.
-template <class Pixel, class Source>
-[[nodiscard]] HWY_INLINE bool draw_by_lanes(const SmallTriangle& triangle, const Source& source,
-                                            const selvage_image& target) {
-  const D32 d;
-  const LowFineLanes low(kSmallLack_fx24 + kLowered_fx24);
-  const auto offsets = [&](const SmallCoordinate& of) HWY_ATTR {
-    return hn::Mul(hn::Iota(d, 0), hn::Set(d, of.right_fx24[triangle.i]));
-  };
-  const V32 offset_u = offsets(triangle.set_up.u), offset_v = offsets(triangle.set_up.v);
-  V32 changed = hn::Zero(d);
-  triangle.for_each_row<Pixel>(target, [&](int32_t k, int32_t count_px, Pixel* to) HWY_ATTR {
-    const LaneVectors lanes{hn::Add(hn::Set(d, triangle.rows.u_fx24[k]), offset_u),
-                            hn::Add(hn::Set(d, triangle.rows.v_fx24[k]), offset_v)};
-    changed = source.draw(low, lanes, count_px, changed, to);
-  });
-  return changes_texels<kWindowFraction>(changed);
-}
-
-// Texels' 16.16 along a row, counted from a window: floors of numerators over one divisor, and
-// where the texture ends, the last ones in it.
-class ExactSmallCoordinate {
- public:
-  HWY_INLINE ExactSmallCoordinate(const SmallCoordinate& of, size_t i, double divisor,
-                                  int32_t size_texel)
-      : start_(of.start[i]),
-        right_(of.right[i]),
-        down_(of.down[i]),
-        divisor_(hn::Set(RowTag(), divisor)),
-        reciprocal_(hn::Div(hn::Set(RowTag(), 1.0), divisor_)),
-        most_(hn::Set(D32(), most_fx16(size_texel - of.origin_texel[i]))) {}
-
-  // From a pixel so far from the first one on.
-  [[nodiscard]] HWY_INLINE V32 from(int32_t right_px, int32_t down_px) const {
-    const double first = start_ + right_px * right_ + down_px * down_;
-    return hn::Min(hn::Combine(D32(), floors(first + kRows * right_), floors(first)), most_);
-  }
-
- private:
-  // So many texels from the window's first one the texture ends, or far beyond the triangle.
-  static HWY_INLINE int32_t most_fx16(int32_t end_texel) {
-    return (HWY_MIN(end_texel, 1 << 8) << kTexelFraction) - 1;
-  }
-  // Of pixels they are less than 2^kSmallTexelBits; others may be anything.
-  struct Unchecked {
-    static HWY_INLINE RowNumbers of(RowNumbers value) { return value; }
-  };
-  [[nodiscard]] HWY_INLINE Columns floors(double first) const {
-    const RowTag d;
-    const RowNumbers n = hn::MulAdd(hn::Iota(d, 0), hn::Set(d, right_), hn::Set(d, first));
-    Unchecked all;
-    return low_bits<0>(floor_quotient<0>(n, divisor_, reciprocal_, &all));
-  }
-
-  double start_, right_, down_;
-  RowNumbers divisor_, reciprocal_;
-  V32 most_;
-};
-
-template <class Pixel, class Source>
-HWY_NOINLINE void draw_by_quotients(const SmallTriangle& triangle, const Source& source,
-                                    const Surface& surface) {
-  const SmallSetUp& set_up = triangle.set_up;
-  const double divisor = set_up.doubled_area[triangle.i];
-  const ExactSmallCoordinate u(set_up.u, triangle.i, divisor, surface.texture.width),
-      v(set_up.v, triangle.i, divisor, surface.texture.height);
-  triangle.for_each_row<Pixel>(
-      surface.target, [&](int32_t k, int32_t count_px, Pixel* to) HWY_ATTR {
-        if (count_px == 0) return;
-        const int32_t right_px = triangle.rows.left_px[k] - triangle.first_px;
-        const LaneVectors lanes{u.from(right_px, k), v.from(right_px, k)};
-        source.draw(lanes, count_px, to);
-      });
-}
-
-// Texels from a window, or each by itself, by lanes that are counted from its first one.
-template <class Pixel, int kShape>
-class SmallSource {
- public:
-  HWY_INLINE SmallSource(const selvage_texture& texture, int32_t s, int32_t t)
-      : window_(texture, {{s, s}, {t, t}, kSmallShapes[kShape].vectors}) {}
-
-  // As draw_some() does.
-  [[nodiscard]] HWY_INLINE V32 draw(const LowFineLanes& low, const LaneVectors& lanes,
-                                    int32_t count_px, V32 changed, Pixel* to) const {
-    return draw_some(window_, low, lanes, count_px, changed, to);
-  }
-  // The first pixels of a vector, by lanes of 16.16 that lack nothing.
-  HWY_INLINE void draw(const LaneVectors& lanes, int32_t count_px, Pixel* to) const {
-    store_first(window_.template texels<kTexelFraction>(lanes), count_px, to);
-  }
-
- private:
-  Window<Pixel, Addressed<InsideVector>, kSmallShapes[kShape].column_bits,
-         kSmallShapes[kShape].vectors>
-      window_;
-};
-template <class Pixel>
-class SmallSource<Pixel, kSmallShapeCount> {
- public:
-  HWY_INLINE SmallSource(const selvage_texture& texture, int32_t s, int32_t t)
-      : first_(static_cast<const Pixel*>(texture.texels) + t * pitch_texel_of(texture) + s),
-        pitch_texel_(static_cast<int32_t>(pitch_texel_of(texture))) {}
-
-  [[nodiscard]] HWY_INLINE V32 draw(const LowFineLanes& low, const LaneVectors& lanes,
-                                    int32_t count_px, V32 changed, Pixel* to) const {
-    const D32 d;
-    fetch<LowFineLanes::kFraction>(lanes, count_px, to);
-    const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
-    return hn::IfThenElse(is_pixel, hn::Or(changed, low.changes(lanes)), changed);
-  }
-  HWY_INLINE void draw(const LaneVectors& lanes, int32_t count_px, Pixel* to) const {
-    fetch<kTexelFraction>(lanes, count_px, to);
-  }
-
- private:
-  // Of the first texel's row or column, lanes of 8.24 may be less than 0 by what they lack.
-  template <int kFraction>
-  HWY_INLINE void fetch(const LaneVectors& lanes, int32_t count_px, Pixel* to) const {
-    const D32 d;
-    const V32 s = hn::Max(hn::ShiftRight<kFraction>(lanes.u), hn::Zero(d)),
-              t = hn::Max(hn::ShiftRight<kFraction>(lanes.v), hn::Zero(d));
-    fetch_first<Pixel>(first_, hn::Add(hn::Mul(t, hn::Set(d, pitch_texel_)), s), count_px,
-                       reinterpret_cast<char*>(to));
-  }
-
-  const Pixel* first_;
-  int32_t pitch_texel_;
-};
-
-template <class Pixel, int kShape>
-HWY_INLINE void draw_small_triangle(const SmallTriangle& triangle, const Surface& surface) {
-  const SmallSource<Pixel, kShape> source(surface.texture,
-                                          triangle.set_up.u.origin_texel[triangle.i],
-                                          triangle.set_up.v.origin_texel[triangle.i]);
-  const bool has_lanes = (triangle.set_up.have_lanes >> triangle.i & 1) != 0;
-  if (HWY_LIKELY(has_lanes && !draw_by_lanes<Pixel>(triangle, source, surface.target))) return;
-  draw_by_quotients<Pixel>(triangle, source, surface);
-}
-
-// By its shape, one of kShape or above.
-template <class Pixel, int kShape = 0>
-HWY_INLINE void draw_by_shape(const SmallTriangle& triangle, const Surface& surface) {
-  if constexpr (kShape < kSmallShapeCount) {
-    if (triangle.set_up.shape[triangle.i] != kShape) {
-      return draw_by_shape<Pixel, kShape + 1>(triangle, surface);
-    }
-  }
-  draw_small_triangle<Pixel, kShape>(triangle, surface);
-}
 
 template <class Pixel>
 HWY_INLINE void draw_small_as(const SmallTriangles& triangles, const Surface& surface) {
   for (size_t first = 0; first < triangles.count(); first += kRows) {
     const SmallSetUp set_up(triangles, first, surface.texture);
-    const size_t end = HWY_MIN(first + kRows, triangles.count());
-    for (size_t index = first; index < end; ++index) {
-      const size_t i = index - first;
-      const int32_t first_px = triangles.left_px()[index];
-      const SmallRows rows(set_up, i, first_px, triangles.right_px()[index]);
-      draw_by_shape<Pixel>(SmallTriangle{set_up, i, rows, first_px, triangles.first_row()[index],
-                                         triangles.end_row()[index]},
-                           surface);
-    }
+    draw_small_set<Pixel>(triangles, set_up, first, HWY_MIN(first + kRows, triangles.count()),
+                          surface);
   }
 }
 

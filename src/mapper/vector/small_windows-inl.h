@@ -1,0 +1,193 @@
+// Small triangles row by row: each from one window, or by a load for each pixel. Where there is a
+// near-tie the triangle is drawn once more. Included once for each SIMD target.
+#if defined(SELVAGE_VECTOR_SMALL_WINDOWS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_SMALL_WINDOWS_INL_H
+#undef SELVAGE_VECTOR_SMALL_WINDOWS_INL_H
+#else
+#define SELVAGE_VECTOR_SMALL_WINDOWS_INL_H
+#endif
+
+#include "mapper/vector/affine_window-inl.h"
+#include "mapper/vector/fetch-inl.h"
+#include "mapper/vector/small_exact-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace selvage::mapper::HWY_NAMESPACE {
+namespace {
+
+#if HWY_TARGET == HWY_AVX3
+
+static_assert(kSmall.most_px == kLanes, "a row is a vector, all are one");
+
+// Of each row: its first pixel, how many there are, and the lanes of the first.
+struct SmallRows {
+  HWY_ALIGN int32_t left_px[kLanes], count_px[kLanes], u_fx24[kLanes], v_fx24[kLanes];
+
+  HWY_INLINE SmallRows(const SmallSetUp& set_up, size_t i, int32_t first_px, int32_t end_px) {
+    const D32 d;
+    const SmallSpans spans(set_up.edges.of(i), 0, first_px, end_px);
+    const V32 left = spans.left_px, right = spans.right_px;
+    const V32 across = hn::Sub(left, hn::Set(d, first_px)), down = hn::Iota(d, 0);
+    const auto lanes = [&](const SmallCoordinate& of) HWY_ATTR {
+      const V32 at_left =
+          hn::Add(hn::Set(d, of.start_fx24[i]), hn::Mul(across, hn::Set(d, of.right_fx24[i])));
+      return hn::Add(at_left, hn::Mul(down, hn::Set(d, of.down_fx24[i])));
+    };
+    hn::Store(left, d, left_px);
+    hn::Store(hn::Sub(right, left), d, count_px);
+    hn::Store(lanes(set_up.u), d, u_fx24);
+    hn::Store(lanes(set_up.v), d, v_fx24);
+  }
+};
+
+// One of those that were set up.
+struct SmallTriangle {
+  const SmallSetUp& set_up;
+  size_t i;
+  const SmallRows& rows;
+  int32_t first_px, first_row, end_row;
+
+  // Calls draw(k, count_px, to) for each row, the k-th.
+  template <class Pixel, class Draw>
+  HWY_INLINE void for_each_row(const selvage_image& target, const Draw& draw) const {
+    char* const pixels = static_cast<char*>(target.pixels);
+    // Modulo 2^64: a pitch below the last row there may be no address.
+    const auto pitch = static_cast<size_t>(target.pitch);
+    size_t row = static_cast<size_t>(first_row) * pitch;
+    for (int32_t k = 0; k < end_row - first_row; ++k) {
+      auto* const to = reinterpret_cast<Pixel*>(pixels + static_cast<ptrdiff_t>(row));
+      draw(k, rows.count_px[k], to + rows.left_px[k]);
+      row += pitch;
+    }
+  }
+};
+
+// Returns whether there is a near-tie among the pixels, of which all are drawn.
+template <class Pixel, class Source>
+[[nodiscard]] HWY_INLINE bool draw_by_lanes(const SmallTriangle& triangle, const Source& source,
+                                            const selvage_image& target) {
+  const D32 d;
+  const LowFineLanes low(kSmallLack_fx24 + kLowered_fx24);
+  const auto offsets = [&](const SmallCoordinate& of) HWY_ATTR {
+    return hn::Mul(hn::Iota(d, 0), hn::Set(d, of.right_fx24[triangle.i]));
+  };
+  const V32 offset_u = offsets(triangle.set_up.u), offset_v = offsets(triangle.set_up.v);
+  V32 changed = hn::Zero(d);
+  triangle.for_each_row<Pixel>(target, [&](int32_t k, int32_t count_px, Pixel* to) HWY_ATTR {
+    const LaneVectors lanes{hn::Add(hn::Set(d, triangle.rows.u_fx24[k]), offset_u),
+                            hn::Add(hn::Set(d, triangle.rows.v_fx24[k]), offset_v)};
+    changed = source.draw(low, lanes, count_px, changed, to);
+  });
+  return changes_texels<kWindowFraction>(changed);
+}
+
+template <class Pixel, class Source>
+HWY_NOINLINE void draw_by_quotients(const SmallTriangle& triangle, const Source& source,
+                                    const Surface& surface) {
+  const D32 d;
+  const ExactSmallCoordinates exact(triangle.set_up, triangle.i, surface.texture);
+  triangle.for_each_row<Pixel>(
+      surface.target, [&](int32_t k, int32_t count_px, Pixel* to) HWY_ATTR {
+        if (count_px == 0) return;
+        const int32_t right_px = triangle.rows.left_px[k] - triangle.first_px;
+        const PixelSteps steps{hn::Iota(d, right_px), hn::Set(d, k)};
+        source.draw(exact.at(steps), count_px, to);
+      });
+}
+
+// Texels from a window, or each by itself, by lanes that are counted from its first one.
+template <class Pixel, int kShape>
+class SmallSource {
+ public:
+  HWY_INLINE SmallSource(const selvage_texture& texture, int32_t s, int32_t t)
+      : window_(texture, {{s, s}, {t, t}, kSmallShapes[size_t{kShape}].vectors}) {}
+
+  // As draw_some() does.
+  [[nodiscard]] HWY_INLINE V32 draw(const LowFineLanes& low, const LaneVectors& lanes,
+                                    int32_t count_px, V32 changed, Pixel* to) const {
+    return draw_some(window_, low, lanes, count_px, changed, to);
+  }
+  // The first pixels of a vector, by lanes of 16.16 that lack nothing.
+  HWY_INLINE void draw(const LaneVectors& lanes, int32_t count_px, Pixel* to) const {
+    store_first(window_.template texels<kTexelFraction>(lanes), count_px, to);
+  }
+
+ private:
+  Window<Pixel, Addressed<InsideVector>, kSmallShapes[size_t{kShape}].column_bits,
+         kSmallShapes[size_t{kShape}].vectors>
+      window_;
+};
+template <class Pixel>
+class SmallSource<Pixel, kSmallShapeCount> {
+ public:
+  HWY_INLINE SmallSource(const selvage_texture& texture, int32_t s, int32_t t)
+      : first_(static_cast<const Pixel*>(texture.texels) + t * pitch_texel_of(texture) + s),
+        pitch_texel_(static_cast<int32_t>(pitch_texel_of(texture))) {}
+
+  [[nodiscard]] HWY_INLINE V32 draw(const LowFineLanes& low, const LaneVectors& lanes,
+                                    int32_t count_px, V32 changed, Pixel* to) const {
+    const D32 d;
+    fetch<LowFineLanes::kFraction>(lanes, count_px, to);
+    const auto is_pixel = hn::Gt(hn::Set(d, count_px), hn::Iota(d, 0));
+    return hn::IfThenElse(is_pixel, hn::Or(changed, low.changes(lanes)), changed);
+  }
+  HWY_INLINE void draw(const LaneVectors& lanes, int32_t count_px, Pixel* to) const {
+    fetch<kTexelFraction>(lanes, count_px, to);
+  }
+
+ private:
+  // Of the first texel's row or column, lanes of 8.24 may be less than 0 by what they lack.
+  template <int kFraction>
+  HWY_INLINE void fetch(const LaneVectors& lanes, int32_t count_px, Pixel* to) const {
+    const D32 d;
+    const V32 s = hn::Max(hn::ShiftRight<kFraction>(lanes.u), hn::Zero(d)),
+              t = hn::Max(hn::ShiftRight<kFraction>(lanes.v), hn::Zero(d));
+    fetch_first<Pixel>(first_, hn::Add(hn::Mul(t, hn::Set(d, pitch_texel_)), s), count_px,
+                       reinterpret_cast<char*>(to));
+  }
+
+  const Pixel* first_;
+  int32_t pitch_texel_;
+};
+
+template <class Pixel, int kShape>
+HWY_INLINE void draw_small_triangle(const SmallTriangle& triangle, const Surface& surface) {
+  const SmallSource<Pixel, kShape> source(surface.texture,
+                                          triangle.set_up.u.origin_texel[triangle.i],
+                                          triangle.set_up.v.origin_texel[triangle.i]);
+  const bool has_lanes = (triangle.set_up.have_lanes >> triangle.i & 1) != 0;
+  if (HWY_LIKELY(has_lanes && !draw_by_lanes<Pixel>(triangle, source, surface.target))) return;
+  draw_by_quotients<Pixel>(triangle, source, surface);
+}
+
+// By its shape, one of kShape or above.
+template <class Pixel, int kShape = 0>
+HWY_INLINE void draw_by_shape(const SmallTriangle& triangle, const Surface& surface) {
+  if constexpr (kShape < kSmallShapeCount) {
+    if (triangle.set_up.shape[triangle.i] != kShape) {
+      return draw_by_shape<Pixel, kShape + 1>(triangle, surface);
+    }
+  }
+  draw_small_triangle<Pixel, kShape>(triangle, surface);
+}
+
+// Of those that were set up, the one with an index.
+template <class Pixel>
+HWY_INLINE void draw_small_set(const SmallTriangles& triangles, const SmallSetUp& set_up,
+                               size_t first, size_t end, const Surface& surface) {
+  for (size_t index = first; index < end; ++index) {
+    const size_t i = index - first;
+    const int32_t first_px = triangles.left_px()[index];
+    const SmallRows rows(set_up, i, first_px, triangles.right_px()[index]);
+    draw_by_shape<Pixel>(SmallTriangle{set_up, i, rows, first_px, triangles.first_row()[index],
+                                       triangles.end_row()[index]},
+                         surface);
+  }
+}
+
+#endif
+
+}  // namespace
+}  // namespace selvage::mapper::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
