@@ -186,7 +186,7 @@ TEST(SmallTriangles, ReadNoTexelBesideTheTexture) {
   }
 }
 
-// A list on some rows, which are returned one after another.
+// A list, clipped, on some rows, which are returned one after another.
 [[nodiscard]] std::vector<uint32_t> rows_drawn(char* first_row, ptrdiff_t pitch,
                                                selvage_kernel kernel) {
   constexpr int32_t kWidth_px = 40, kRows = 10;
@@ -210,7 +210,8 @@ TEST(SmallTriangles, ReadNoTexelBesideTheTexture) {
   options.kernel = kernel;
   const size_t bytes = selvage_draw_many_bytes(polygons.size());
   std::vector<std::max_align_t> scratch(bytes / sizeof(std::max_align_t) + 1);
-  EXPECT_EQ(selvage_draw_many(&target, nullptr, polygons.data(), polygons.size(), &options, 1,
+  const selvage_rect clip{2, 1, kWidth_px, kRows - 1};
+  EXPECT_EQ(selvage_draw_many(&target, &clip, polygons.data(), polygons.size(), &options, 1,
                               scratch.data(), bytes, nullptr),
             SELVAGE_OK);
   std::vector<uint32_t> pixels(size_t{kWidth_px} * kRows);

@@ -44,9 +44,9 @@ inline constexpr int32_t kVectorTruncations_fx24 = kVectorTruncations_fx16;
   return kVectorTruncations_fx24 + steps + static_cast<int32_t>(margin_fx32 >> kWindowShift) + 1;
 }
 
-// Small triangles of AVX-512 and AVX2. In double, all sums and products of their whole numbers are exact:
-// those of changes in x, y, u and v from vertex to vertex, and of these by the way from a vertex to
-// a pixel, or to a lane of its vector that is none.
+// Small triangles of AVX-512 and AVX2. In double, all sums and products of their whole numbers are
+// exact: those of changes in x, y, u and v from vertex to vertex, and of these by the way from a
+// vertex to a pixel, or to a lane of its vector that is none.
 inline constexpr SmallLimits kSmall = {kMostLanes, 64, 64};
 inline constexpr int kSmallPlaceBits = 13, kSmallTexelBits = kTexelFraction + 6;
 static_assert((kSmall.most_px + 1) << kSubpixelBits <= 1 << kSmallPlaceBits &&
