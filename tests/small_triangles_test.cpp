@@ -187,14 +187,16 @@ TEST(SmallTriangles, ReadNoTexelBesideTheTexture) {
 }
 
 // A list, clipped, on some rows, which are returned one after another.
-[[nodiscard]] std::vector<uint32_t> rows_drawn(char* first_row, ptrdiff_t pitch,
-                                               selvage_kernel kernel) {
-  constexpr int32_t kWidth_px = 40, kRows = 10;
-  std::vector<uint32_t> texels(size_t{32} * 32);
-  std::iota(texels.begin(), texels.end(), 1U);
-  const selvage_texture texture{texels.data(),       32,     32, 128, SELVAGE_RGBA8888,
-                                SELVAGE_LAYOUT_ROWS, nullptr};
-  const selvage_image target{first_row, kWidth_px, kRows, pitch, SELVAGE_RGBA8888};
+template <class Pixel>
+[[nodiscard]] std::vector<Pixel> rows_drawn(selvage_format format, char* first_row, ptrdiff_t pitch,
+                                            selvage_kernel kernel) {
+  constexpr int32_t kWidth_px = 40, kRows = 10, kSide_texel = 32;
+  std::vector<Pixel> texels(size_t{kSide_texel} * kSide_texel);
+  std::iota(texels.begin(), texels.end(), Pixel{1});
+  const selvage_texture texture{
+      texels.data(), kSide_texel,         kSide_texel, kSide_texel * ptrdiff_t{sizeof(Pixel)},
+      format,        SELVAGE_LAYOUT_ROWS, nullptr};
+  const selvage_image target{first_row, kWidth_px, kRows, pitch, format};
   std::vector<SmallOutline> outlines;
   for (int32_t i = 0; i < 11; ++i) {
     const int32_t x_fx8 = i * 3 * kPixel_fx8 + 17, u_fx16 = i * kTexel_fx16;
@@ -214,29 +216,36 @@ TEST(SmallTriangles, ReadNoTexelBesideTheTexture) {
   EXPECT_EQ(selvage_draw_many(&target, &clip, polygons.data(), polygons.size(), &options, 1,
                               scratch.data(), bytes, nullptr),
             SELVAGE_OK);
-  std::vector<uint32_t> pixels(size_t{kWidth_px} * kRows);
+  std::vector<Pixel> pixels(size_t{kWidth_px} * kRows);
   for (int32_t row = 0; row < kRows; ++row) {
     std::memcpy(pixels.data() + row * kWidth_px, first_row + row * pitch,
-                kWidth_px * sizeof(uint32_t));
+                kWidth_px * sizeof(Pixel));
   }
   return pixels;
 }
 
 // 32 bits hold how many bytes one row is from the next, but not from the one nine rows away.
-TEST(SmallTriangles, RowsMayBeFarApart) {
-  constexpr ptrdiff_t kFar = ptrdiff_t{1} << 28, kLastRow = 9 * kFar;
-  std::vector<char> near(10 * 160);
-  const std::vector<uint32_t> wanted = rows_drawn(near.data(), 160, SELVAGE_KERNEL_SCALAR);
-  ASSERT_GT(std::count_if(wanted.begin(), wanted.end(), [](uint32_t p) { return p != 0; }), 200);
+template <class Pixel>
+void expect_far_rows_alike(selvage_format format) {
+  constexpr ptrdiff_t kNear = 160, kFar = ptrdiff_t{1} << 28, kLastRow = 9 * kFar;
+  std::vector<char> near(10 * kNear);
+  const auto wanted = rows_drawn<Pixel>(format, near.data(), kNear, SELVAGE_KERNEL_SCALAR);
+  ASSERT_GT(std::count_if(wanted.begin(), wanted.end(), [](Pixel p) { return p != 0; }), 150);
   for (const selvage_kernel kernel : usable_kernels()) {
     for (const bool up : {false, true}) {
-      const FencedBytes memory(kLastRow + 160, FencedBytes::Side::kFirst);
-      EXPECT_EQ(up ? rows_drawn(memory.first() + kLastRow, -kFar, kernel)
-                   : rows_drawn(memory.first(), kFar, kernel),
+      const FencedBytes memory(kLastRow + kNear, FencedBytes::Side::kFirst);
+      EXPECT_EQ(up ? rows_drawn<Pixel>(format, memory.first() + kLastRow, -kFar, kernel)
+                   : rows_drawn<Pixel>(format, memory.first(), kFar, kernel),
                 wanted)
           << "kernel " << kernel;
     }
   }
+}
+
+TEST(SmallTriangles, RowsMayBeFarApart) {
+  expect_far_rows_alike<uint8_t>(SELVAGE_INDEX8);
+  expect_far_rows_alike<uint16_t>(SELVAGE_RGB565);
+  expect_far_rows_alike<uint32_t>(SELVAGE_RGBA8888);
 }
 
 }  // namespace

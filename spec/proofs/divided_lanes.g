@@ -5,7 +5,7 @@
 # |estimate| <= 2^LANE_BITS of them.
 # Claim: lane <= u < lane + 2 error + TRUNCATIONS - 1.
 # Used: src/mapper/vector/projective_wide-inl.h, DividedVectors; with 8.24 and units of 2^-24 texel
-# src/mapper/vector/blend_projective_windows-inl.h, whose sum is not even rounded.
+# src/mapper/vector/blend_projective_windows-inl.h, whose sum AVX-512 does not even round.
 # By hand: error is the floor of a bound of what `estimate` is off by, and kProjectiveTruncations_fx32
 # units more, of which the floor takes one and SPARE are left. The code adds the floor of 2 error to
 # TRUNCATIONS, which is more. The floor of a double below 2^31 is exact, as is the conversion.

@@ -55,6 +55,13 @@ struct BlendConstants {
       even_ones, odd_bytes, byte_shift;
 };
 
+#if HWY_TARGET == HWY_AVX3
+
+// Texels as corners have them.
+[[nodiscard]] HWY_INLINE V32 in_corners(V32 texels, const BlendConstants& k) {
+  return hn::Xor(texels, k.signs);
+}
+
 // The third byte of each lane, where weights are: four times; as the high bytes of two words.
 HWY_ALIGN inline constexpr uint8_t kWeightBytes[16] = {2,  2,  2,  2,  6,  6,  6,  6,
                                                        10, 10, 10, 10, 14, 14, 14, 14};
@@ -96,6 +103,27 @@ struct Across {
   const V16 odd = mix_down(start, upper.odd, lower.odd, z);
   return high_bytes(even, odd, k.odd_bytes);
 }
+
+#else
+
+[[nodiscard]] HWY_INLINE V32 in_corners(V32 texels, const BlendConstants& /*k*/) { return texels; }
+
+[[nodiscard]] HWY_INLINE Pairs side_by_side(V32 left, V32 right) {
+  const D32 d;
+  const hn::Repartition<uint8_t, D32> d8;
+  const auto a = hn::BitCast(d8, left), b = hn::BitCast(d8, right);
+  return {hn::BitCast(d, hn::InterleaveLower(d8, a, b)),
+          hn::BitCast(d, hn::InterleaveUpper(d8, a, b))};
+}
+
+[[nodiscard]] HWY_INLINE V32 mix_corners(const Corners& of, const WindowLanes& lanes,
+                                         const BlendConstants& /*k*/) {
+  return mix(
+      {side_by_side(of.upper_left, of.upper_right), side_by_side(of.lower_left, of.lower_right)},
+      hn::ShiftRight<kWindowGridFraction>(lanes.u), hn::ShiftRight<kWindowGridFraction>(lanes.v));
+}
+
+#endif
 
 }  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE

@@ -5,8 +5,8 @@
 //
 //     lane <= true value < lane + 2 error + kDividedTruncations_fx24 (spec/proofs/divided_lanes.g)
 //
-// The product, the sum and the floor are one operation, that of adding kFloor_fx24 rounded down:
-// what is not rounded in between is not off either.
+// By AVX-512 the product, the sum and the floor are one operation, that of adding kFloor_fx24
+// rounded down: what is not rounded in between is not off either.
 #if defined(SELVAGE_VECTOR_BLEND_PROJECTIVE_WINDOWS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_BLEND_PROJECTIVE_WINDOWS_INL_H
 #undef SELVAGE_VECTOR_BLEND_PROJECTIVE_WINDOWS_INL_H
@@ -34,7 +34,9 @@ inline constexpr int64_t kFloorBits = std::bit_cast<int64_t>(kFloor_fx24);
   return VD{_mm512_fmadd_round_pd(numerator.raw, w.raw, less.raw,
                                   _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC)};
 #else
-  return hn::Floor(hn::MulAdd(numerator, w, less));
+  const VD floor = hn::Set(DD(), kFloor_fx24);
+  const VD lowered = hn::MulAdd(numerator, w, hn::Sub(less, floor));
+  return hn::Add(hn::Floor(lowered), floor);
 #endif
 }
 
@@ -45,6 +47,12 @@ inline constexpr int64_t kFloorBits = std::bit_cast<int64_t>(kFloor_fx24);
                                                   16, 18, 20, 22, 24, 26, 28, 30};
   return V32{_mm512_permutex2var_epi32(_mm512_load_si512(bits), _mm512_load_si512(kEven),
                                        _mm512_load_si512(bits + kDoubles))};
+#elif HWY_TARGET == HWY_AVX2
+  // Of each vector's block after that of the other: the middle ones change places.
+  const __m256 even = _mm256_shuffle_ps(
+      _mm256_load_ps(reinterpret_cast<const float*>(bits)),
+      _mm256_load_ps(reinterpret_cast<const float*>(bits + kDoubles)), _MM_SHUFFLE(2, 0, 2, 0));
+  return V32{_mm256_permute4x64_epi64(_mm256_castps_si256(even), _MM_SHUFFLE(3, 1, 2, 0))};
 #else
   static_cast<void>(bits);
   return hn::Zero(D32());

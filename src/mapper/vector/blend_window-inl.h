@@ -18,7 +18,7 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-inline constexpr bool kHasBlendWindows = HWY_TARGET == HWY_AVX3;
+inline constexpr bool kHasBlendWindows = HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3;
 
 // Upper texels are picked from so many vectors, each one row or two halves. Lower ones are picked
 // from as many that begin a row below, at the same places; where that were too many vectors of
@@ -44,18 +44,17 @@ class BlendWindow {
 #pragma GCC unroll 16
     for (int32_t i = 0; i < kLoads; ++i) {
       const int32_t row = i * kRowsApart;
-      vectors_[i] = hn::Xor(load(texels, below(row)), k.signs);
+      vectors_[i] = in_corners(load(texels, below(row)), k);
 #pragma GCC unroll 2
       for (int32_t next = row; next < row + kRowsApart; ++next) texels += below(next);
     }
   }
 
   HWY_INLINE Corners corners(const WindowLanes& lanes) const {
-    const V32 rows = kHalves ? k_.rows_of_8 : k_.rows_of_16;
+    const V32 rows = kColumns == 8 ? k_.rows_of_8 : k_.rows_of_16;
     const V32 t = hn::ShiftRight<kWindowFraction - kColumnBits>(lanes.v);
-    const auto at = [&](V32 u) HWY_ATTR {
-      return hn::IfVecThenElse(rows, t, hn::ShiftRight<kWindowFraction>(u));
-    };
+    const auto at = [&](V32 u)
+                        HWY_ATTR { return hn::OrAnd(hn::ShiftRight<kWindowFraction>(u), t, rows); };
     // With a weight of 0 the right texel is the left one. It is in the same row, and so in the same
     // vector.
     const V32 left = at(lanes.u), right = at(hn::Add(lanes.u, k_.to_right));
@@ -89,6 +88,7 @@ class BlendWindow {
     }
   }
 
+#if HWY_TARGET == HWY_AVX3
   // Which of the pairs of vectors an index is in: bits of the pair's number.
   struct Pick {
     HWY_INLINE Pick(V32 index, const BlendConstants& k)
@@ -98,16 +98,12 @@ class BlendWindow {
 
   template <int32_t kBelow, int32_t kFirst>
   HWY_INLINE V32 permute(V32 index) const {
-#if HWY_TARGET == HWY_AVX3
     if constexpr (kFirst + 1 == kVectors) {
       return V32{_mm512_permutexvar_epi32(index.raw, vector<kBelow>(kFirst).raw)};
     } else {
       return V32{_mm512_permutex2var_epi32(vector<kBelow>(kFirst).raw, index.raw,
                                            vector<kBelow>(kFirst + 1).raw)};
     }
-#else
-    return index;
-#endif
   }
   // From the pair at kFirst and the next one.
   template <int32_t kBelow, int32_t kFirst>
@@ -128,6 +124,34 @@ class BlendWindow {
                             pick_four<kBelow, 0>(index, of));
     }
   }
+#else
+  // Which rows below the first one an index is in, or below.
+  struct Pick {
+    HWY_INLINE Pick(V32 index, const BlendConstants& /*k*/) {
+      for (int32_t i = 1; i < kVectors; ++i) {
+        from[i] = hn::Gt(index, hn::Set(D32(), i * kColumns - 1));
+      }
+    }
+    hn::Mask<D32> from[kVectors];
+  };
+
+  template <int32_t kBelow>
+  HWY_INLINE V32 pick(V32 index, const Pick& of) const {
+    V32 picked = permute(vector<kBelow>(0), index);
+    for (int32_t i = 1; i < kVectors; ++i) {
+      picked = hn::IfThenElse(of.from[i], permute(vector<kBelow>(i), index), picked);
+    }
+    return picked;
+  }
+  static HWY_INLINE V32 permute(V32 row, V32 index) {
+#if HWY_TARGET == HWY_AVX2
+    return V32{_mm256_permutevar8x32_epi32(row.raw, index.raw)};
+#else
+    static_cast<void>(index);
+    return row;
+#endif
+  }
+#endif
 
   const BlendConstants& k_;
   V32 vectors_[kLoads];

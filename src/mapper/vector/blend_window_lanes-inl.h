@@ -217,15 +217,21 @@ HWY_INLINE void with_blend_window([[maybe_unused]] Lane step_fx32,
       with(window);
       return true;
     };
-    static_cast<void>(holds(std::type_identity<BlendWindow<3, 1>>()) ||
-                      holds(std::type_identity<BlendWindow<4, 2>>()) ||
-                      holds(std::type_identity<BlendWindow<3, 2>>()) ||
-                      holds(std::type_identity<BlendWindow<3, 3>>()) ||
-                      holds(std::type_identity<BlendWindow<4, 3>>()) ||
-                      holds(std::type_identity<BlendWindow<4, 4>>()) ||
-                      holds(std::type_identity<BlendWindow<3, 4>>()) ||
-                      holds(std::type_identity<BlendWindow<4, 6>>()) ||
-                      holds(std::type_identity<BlendWindow<4, 8>>()));
+    if constexpr (kLanes == 16) {
+      static_cast<void>(holds(std::type_identity<BlendWindow<3, 1>>()) ||
+                        holds(std::type_identity<BlendWindow<4, 2>>()) ||
+                        holds(std::type_identity<BlendWindow<3, 2>>()) ||
+                        holds(std::type_identity<BlendWindow<3, 3>>()) ||
+                        holds(std::type_identity<BlendWindow<4, 3>>()) ||
+                        holds(std::type_identity<BlendWindow<4, 4>>()) ||
+                        holds(std::type_identity<BlendWindow<3, 4>>()) ||
+                        holds(std::type_identity<BlendWindow<4, 6>>()) ||
+                        holds(std::type_identity<BlendWindow<4, 8>>()));
+    } else {
+      static_cast<void>(holds(std::type_identity<BlendWindow<3, 1>>()) ||
+                        holds(std::type_identity<BlendWindow<3, 2>>()) ||
+                        holds(std::type_identity<BlendWindow<3, 3>>()));
+    }
   }
 }
 
