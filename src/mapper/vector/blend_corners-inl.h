@@ -1,8 +1,9 @@
 // The mean of four texels, each corner's in a vector of its own. Included once for each SIMD
 // target.
 //
-// The formula of vector/blend_mix-inl.h with a weight w of 0 made 1, where the right texel must be
-// the left one. So weights w and 256 - w fit bytes, and of levels less 128 a sum across 16 bits.
+// By AVX-512 it is the formula of vector/blend_mix-inl.h with a weight w of 0 made 1, where the
+// right texel must be the left one. So weights w and 256 - w fit bytes, and of levels less 128 a
+// sum across 16 bits. Elsewhere it is that formula itself.
 #if defined(SELVAGE_VECTOR_BLEND_CORNERS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_BLEND_CORNERS_INL_H
 #undef SELVAGE_VECTOR_BLEND_CORNERS_INL_H
@@ -24,7 +25,7 @@ struct WindowLanes {
 inline constexpr int kWindowGridFraction = kWindowFraction - kGridBits;
 static_assert(kWindowGridFraction == 16 && kGridBits == 8, "weights are the third byte");
 
-// The texels around a vector of pixels, each less 128 in its channels.
+// The texels around a vector of pixels, as in_corners() has them.
 struct Corners {
   V32 upper_left, upper_right, lower_left, lower_right;
 };
@@ -57,7 +58,7 @@ struct BlendConstants {
 
 #if HWY_TARGET == HWY_AVX3
 
-// Texels as corners have them.
+// Less 128 in each channel.
 [[nodiscard]] HWY_INLINE V32 in_corners(V32 texels, const BlendConstants& k) {
   return hn::Xor(texels, k.signs);
 }
@@ -108,6 +109,7 @@ struct Across {
 
 [[nodiscard]] HWY_INLINE V32 in_corners(V32 texels, const BlendConstants& /*k*/) { return texels; }
 
+// Channels of left texels beside those of right ones.
 [[nodiscard]] HWY_INLINE Pairs side_by_side(V32 left, V32 right) {
   const D32 d;
   const hn::Repartition<uint8_t, D32> d8;
