@@ -161,13 +161,15 @@ HWY_INLINE void draw_span(const AffineSteps& steps, const Span& span, const Span
 template <bool kFour, class Address>
 void blend_affine(const AffineSpans& spans, const Surface& surface) {
   const Anywhere<Address> anywhere(surface.texture, kFour);
+  int32_t first_row = 0;
   if (const auto windows = blend_windows_for<kFour>(spans, surface)) {
-    return draw_by_windows(spans, surface, windows, anywhere);
+    first_row = draw_by_windows(spans, surface, windows, anywhere);
+    if (HWY_LIKELY(first_row == spans.batch.rows)) return;
   }
   const Inside<kFour> inside(surface.texture);
   const Interior interior(spans.field, surface.texture);
   const AffineSteps steps(spans);
-  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+  for (int32_t i = first_row; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
     RowOfTies ties(spans.exact, span, kGridBits, 0);
     if (span.width_px() >= kLanes) {
@@ -194,10 +196,9 @@ HWY_NOINLINE void blend_projective(const ProjectiveSpans& spans, const Surface& 
   const Anywhere<Address> anywhere(surface.texture, four);
   const BlendWindows<ProjectiveSpans> windows =
       four ? blend_windows_for<true>(spans, surface) : blend_windows_for<false>(spans, surface);
-  if (windows != nullptr) {
-    return draw_by_windows(spans, surface, windows, anywhere);
-  }
-  for (int32_t i = 0; i < spans.batch.rows; ++i) {
+  const int32_t first_row =
+      windows == nullptr ? 0 : draw_by_windows(spans, surface, windows, anywhere);
+  for (int32_t i = first_row; i < spans.batch.rows; ++i) {
     const Span span = spans.batch.span(i);
     const ProjectiveSteps steps(spans, span);
     RowOfTies ties(spans.exact, span, kGridBits, 0);

@@ -47,15 +47,27 @@ HWY_NOINLINE void draw_left(const Left& left, const ProjectiveSpans& spans, cons
   }
 }
 
+// Whether every second vector or more is left: windows cost more than they save then.
+[[nodiscard]] HWY_INLINE bool are_most_left(const Left& left, const SpanBatch& batch) {
+  if (left.count < Left::kMost / 2) return false;
+  const Span &first = left.at(0), &last = left.at(left.count - 1);
+  const int64_t passed_px =
+      int64_t{last.row - first.row} * batch.widest_px + (last.left_px - first.left_px);
+  return passed_px < 2 * left.count * kLanes;
+}
+
+// Returns the first row, counted from the batch's, that is left to others; there may be none.
 template <class Spans, class BlendAnywhere>
-void draw_by_windows(const Spans& spans, const Surface& surface, BlendWindows<Spans> windows,
-                     const BlendAnywhere& anywhere) {
+[[nodiscard]] int32_t draw_by_windows(const Spans& spans, const Surface& surface,
+                                      BlendWindows<Spans> windows, const BlendAnywhere& anywhere) {
   Resume at;
   Left left;
   do {
     windows(spans, surface, &at, &left);
     if (left.count != 0) draw_left(left, spans, surface, anywhere);
+    if (HWY_UNLIKELY(are_most_left(left, spans.batch))) return at.row;
   } while (at.row < spans.batch.rows);
+  return spans.batch.rows;
 }
 
 }  // namespace
