@@ -73,6 +73,21 @@ TEST_P(PromisedLaws, HoldForTheBuiltInMapper) {
 
 INSTANTIATE_TEST_SUITE_P(, PromisedLaws, testing::ValuesIn(claims(Standing::kPromised)), name_of);
 
+// Polygons in one call are drawn by kernels of their own, of which the laws reach the fastest
+// alone.
+TEST(KernelLaws, DrawTheSameInOneCall) {
+  const Law& same = *find_law("SAME");
+  for (const selvage_kernel kernel :
+       {SELVAGE_KERNEL_SCALAR, SELVAGE_KERNEL_SSE4, SELVAGE_KERNEL_AVX2, SELVAGE_KERNEL_AVX512,
+        SELVAGE_KERNEL_NEON}) {
+    if (selvage_has_kernel(kernel) == 0) continue;
+    Subject subject = built_in(SELVAGE_PROFILE_EXACT);
+    take_kernel(kernel, &subject);
+    const LawVerdict verdict = verify(same, subject, /*first_seed=*/1, 1000);
+    EXPECT_FALSE(verdict.violation) << "kernel " << kernel << "\n" << explain(*verdict.violation);
+  }
+}
+
 // What a profile does not promise is not promised for a reason: some case breaks it.
 class UnpromisedLaws : public testing::TestWithParam<Claim> {};
 

@@ -44,9 +44,9 @@ class SumOfSquares {
   RowNumbers sum_;
 };
 
-// The windows that triangles are drawn from, the smaller ones first: what lies in none is loaded
-// texel by texel. In meshes, where nobody foresees how many pixels a row has, that was measured to
-// cost more than the largest of them.
+// The windows that AVX-512 draws triangles from, the smaller ones first: what lies in none is
+// loaded texel by texel. In meshes, where nobody foresees how many pixels a row has, that was
+// measured to cost more than the largest of them. AVX2 has none: all its texels are loaded.
 struct SmallShape {
   int column_bits;
   int32_t vectors;
