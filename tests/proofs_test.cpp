@@ -133,6 +133,9 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
           use};
 }
 
+// What a form of a small triangle is off by in single precision, of the most that it can be.
+inline constexpr double kSmallSum = 0x4.0001p-24;
+
 [[nodiscard]] std::vector<Proof> mapper_proofs() {
   const Constant lane_fraction{"LANE_FRACTION", number(kLaneFraction)};
   const Constant denominator_bits{"DENOMINATOR_BITS", number(kDenominatorBits)};
@@ -201,6 +204,21 @@ inline constexpr int64_t kLongest_fx8 = int64_t{SELVAGE_X_END} - 1 - SELVAGE_X_M
         {"SLACK", number(kAnchoredSlack_fx16), "0.5"},
         {"TRUNCATIONS", number(kAnchoredTruncations_fx16),
          barely_less(kAnchoredTruncations_fx16)}}},
+      {"small_projective",
+       {{"SUM", number(kSmallSum), "0x4p-24"},
+        {"PRODUCT", number(kSmallQuotientRoundings), "11.25"},
+        {"ROUNDINGS", number(kSmallRoundings), "12.25"},
+        {"SLACK", number(kSmallSlack_fx24), "0.26"},
+        {"TRUNCATIONS", number(kSmallTruncations_fx24), "1.9"},
+        {"FORMS", number(kSmallForms_fx24), "0.3"},
+        {"MOST_RATIO", number(kSmall.most_q_ratio)},
+        {"MOST_DEPTH", number(kMostSmallDepth), "0x1p20"},
+        {"MOST_ERROR", number(kMostSmallError_fx24)}}},
+      {"small_forms",
+       {{"TEXEL_BITS", number(kSmallTexelBits), "23"},
+        {"PLACE_BITS", number(kSmallPlaceBits), "14"},
+        {"AREA_BITS", number(kSmallAreaBits), "30"},
+        {"FORM", number(kSmallForm), "0.4"}}},
       {"stepped_lanes",
        {{"SHIFT", number(kStepShift)},
         {"TRUNCATIONS", number(kStepTruncations_fx16), barely_less(kStepTruncations_fx16)},

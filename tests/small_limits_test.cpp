@@ -1,4 +1,5 @@
-// Which triangles are small: by limits of 16 px and 8 x 4 texels from a texture of 20 x 10.
+// Which triangles are small: by limits of 16 px, 8 x 4 texels and depths of 1 to 3, from a texture
+// of 20 x 10.
 #include <gtest/gtest.h>
 
 #include <cstddef>
@@ -13,7 +14,7 @@ namespace {
 
 class SmallLimitsTo : public testing::Test {
  protected:
-  static constexpr SmallLimits kLimits{16, 8, 4};
+  static constexpr SmallLimits kLimits{16, 8, 4, 3};
 
   [[nodiscard]] static bool takes(const spec::Vertices& triangle,
                                   selvage_address address = SELVAGE_ADDRESS_WRAP) {
@@ -35,6 +36,13 @@ TEST_F(SmallLimitsTo, IsWhatMeetsTheLimits) {
   spec::Vertices other = kLargest;
   for (selvage_vertex& vertex : other) vertex.q = 5;
   EXPECT_TRUE(takes(other));
+  for (const size_t vertex : {size_t{0}, size_t{1}, size_t{2}}) {
+    other[vertex].q = 15;
+    EXPECT_TRUE(takes(other)) << vertex;
+    other[vertex].q = 16;
+    EXPECT_FALSE(takes(other)) << vertex;
+    other[vertex].q = 5;
+  }
 }
 
 TEST_F(SmallLimitsTo, IsNotWhatExceedsOne) {
@@ -51,7 +59,7 @@ TEST_F(SmallLimitsTo, IsNotWhatExceedsOne) {
   expect_left(1, &selvage_vertex::u, 1);
   expect_left(0, &selvage_vertex::v, -1);
   expect_left(2, &selvage_vertex::v, 1);
-  expect_left(1, &selvage_vertex::q, 1);
+  expect_left(1, &selvage_vertex::q, 3);
   spec::Vertices quad = kLargest;
   quad.push_back({kLargest[2].x - 1, kLargest[2].y, kLargest[2].u, kLargest[2].v, 1});
   EXPECT_FALSE(takes(quad));

@@ -20,16 +20,24 @@ using SmallOutline = spec::Vertices;
 [[nodiscard]] inline const selvage_rect* clip_of(const spec::Case& c) {
   return c.has_clip ? &c.clip : nullptr;
 }
-[[nodiscard]] inline selvage_options options_for(const spec::Case& c, selvage_kernel kernel) {
-  return {c.profile, c.filter, c.address, 0, kernel};
-}
+// By what a list is drawn, beside its case.
+struct DrawnBy {
+  selvage_kernel kernel = SELVAGE_KERNEL_SCALAR;
+  int32_t threads = 1;
+  int32_t tolerance = 0;
+
+  [[nodiscard]] selvage_options options(const spec::Case& c) const {
+    return {c.profile, c.filter, c.address, tolerance, kernel};
+  }
+};
 
 // As a case says, but of these outlines.
 [[nodiscard]] inline spec::Canvas draw_each(const spec::Case& c, const selvage_texture& texture,
-                                            const std::vector<SmallOutline>& outlines) {
+                                            const std::vector<SmallOutline>& outlines,
+                                            const DrawnBy& by = {}) {
   spec::Canvas target = target_of(c);
   const selvage_image image = target.image();
-  const selvage_options options = options_for(c, SELVAGE_KERNEL_SCALAR);
+  const selvage_options options = by.options(c);
   for (const SmallOutline& outline : outlines) {
     EXPECT_EQ(selvage_draw(&image, clip_of(c), outline.data(), outline.size(), &texture, &options),
               SELVAGE_OK);
@@ -38,10 +46,10 @@ using SmallOutline = spec::Vertices;
 }
 [[nodiscard]] inline spec::Canvas draw_together(const spec::Case& c, const selvage_texture& texture,
                                                 const std::vector<SmallOutline>& outlines,
-                                                selvage_kernel kernel, int32_t threads) {
+                                                const DrawnBy& by) {
   spec::Canvas target = target_of(c);
   const selvage_image image = target.image();
-  const selvage_options options = options_for(c, kernel);
+  const selvage_options options = by.options(c);
   std::vector<selvage_polygon> polygons;
   for (const SmallOutline& outline : outlines) {
     polygons.push_back({outline.data(), outline.size(), &texture});
@@ -49,7 +57,7 @@ using SmallOutline = spec::Vertices;
   const size_t bytes = selvage_draw_many_bytes(polygons.size());
   std::vector<std::max_align_t> scratch(bytes / sizeof(std::max_align_t) + 1);
   EXPECT_EQ(selvage_draw_many(&image, clip_of(c), polygons.data(), polygons.size(), &options,
-                              threads, scratch.data(), bytes, nullptr),
+                              by.threads, scratch.data(), bytes, nullptr),
             SELVAGE_OK);
   return target;
 }
@@ -61,7 +69,7 @@ inline void expect_list_drawn_alike(const spec::Case& c, const std::vector<Small
   const spec::Canvas one_by_one = draw_each(c, texture.view(), outlines);
   for (const selvage_kernel kernel : usable_kernels()) {
     for (const int32_t threads : {1, 3}) {
-      ASSERT_TRUE(draw_together(c, texture.view(), outlines, kernel, threads) == one_by_one)
+      ASSERT_TRUE(draw_together(c, texture.view(), outlines, {kernel, threads}) == one_by_one)
           << "kernel " << kernel << ", " << threads << " threads, seed " << seed << "\n"
           << spec::print(c);
     }

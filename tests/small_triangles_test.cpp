@@ -125,6 +125,19 @@ void add_fourth(SmallOutline* outline) {
   outline->push_back({a.x - b.x + c.x, a.y - b.y + c.y, a.u - b.u + c.u, a.v - b.v + c.v, 1});
 }
 
+// All equal; or up to four times as great as the least, or hardly more: whole numbers of it, of
+// which many quotients are whole, or any.
+void set_any_depths(spec::Random& random, SmallOutline* outline) {
+  const int32_t least = random.pick({1, 1, 2, 3, 1000, random.in(1, 1 << 22), (1 << 22) - 1});
+  const int32_t kind = random.in(0, 4);
+  for (selvage_vertex& vertex : *outline) {
+    vertex.q = least;
+    if (kind == 1) vertex.q *= random.in(1, 5);
+    if (kind == 2) vertex.q = random.in(least, 4 * least + 2);
+    if (kind == 3) vertex.q += random.in(0, least / 64 + 2);
+  }
+}
+
 [[nodiscard]] std::vector<SmallOutline> any_small_outlines(spec::Random& random,
                                                            const spec::Case& c) {
   std::vector<SmallOutline> outlines(static_cast<size_t>(random.in(1, 40)));
@@ -137,9 +150,7 @@ void add_fourth(SmallOutline* outline) {
                      &outline);
       if (random.percent(10)) add_fourth(&outline);
     } while (!is_small_drawable(outline));
-    const int32_t q = random.pick({1, 1, 1000});
-    for (selvage_vertex& vertex : outline) vertex.q = q;
-    if (random.percent(5)) outline[1].q = 7;
+    set_any_depths(random, &outline);
   }
   return outlines;
 }
@@ -159,6 +170,23 @@ TEST_P(SmallTrianglesOf, EveryKernelDrawsAsTheScalarOneDoes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Block, SmallTrianglesOf, testing::Range(uint64_t{0}, uint64_t{5}));
+
+// Each triangle by the mapping that a call for itself would choose.
+TEST(SmallTriangles, AreMappedAsByACallEachWithinATolerance) {
+  for (uint64_t seed = 1; seed <= 3000; ++seed) {
+    spec::Random random(seed);
+    const spec::Case c = any_small_case(random);
+    const std::vector<SmallOutline> outlines = any_small_outlines(random, c);
+    const spec::TextureMemory texture = texture_of(c);
+    const int32_t tolerance = random.pick({1, kTexel_fx16 / 16, kTexel_fx16});
+    for (const selvage_kernel kernel : usable_kernels()) {
+      const DrawnBy by{kernel, 1, tolerance};
+      ASSERT_TRUE(draw_together(c, texture.view(), outlines, by) ==
+                  draw_each(c, texture.view(), outlines, by))
+          << "kernel " << kernel << ", tolerance " << tolerance << ", seed " << seed;
+    }
+  }
+}
 
 // Its first byte lies behind a page that may not be read, or its last byte before one.
 TEST(SmallTriangles, ReadNoTexelBesideTheTexture) {
@@ -181,7 +209,7 @@ TEST(SmallTriangles, ReadNoTexelBesideTheTexture) {
                                   SELVAGE_LAYOUT_ROWS,
                                   nullptr};
     for (const selvage_kernel kernel : usable_kernels()) {
-      static_cast<void>(draw_together(c, texture, outlines, kernel, 1));
+      static_cast<void>(draw_together(c, texture, outlines, {kernel}));
     }
   }
 }

@@ -97,32 +97,72 @@ class SmallWholeTexels : public testing::TestWithParam<uint64_t> {
   static constexpr uint64_t kSeeds = 8000;
 };
 
+// A triangle of some texels where, at a pixel, u or v is whole but for so many units of 1 / 65536
+// texel and the sum of the weights; on a texture of so many and one more. False where chance found
+// none.
+struct NearWhole {
+  SmallOutline triangle;
+  Weights weights;
+  int32_t most_texel;
+  int64_t off;
+};
+[[nodiscard]] bool set_near_whole(spec::Random& random, NearWhole* near) {
+  const int32_t most_fx16 = random.pick({4, near->most_texel}) * kTexel_fx16;
+  for (selvage_vertex& vertex : near->triangle) {
+    const int32_t u = random.in(0, most_fx16), v = random.in(0, most_fx16);
+    vertex.u = u;
+    vertex.v = v;
+  }
+  const auto texel = random.pick({&selvage_vertex::u, &selvage_vertex::v});
+  return set_near_whole(random, near->weights, near->off, near->most_texel, texel, &near->triangle);
+}
+void expect_near_whole_drawn_alike(spec::Random& random, const NearWhole& near, uint64_t seed) {
+  spec::Case c = any_surfaces(random);
+  c.target_width_px = c.target_height_px = 17;
+  c.texture_width_texel = c.texture_height_texel = near.most_texel + 1;
+  ASSERT_NO_FATAL_FAILURE(expect_list_drawn_alike(c, {near.triangle}, seed));
+}
+
 // At one pixel u or v is whole, or hardly more, or hardly less: as near as a lane may lie to it.
 TEST_P(SmallWholeTexels, AreExactNextToThem) {
   int drawn = 0;
   for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
     spec::Random random(seed);
-    auto [triangle, weights] = any_covered_pixel(random);
-    const int32_t most_texel = random.pick({7, 15, 60});
-    const int32_t most_fx16 = random.pick({4, most_texel}) * kTexel_fx16;
-    for (selvage_vertex& vertex : triangle) {
-      const int32_t u = random.in(0, most_fx16), v = random.in(0, most_fx16);
-      vertex.u = u;
-      vertex.v = v;
-    }
+    const auto [triangle, weights] = any_covered_pixel(random);
     const int64_t area = weights.sum();
     // Lanes lack up to 35 / 256 of a unit of u and v, and are no more than floors.
     const int64_t most_off = random.pick({int64_t{1}, 4 * area / 256, 40 * area / 256});
     const int64_t off = random.percent(70) ? random.in(0, most_off) : -int64_t{random.in(0, 300)};
-    const auto texel = random.pick({&selvage_vertex::u, &selvage_vertex::v});
-    if (!set_near_whole(random, weights, off, most_texel, texel, &triangle)) continue;
-    spec::Case c = any_surfaces(random);
-    c.target_width_px = c.target_height_px = 17;
-    c.texture_width_texel = c.texture_height_texel = most_texel + 1;
+    NearWhole near{triangle, weights, random.pick({7, 15, 60}), off};
+    if (!set_near_whole(random, &near)) continue;
     ++drawn;
-    ASSERT_NO_FATAL_FAILURE(expect_list_drawn_alike(c, {triangle}, seed));
+    ASSERT_NO_FATAL_FAILURE(expect_near_whole_drawn_alike(random, near, seed));
   }
   EXPECT_GT(drawn, static_cast<int>(kSeeds / 4));
+}
+
+// Single precision is off to either side: by some units of 2^-24 texel, more where there are more
+// texels.
+TEST_P(SmallWholeTexels, AreExactNextToThemInPerspective) {
+  int drawn = 0;
+  for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
+    spec::Random random(seed);
+    auto [triangle, weights] = any_covered_pixel(random);
+    const int32_t least_q = random.pick({1, 1, 16});
+    for (size_t i = 0; i < triangle.size(); ++i) {
+      triangle[i].q = random.in(least_q, 4 * least_q + 1);
+      weights.of[i] *= triangle[i].q;
+    }
+    const int64_t most_off = random.pick({int64_t{1}, weights.sum() / 256, weights.sum() / 16});
+    NearWhole near{triangle, weights, random.pick({1, 3, 7, 60}),
+                   random.in(-most_off, most_off + 1)};
+    if (!set_near_whole(random, &near)) continue;
+    const int32_t scale = random.pick({1, SELVAGE_Q_MAX / 64});
+    for (selvage_vertex& vertex : near.triangle) vertex.q *= scale;
+    ++drawn;
+    ASSERT_NO_FATAL_FAILURE(expect_near_whole_drawn_alike(random, near, seed));
+  }
+  EXPECT_GT(drawn, static_cast<int>(kSeeds / 8));
 }
 
 INSTANTIATE_TEST_SUITE_P(Block, SmallWholeTexels, testing::Range(uint64_t{0}, uint64_t{5}));

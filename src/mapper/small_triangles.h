@@ -1,5 +1,4 @@
-// Small triangles of one affine map each: some of them are drawn by one call, in order, set up
-// together.
+// Small triangles: some of them are drawn by one call, in order, set up together.
 //
 // The set-up of one is a chain of operations that wait for each other; that of several is the same
 // chain, of vectors.
@@ -17,10 +16,10 @@
 
 namespace selvage::mapper {
 
-// What is small to a kernel: pixels either way, visible or not, and texels of a texture of rows;
-// nothing is, at first.
+// What is small to a kernel: pixels either way, visible or not, texels of a texture of rows, and
+// how many times the least q of the vertices the greatest may be; nothing is, at first.
 struct SmallLimits {
-  int32_t most_px = 0, most_columns_texel = 0, most_rows_texel = 0;
+  int32_t most_px = 0, most_columns_texel = 0, most_rows_texel = 0, most_q_ratio = 1;
 };
 
 // What a texture's small triangles show: nothing beside it. Where it is clamped u and v may be its
@@ -54,7 +53,8 @@ class SmallTriangles {
     };
     return polygon.right_px - polygon.left_px <= limits.most_px &&
            polygon.bottom_row - polygon.top_row <= limits.most_px && polygon.vertices.size() == 3 &&
-           polygon.affine && std::min(box.least_u_fx16, box.least_v_fx16) >= 0 &&
+           (polygon.affine || is_gentle(polygon, limits)) &&
+           std::min(box.least_u_fx16, box.least_v_fx16) >= 0 &&
            box.most_u_fx16 <= ends.most_u_fx16 && box.most_v_fx16 <= ends.most_v_fx16 &&
            across(box.least_u_fx16, box.most_u_fx16) < limits.most_columns_texel &&
            across(box.least_v_fx16, box.most_v_fx16) < limits.most_rows_texel;
@@ -64,15 +64,21 @@ class SmallTriangles {
   // Refers to the polygon.
   void add(const Polygon& polygon, const selvage_rect& part) {
     polygons_[count_] = &polygon;
+    affine_ = affine_ && polygon.affine;
     left_px_[count_] = part.left;
     right_px_[count_] = part.right;
     first_row_[count_] = part.top;
     end_row_[count_] = part.bottom;
     ++count_;
   }
-  void clear() { count_ = 0; }
+  void clear() {
+    count_ = 0;
+    affine_ = true;
+  }
 
   [[nodiscard]] size_t count() const { return count_; }
+  // All of them.
+  [[nodiscard]] bool affine() const { return affine_; }
   [[nodiscard]] const Polygon& polygon(size_t i) const { return *polygons_[i]; }
   // Their parts', with room for kMost.
   [[nodiscard]] const int32_t* left_px() const { return left_px_.data(); }
@@ -81,7 +87,14 @@ class SmallTriangles {
   [[nodiscard]] const int32_t* end_row() const { return end_row_.data(); }
 
  private:
+  [[nodiscard]] static bool is_gentle(const Polygon& polygon, const SmallLimits& limits) {
+    int32_t most_q = 0;
+    for (const selvage_vertex& vertex : polygon.vertices) most_q = std::max(most_q, vertex.q);
+    return most_q <= int64_t{limits.most_q_ratio} * polygon.least_q;
+  }
+
   size_t count_ = 0;
+  bool affine_ = true;
   std::array<const Polygon*, kMost> polygons_;
   std::array<int32_t, kMost> left_px_{}, right_px_{}, first_row_{}, end_row_{};
 };

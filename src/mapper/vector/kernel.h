@@ -11,6 +11,8 @@
 #include "mapper/layout.h"
 #include "mapper/number.h"
 #include "mapper/projective_box.h"
+#include "mapper/small_triangles.h"
+#include "mapper/stepped.h"
 
 namespace selvage::mapper {
 
@@ -47,7 +49,8 @@ inline constexpr int32_t kVectorTruncations_fx24 = kVectorTruncations_fx16;
 // Small triangles of AVX-512 and AVX2. In double, all sums and products of their whole numbers are
 // exact: those of changes in x, y, u and v from vertex to vertex, and of these by the way from a
 // vertex to a pixel, or to a lane of its vector that is none.
-inline constexpr SmallLimits kSmall = {kMostLanes, 64, 64};
+inline constexpr SmallLimits kSmall = {kMostLanes, 64, 64, 4};
+static_assert(kSmall.most_px < kUsualStepping.least_row_px, "a tolerance changes none of them");
 inline constexpr int kSmallPlaceBits = 13, kSmallTexelBits = kTexelFraction + 6;
 static_assert((kSmall.most_px + 1) << kSubpixelBits <= 1 << kSmallPlaceBits &&
               kSmall.most_columns_texel << kTexelFraction <= 1 << kSmallTexelBits &&
@@ -58,6 +61,31 @@ static_assert(2 * (kSmallPlaceBits + 1) + kSmallTexelBits + 2 < 53);
 inline constexpr int32_t kMostSmallSteps = 2 * kSmall.most_px;
 inline constexpr int32_t kSmallLack_fx24 =
     fine_lack_fx24(kMostSmallSteps, uint32_t{kMostSmallSteps + 1} * kPlaneErrorPerStep_fx32);
+
+// In perspective they are truncated quotients of single precision, of forms that are affine over
+// the 16 x 16 pixels, lowered by their error: so many roundings of the most that u's form, or v's,
+// can be there, times the most that q's can be over the least q of the vertices
+// (spec/proofs/small_projective.g).
+inline constexpr double kSmallQuotientRoundings = 11.26;  // in units of 2^-24
+inline constexpr double kSmallRoundings = kSmallQuotientRoundings + 1.04;
+inline constexpr double kSmallSlack_fx24 = 0.35;
+inline constexpr int32_t kSmallTruncations_fx24 = 2;
+inline constexpr double kMostSmallError_fx24 = 1 << 19, kMostSmallDepth = 1 << 10;
+static_assert(2 * kMostSmallError_fx24 + kSmallTruncations_fx24 < 1 << (kWindowFraction - 3));
+
+// The forms are made in double. q's is exact, u's off by so much, in units of 2^-16 texel times the
+// greatest q and over the doubled area (spec/proofs/small_forms.g): enough to find a texel but next
+// to a boundary, where the low 64 bits of integers are; and for lanes, if there is some area.
+inline constexpr int kSmallAreaBits = 25;
+static_assert(((kSmall.most_px + 1) << kSubpixelBits) * ((kSmall.most_px + 1) << kSubpixelBits) <=
+              1 << kSmallAreaBits);
+inline constexpr double kSmallForm = 0.41;
+inline constexpr int32_t kLeastSmallArea = 1 << 11;
+inline constexpr double kSmallForms_fx24 =
+    kSmallForm * (1 << (kWindowFraction - kTexelFraction)) * kSmall.most_q_ratio / kLeastSmallArea;
+inline constexpr int kNearSmallBits = 6;  // no further than 2^-kNearSmallBits texel
+static_assert(kSmallForm * kSmall.most_q_ratio < 1 << (kTexelFraction - kNearSmallBits - 1));
+static_assert(kSmallAreaBits + kQBits + kTexelFraction - kNearSmallBits + 1 < 63);
 
 // In perspective they are floors of estimates that are lowered by their error, and lack less than
 // twice that, the floor's unit, and what is left of one where the sum is floored.

@@ -25,6 +25,10 @@ struct VertexColumns {
   Columns x, y, u, v;
 };
 
+struct SmallVertices {
+  VertexColumns a, b, c;
+};
+
 // Numbers of the i-th triangle, four to each, and of every fourth one from there.
 template <class D, class Numbers>
 [[nodiscard]] HWY_INLINE hn::Vec<D> every_fourth(D d, const Numbers& numbers, size_t i) {

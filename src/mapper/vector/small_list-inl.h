@@ -15,7 +15,7 @@
 #include <cstring>
 
 #include "mapper/vector/affine_window-inl.h"
-#include "mapper/vector/small_exact-inl.h"
+#include "mapper/vector/small_set_up-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -78,28 +78,12 @@ class SmallList {
   HWY_ALIGN uint16_t code_[kMost_px + kMostRow_px];
 };
 
-// u or v of pixels.
-class SmallLanes {
- public:
-  HWY_INLINE SmallLanes(const SmallCoordinate& of, size_t i)
-      : start_(hn::Set(D32(), of.start_fx24[i])),
-        right_(hn::Set(D32(), of.right_fx24[i])),
-        down_(hn::Set(D32(), of.down_fx24[i])) {}
-
-  [[nodiscard]] HWY_INLINE V32 at(const PixelSteps& steps) const {
-    const V32 at_right = hn::Add(start_, hn::Mul(steps.right_px, right_));
-    return hn::Add(at_right, hn::Mul(steps.down_px, down_));
-  }
-
- private:
-  V32 start_, right_, down_;
-};
-
 // Kept out of the loop.
-[[nodiscard]] HWY_NOINLINE TexelVectors exact_texels(const SmallSetUp& set_up, size_t i,
+template <class Kind>
+[[nodiscard]] HWY_NOINLINE TexelVectors exact_texels(const SmallSetUp<Kind>& set_up, size_t i,
                                                      const PixelSteps& steps,
                                                      const selvage_texture& texture) {
-  const LaneVectors exact_fx16 = ExactSmallCoordinates(set_up, i, texture).at(steps);
+  const LaneVectors exact_fx16 = set_up.exact(i, texture).at(steps, kLanes);
   return {hn::ShiftRight<kTexelFraction>(exact_fx16.u),
           hn::ShiftRight<kTexelFraction>(exact_fx16.v)};
 }
@@ -130,25 +114,24 @@ class SmallCopies {
 
 // Copies the texels of the i-th triangle that was set up. `first_pixel` is the part's first one, or
 // the one so many rows below it.
-template <class Pixel>
-HWY_INLINE void draw_list(const SmallList& list, const SmallSetUp& set_up, size_t i,
+template <class Pixel, class Kind>
+HWY_INLINE void draw_list(const SmallList& list, const SmallSetUp<Kind>& set_up, size_t i,
                           const Surface& surface, char* first_pixel, int32_t first_row) {
   const D32 d;
   const selvage_texture& texture = surface.texture;
   const auto pitch_texel = static_cast<int32_t>(pitch_texel_of(texture));
   const V32 row_texel = hn::Set(d, pitch_texel),
-            first_texel =
-                hn::Set(d, set_up.v.origin_texel[i] * pitch_texel + set_up.u.origin_texel[i]),
+            first_texel = hn::Set(d, set_up.t_texel[i] * pitch_texel + set_up.s_texel[i]),
             row_byte = hn::Set(d, static_cast<int32_t>(surface.target.pitch)),
             pixel_byte = hn::Set(d, int32_t{sizeof(Pixel)});
-  const SmallLanes u(set_up.u, i), v(set_up.v, i);
-  const LowFineLanes low(kSmallLack_fx24 + kLowered_fx24);
-  const bool has_lanes = (set_up.have_lanes >> i & 1) != 0;
+  const typename Kind::Lanes all_lanes(set_up.maps, i);
+  const LowFineLanes low(set_up.maps.lack_fx24(i));
+  const bool has_lanes = set_up.maps.has_lanes(i);
   const auto* const texels_of = static_cast<const Pixel*>(texture.texels);
   const int32_t count = list.count();
   for (int32_t k = 0; k < count; k += kLanes) {
     const PixelSteps steps = list.steps(k);
-    const LaneVectors lanes{u.at(steps), v.at(steps)};
+    const LaneVectors lanes = all_lanes.at(steps);
     TexelVectors texels{hn::ShiftRight<kWindowFraction>(lanes.u),
                         hn::ShiftRight<kWindowFraction>(lanes.v)};
     if (HWY_UNLIKELY(!has_lanes || changes_texels<kWindowFraction>(low.changes(lanes)))) {
@@ -169,10 +152,10 @@ HWY_INLINE void draw_list(const SmallList& list, const SmallSetUp& set_up, size_
 }
 
 // Of those that were set up, the lists of the triangles from an index on.
-template <class Pixel>
+template <class Pixel, class Kind>
 class SmallSet {
  public:
-  HWY_INLINE SmallSet(const SmallTriangles& triangles, const SmallSetUp& set_up, size_t first,
+  HWY_INLINE SmallSet(const SmallTriangles& triangles, const SmallSetUp<Kind>& set_up, size_t first,
                       const Surface& surface)
       : triangles_(triangles), set_up_(set_up), first_(first), surface_(surface) {}
 
@@ -191,14 +174,14 @@ class SmallSet {
 
  private:
   const SmallTriangles& triangles_;
-  const SmallSetUp& set_up_;
+  const SmallSetUp<Kind>& set_up_;
   size_t first_;
   const Surface& surface_;
 };
 
 // Row by row.
-template <class Pixel>
-HWY_NOINLINE void draw_far_rows(const SmallSet<Pixel>& set, size_t first, size_t end) {
+template <class Set>
+HWY_NOINLINE void draw_far_rows(const Set& set, size_t first, size_t end) {
   SmallList list;
   for (size_t index = first; index < end; ++index) {
     for (int32_t row = 0; row < set.rows(index); ++row) {
@@ -208,10 +191,10 @@ HWY_NOINLINE void draw_far_rows(const SmallSet<Pixel>& set, size_t first, size_t
   }
 }
 
-template <class Pixel>
-HWY_INLINE void draw_small_set(const SmallTriangles& triangles, const SmallSetUp& set_up,
+template <class Pixel, class Kind>
+HWY_INLINE void draw_small_set(const SmallTriangles& triangles, const SmallSetUp<Kind>& set_up,
                                size_t first, size_t end, const Surface& surface) {
-  const SmallSet<Pixel> set(triangles, set_up, first, surface);
+  const SmallSet<Pixel, Kind> set(triangles, set_up, first, surface);
   if (HWY_UNLIKELY(!are_rows_near(surface.target))) return draw_far_rows(set, first, end);
   SmallList lists[kRows];
   for (size_t index = first; index < end; ++index) {

@@ -1,8 +1,4 @@
 // Small triangles from their vertices to their pixels. Included once for each SIMD target.
-//
-// Lanes walk from the part's first pixel by floors of steps in 8.24: those of affine_window, whose
-// law and proof they share, where each pixel is its own anchor. Near-ties are found by quotients
-// without error.
 #if defined(SELVAGE_VECTOR_SMALL_TRIANGLES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_SMALL_TRIANGLES_INL_H
 #undef SELVAGE_VECTOR_SMALL_TRIANGLES_INL_H
@@ -19,14 +15,10 @@ namespace selvage::mapper::HWY_NAMESPACE {
 #if SELVAGE_DRAWS_SMALL
 namespace {
 
-static_assert(HWY_MAX(kSmall.most_columns_texel, kSmall.most_rows_texel) <
-                  1 << (31 - kWindowFraction),
-              "lanes of 8.24 hold them");
-
-template <class Pixel>
+template <class Pixel, class Kind>
 HWY_INLINE void draw_small_as(const SmallTriangles& triangles, const Surface& surface) {
   for (size_t first = 0; first < triangles.count(); first += kRows) {
-    const SmallSetUp set_up(triangles, first, surface.texture);
+    const SmallSetUp<Kind> set_up(triangles, first, surface.texture);
     draw_small_set<Pixel>(triangles, set_up, first, HWY_MIN(first + kRows, triangles.count()),
                           surface);
   }
@@ -35,8 +27,11 @@ HWY_INLINE void draw_small_as(const SmallTriangles& triangles, const Surface& su
 }  // namespace
 
 void draw_small(const SmallTriangles& triangles, const Surface& surface) {
-  with_pixel(surface.target.format,
-             [&](auto pixel) HWY_ATTR { draw_small_as<decltype(pixel)>(triangles, surface); });
+  with_pixel(surface.target.format, [&](auto pixel) HWY_ATTR {
+    using Pixel = decltype(pixel);
+    if (triangles.affine()) return draw_small_as<Pixel, AffineKind>(triangles, surface);
+    draw_small_as<Pixel, ProjectiveKind>(triangles, surface);
+  });
 }
 
 #endif

@@ -9,7 +9,7 @@
 
 #include "mapper/vector/affine_window-inl.h"
 #include "mapper/vector/fetch-inl.h"
-#include "mapper/vector/small_exact-inl.h"
+#include "mapper/vector/small_set_up-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -19,32 +19,32 @@ namespace {
 
 static_assert(kSmall.most_px == kLanes, "a row is a vector, all are one");
 
-// Of each row: its first pixel, how many there are, and the lanes of the first.
-struct SmallRows {
-  HWY_ALIGN int32_t left_px[kLanes], count_px[kLanes], u_fx24[kLanes], v_fx24[kLanes];
+// Of each row: its first pixel, how many there are, and the lanes from the first on.
+template <class Kind>
+class SmallRows {
+ public:
+  HWY_INLINE SmallRows(const SmallSetUp<Kind>& set_up, size_t i, int32_t first_px, int32_t end_px)
+      : SmallRows(set_up, i, first_px, SmallSpans(set_up.edges.of(i), 0, first_px, end_px)) {}
 
-  HWY_INLINE SmallRows(const SmallSetUp& set_up, size_t i, int32_t first_px, int32_t end_px) {
-    const D32 d;
-    const SmallSpans spans(set_up.edges.of(i), 0, first_px, end_px);
-    const V32 left = spans.left_px, right = spans.right_px;
-    const V32 across = hn::Sub(left, hn::Set(d, first_px)), down = hn::Iota(d, 0);
-    const auto lanes = [&](const SmallCoordinate& of) HWY_ATTR {
-      const V32 at_left =
-          hn::Add(hn::Set(d, of.start_fx24[i]), hn::Mul(across, hn::Set(d, of.right_fx24[i])));
-      return hn::Add(at_left, hn::Mul(down, hn::Set(d, of.down_fx24[i])));
-    };
-    hn::Store(left, d, left_px);
-    hn::Store(hn::Sub(right, left), d, count_px);
-    hn::Store(lanes(set_up.u), d, u_fx24);
-    hn::Store(lanes(set_up.v), d, v_fx24);
+  HWY_ALIGN int32_t left_px[kLanes], count_px[kLanes];
+  typename Kind::Rows lanes;
+
+ private:
+  HWY_INLINE SmallRows(const SmallSetUp<Kind>& set_up, size_t i, int32_t first_px,
+                       const SmallSpans& spans)
+      : lanes(set_up.maps, i,
+              {hn::Sub(spans.left_px, hn::Set(D32(), first_px)), hn::Iota(D32(), 0)}) {
+    hn::Store(spans.left_px, D32(), left_px);
+    hn::Store(hn::Sub(spans.right_px, spans.left_px), D32(), count_px);
   }
 };
 
 // One of those that were set up.
+template <class Kind>
 struct SmallTriangle {
-  const SmallSetUp& set_up;
+  const SmallSetUp<Kind>& set_up;
   size_t i;
-  const SmallRows& rows;
+  const SmallRows<Kind>& rows;
   int32_t first_px, first_row, end_row;
 
   // Calls draw(k, count_px, to) for each row, the k-th.
@@ -63,35 +63,30 @@ struct SmallTriangle {
 };
 
 // Returns whether there is a near-tie among the pixels, of which all are drawn.
-template <class Pixel, class Source>
-[[nodiscard]] HWY_INLINE bool draw_by_lanes(const SmallTriangle& triangle, const Source& source,
-                                            const selvage_image& target) {
-  const D32 d;
-  const LowFineLanes low(kSmallLack_fx24 + kLowered_fx24);
-  const auto offsets = [&](const SmallCoordinate& of) HWY_ATTR {
-    return hn::Mul(hn::Iota(d, 0), hn::Set(d, of.right_fx24[triangle.i]));
-  };
-  const V32 offset_u = offsets(triangle.set_up.u), offset_v = offsets(triangle.set_up.v);
-  V32 changed = hn::Zero(d);
-  triangle.for_each_row<Pixel>(target, [&](int32_t k, int32_t count_px, Pixel* to) HWY_ATTR {
-    const LaneVectors lanes{hn::Add(hn::Set(d, triangle.rows.u_fx24[k]), offset_u),
-                            hn::Add(hn::Set(d, triangle.rows.v_fx24[k]), offset_v)};
-    changed = source.draw(low, lanes, count_px, changed, to);
-  });
+template <class Pixel, class Kind, class Source>
+[[nodiscard]] HWY_INLINE bool draw_by_lanes(const SmallTriangle<Kind>& triangle,
+                                            const Source& source, const selvage_image& target) {
+  const LowFineLanes low(triangle.set_up.maps.lack_fx24(triangle.i));
+  const typename Kind::Rows::Walk walk(triangle.set_up.maps, triangle.i);
+  V32 changed = hn::Zero(D32());
+  triangle.template for_each_row<Pixel>(
+      target, [&](int32_t k, int32_t count_px, Pixel* to) HWY_ATTR {
+        changed = source.draw(low, walk.along(triangle.rows.lanes, k), count_px, changed, to);
+      });
   return changes_texels<kWindowFraction>(changed);
 }
 
-template <class Pixel, class Source>
-HWY_NOINLINE void draw_by_quotients(const SmallTriangle& triangle, const Source& source,
-                                    const Surface& surface) {
+template <class Pixel, class Kind, class Source>
+HWY_NOINLINE void draw_exactly(const SmallTriangle<Kind>& triangle, const Source& source,
+                               const Surface& surface) {
   const D32 d;
-  const ExactSmallCoordinates exact(triangle.set_up, triangle.i, surface.texture);
-  triangle.for_each_row<Pixel>(
+  const auto exact = triangle.set_up.exact(triangle.i, surface.texture);
+  triangle.template for_each_row<Pixel>(
       surface.target, [&](int32_t k, int32_t count_px, Pixel* to) HWY_ATTR {
         if (count_px == 0) return;
         const int32_t right_px = triangle.rows.left_px[k] - triangle.first_px;
         const PixelSteps steps{hn::Iota(d, right_px), hn::Set(d, k)};
-        source.draw(exact.at(steps), count_px, to);
+        source.draw(exact.at(steps, count_px), count_px, to);
       });
 }
 
@@ -150,38 +145,38 @@ class SmallSource<Pixel, kSmallShapeCount> {
   int32_t pitch_texel_;
 };
 
-template <class Pixel, int kShape>
-HWY_INLINE void draw_small_triangle(const SmallTriangle& triangle, const Surface& surface) {
-  const SmallSource<Pixel, kShape> source(surface.texture,
-                                          triangle.set_up.u.origin_texel[triangle.i],
-                                          triangle.set_up.v.origin_texel[triangle.i]);
-  const bool has_lanes = (triangle.set_up.have_lanes >> triangle.i & 1) != 0;
+template <class Pixel, int kShape, class Kind>
+HWY_INLINE void draw_small_triangle(const SmallTriangle<Kind>& triangle, const Surface& surface) {
+  const SmallSource<Pixel, kShape> source(surface.texture, triangle.set_up.s_texel[triangle.i],
+                                          triangle.set_up.t_texel[triangle.i]);
+  const bool has_lanes = triangle.set_up.maps.has_lanes(triangle.i);
   if (HWY_LIKELY(has_lanes && !draw_by_lanes<Pixel>(triangle, source, surface.target))) return;
-  draw_by_quotients<Pixel>(triangle, source, surface);
+  draw_exactly<Pixel>(triangle, source, surface);
 }
 
 // By its shape, one of kShape or above.
-template <class Pixel, int kShape = 0>
-HWY_INLINE void draw_by_shape(const SmallTriangle& triangle, const Surface& surface) {
+template <class Pixel, class Kind, int kShape = 0>
+HWY_INLINE void draw_by_shape(const SmallTriangle<Kind>& triangle, const Surface& surface) {
   if constexpr (kShape < kSmallShapeCount) {
     if (triangle.set_up.shape[triangle.i] != kShape) {
-      return draw_by_shape<Pixel, kShape + 1>(triangle, surface);
+      return draw_by_shape<Pixel, Kind, kShape + 1>(triangle, surface);
     }
   }
   draw_small_triangle<Pixel, kShape>(triangle, surface);
 }
 
 // Of those that were set up, the one with an index.
-template <class Pixel>
-HWY_INLINE void draw_small_set(const SmallTriangles& triangles, const SmallSetUp& set_up,
+template <class Pixel, class Kind>
+HWY_INLINE void draw_small_set(const SmallTriangles& triangles, const SmallSetUp<Kind>& set_up,
                                size_t first, size_t end, const Surface& surface) {
   for (size_t index = first; index < end; ++index) {
     const size_t i = index - first;
     const int32_t first_px = triangles.left_px()[index];
-    const SmallRows rows(set_up, i, first_px, triangles.right_px()[index]);
-    draw_by_shape<Pixel>(SmallTriangle{set_up, i, rows, first_px, triangles.first_row()[index],
-                                       triangles.end_row()[index]},
-                         surface);
+    const SmallRows<Kind> rows(set_up, i, first_px, triangles.right_px()[index]);
+    draw_by_shape<Pixel>(
+        SmallTriangle<Kind>{set_up, i, rows, first_px, triangles.first_row()[index],
+                            triangles.end_row()[index]},
+        surface);
   }
 }
 

@@ -1,13 +1,13 @@
-// The coordinates of small triangles by quotients without error. Included once for each SIMD
-// target.
-#if defined(SELVAGE_VECTOR_SMALL_EXACT_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef SELVAGE_VECTOR_SMALL_EXACT_INL_H
-#undef SELVAGE_VECTOR_SMALL_EXACT_INL_H
+// The coordinates of small triangles of one affine map each by quotients without error. Included
+// once for each SIMD target.
+#if defined(SELVAGE_VECTOR_SMALL_AFFINE_EXACT_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef SELVAGE_VECTOR_SMALL_AFFINE_EXACT_INL_H
+#undef SELVAGE_VECTOR_SMALL_AFFINE_EXACT_INL_H
 #else
-#define SELVAGE_VECTOR_SMALL_EXACT_INL_H
+#define SELVAGE_VECTOR_SMALL_AFFINE_EXACT_INL_H
 #endif
 
-#include "mapper/vector/small_set_up-inl.h"
+#include "mapper/vector/small_affine-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -15,23 +15,17 @@ namespace {
 
 #if SELVAGE_DRAWS_SMALL
 
-// How far pixels lie right of a part's first one, and below it.
-struct PixelSteps {
-  V32 right_px, down_px;
-};
-
 // Texels' 16.16, counted from a triangle's origin: floors of numerators over one divisor, and where
 // the texture ends, the last ones in it.
-class ExactSmallCoordinate {
+class ExactSmallAffine {
  public:
-  HWY_INLINE ExactSmallCoordinate(const SmallCoordinate& of, size_t i, double divisor,
-                                  int32_t size_texel)
+  HWY_INLINE ExactSmallAffine(const SmallAffine& of, size_t i, double divisor, int32_t end_texel)
       : start_(of.start[i]),
         right_(of.right[i]),
         down_(of.down[i]),
         divisor_(hn::Set(RowTag(), divisor)),
         reciprocal_(hn::Div(hn::Set(RowTag(), 1.0), divisor_)),
-        most_(hn::Set(D32(), most_fx16(size_texel - of.origin_texel[i]))) {}
+        most_(hn::Set(D32(), most_fx16(end_texel))) {}
 
   [[nodiscard]] HWY_INLINE V32 at(const PixelSteps& steps) const {
     const ColumnTag half;
@@ -64,18 +58,19 @@ class ExactSmallCoordinate {
   V32 most_;
 };
 
-// Of the i-th triangle that was set up.
-struct ExactSmallCoordinates {
-  ExactSmallCoordinate u, v;
+// Of the i-th one of some that were set up. `end`: so many texels from its origin the texture ends.
+class ExactAffineSmall {
+ public:
+  HWY_INLINE ExactAffineSmall(const AffineSmalls& of, size_t i, const TexelEnd& end)
+      : u_(of.u, i, of.doubled_area[i], end.s_texel),
+        v_(of.v, i, of.doubled_area[i], end.t_texel) {}
 
-  HWY_INLINE ExactSmallCoordinates(const SmallSetUp& set_up, size_t i,
-                                   const selvage_texture& texture)
-      : u(set_up.u, i, set_up.doubled_area[i], texture.width),
-        v(set_up.v, i, set_up.doubled_area[i], texture.height) {}
-
-  [[nodiscard]] HWY_INLINE LaneVectors at(const PixelSteps& steps) const {
-    return {u.at(steps), v.at(steps)};
+  [[nodiscard]] HWY_INLINE LaneVectors at(const PixelSteps& steps, int32_t /*count_px*/) const {
+    return {u_.at(steps), v_.at(steps)};
   }
+
+ private:
+  ExactSmallAffine u_, v_;
 };
 
 #endif
