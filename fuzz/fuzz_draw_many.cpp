@@ -1,6 +1,7 @@
 // Lists of polygons, raw ones among them -> selvage_draw_many. Law SAME and law TOTAL: what it
-// draws is what selvage_draw draws one after another; if one of them is refused, that one is named
-// and nothing is drawn; no byte beyond the scratch memory that it asked for is written.
+// draws, by each kernel of the machine, is what selvage_draw draws one after another; if one of
+// them is refused, that one is named and nothing is drawn; no byte beyond the scratch memory that
+// it asked for is written.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -52,38 +53,65 @@ struct Scene {
   }
 };
 
+struct Drawn {
+  selvage_status status = SELVAGE_OK;
+  size_t refused = 0;  // the first one that is, or as many as there are
+  std::vector<uint8_t> pixels;
+};
+
+[[nodiscard]] std::vector<uint8_t> blank(const Scene& scene) {
+  const auto area = static_cast<size_t>(scene.width_px) * static_cast<size_t>(scene.height_px);
+  return std::vector<uint8_t>(area, 0xA5);
+}
+
+[[nodiscard]] Drawn draw_in_turn(const Scene& scene) {
+  Drawn drawn{.pixels = blank(scene)};
+  const selvage_image image = scene.on(drawn.pixels);
+  for (; drawn.refused < scene.polygons.size(); ++drawn.refused) {
+    const auto& [vertices, count, texture] = scene.polygons[drawn.refused];
+    drawn.status = selvage_draw(&image, &scene.clip, vertices, count, texture, &scene.options);
+    if (drawn.status != SELVAGE_OK) break;
+  }
+  if (drawn.status != SELVAGE_OK) drawn.pixels = blank(scene);
+  return drawn;
+}
+
+[[nodiscard]] Drawn draw_together(const Scene& scene, const selvage_options& options) {
+  Drawn drawn{.refused = scene.polygons.size(), .pixels = blank(scene)};
+  const selvage_image image = scene.on(drawn.pixels);
+  // Exactly as large as asked for: a sanitizer sees the first byte beyond.
+  const size_t bytes = selvage_draw_many_bytes(scene.polygons.size());
+  std::vector<uint8_t> scratch(bytes + 1);
+  scratch[bytes] = 0x77;
+  drawn.status =
+      selvage_draw_many(&image, &scene.clip, scene.polygons.data(), scene.polygons.size(), &options,
+                        scene.threads, scratch.data(), bytes, &drawn.refused);
+  require(scratch[bytes] == 0x77, "wrote beyond its scratch memory", drawn.status);
+  return drawn;
+}
+
+// What the fastest one draws is no other kernel's within a tolerance.
+void require_of_each_kernel(const Scene& scene, const Drawn& wanted) {
+  if (wanted.status != SELVAGE_OK || scene.options.tolerance != 0) return;
+  for (selvage_kernel kernel = SELVAGE_KERNEL_SCALAR; kernel <= SELVAGE_KERNEL_NEON; ++kernel) {
+    selvage_options options = scene.options;
+    options.kernel = kernel;
+    const Drawn drawn = draw_together(scene, options);
+    if (drawn.status == SELVAGE_ERROR_KERNEL) continue;
+    require(drawn.pixels == wanted.pixels, "not the picture due by each kernel", drawn.status);
+  }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   const Scene scene{selvage::fuzz::Bytes(data, size)};
-  const auto area = static_cast<size_t>(scene.width_px) * static_cast<size_t>(scene.height_px);
-  const std::vector<uint8_t> blank(area, 0xA5);
-  std::vector<uint8_t> in_turn = blank, together = blank;
-  const selvage_image one = scene.on(in_turn), all = scene.on(together);
-
-  selvage_status wanted = SELVAGE_OK;
-  size_t refused = 0;
-  for (; refused < scene.polygons.size(); ++refused) {
-    const auto& [vertices, count, texture] = scene.polygons[refused];
-    wanted = selvage_draw(&one, &scene.clip, vertices, count, texture, &scene.options);
-    if (wanted != SELVAGE_OK) break;
-  }
-  // Exactly as large as asked for: a sanitizer sees the first byte beyond.
-  const size_t bytes = selvage_draw_many_bytes(scene.polygons.size());
-  void* const scratch = std::malloc(bytes + 1);
-  if (scratch == nullptr) return 0;
-  static_cast<uint8_t*>(scratch)[bytes] = 0x77;
-  size_t failed = scene.polygons.size();
-  const selvage_status status =
-      selvage_draw_many(&all, &scene.clip, scene.polygons.data(), scene.polygons.size(),
-                        &scene.options, scene.threads, scratch, bytes, &failed);
-  require(static_cast<uint8_t*>(scratch)[bytes] == 0x77, "wrote beyond its scratch memory", status);
-  std::free(scratch);
-
+  const Drawn wanted = draw_in_turn(scene), drawn = draw_together(scene, scene.options);
   if (scene.polygons.empty()) return 0;  // bad options are errors even then
-  require(status == wanted, "not the status of one after another", status);
-  require(together == (status == SELVAGE_OK ? in_turn : blank), "not the picture due", status);
-  if (status >= SELVAGE_ERROR_PROFILE && status <= SELVAGE_ERROR_KERNEL) return 0;
-  require(failed == refused, "another polygon is named", status);
+  require(drawn.status == wanted.status, "not the status of one after another", drawn.status);
+  require(drawn.pixels == wanted.pixels, "not the picture due", drawn.status);
+  require_of_each_kernel(scene, wanted);
+  if (drawn.status >= SELVAGE_ERROR_PROFILE && drawn.status <= SELVAGE_ERROR_KERNEL) return 0;
+  require(drawn.refused == wanted.refused, "another polygon is named", drawn.status);
   return 0;
 }
