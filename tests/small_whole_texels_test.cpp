@@ -214,5 +214,20 @@ TEST(SmallLanes, AreExactWhereOneNumberIsBeyondLanes) {
   }
 }
 
+// Found by search: in perspective, u two units of the texture's end, which lanes lowered by a sixth
+// of their error reach.
+TEST(SmallLanes, AreLoweredByTheErrorOfSinglePrecision) {
+  spec::Case c;
+  c.format = SELVAGE_INDEX8;
+  c.target_width_px = 12;
+  c.target_height_px = 50;
+  c.texture_width_texel = 8;
+  c.texture_height_texel = 65;
+  const SmallOutline triangle = {{2782, 2889, 524286, 1441792, 4200428},
+                                 {2321, 623, 524288, 1441792, 4255947},
+                                 {171, 2609, 524287, 1441791, 4198011}};
+  ASSERT_NO_FATAL_FAILURE(expect_list_drawn_alike(c, {triangle}, /*seed=*/0));
+}
+
 }  // namespace
 }  // namespace selvage::mapper

@@ -8,7 +8,9 @@
 # Claim: a form is off by at most FORM at a pixel.
 # Used: src/mapper/vector/small_projective-inl.h, small_projective_exact-inl.h.
 # By hand: roundings do not depend on the unit, and whole numbers of up to 53 bits are exact. u q,
-# its changes, D and q's form are such. Fused products are not rounded before.
+# its changes, D and q's form are such. Fused products are not rounded before. Where texels are found
+# in double the last two sums are rounded as well, 1 over q's form, and the quotient: that is less
+# than 2^-5 of the unit over D, of which the code leaves half.
 
 @double = float<ieee_64, ne>;
 

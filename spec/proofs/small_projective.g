@@ -9,11 +9,12 @@
 # Used: src/mapper/vector/small_projective-inl.h.
 # By hand: a rounding is a factor 1 + r, for nothing is less than 2^-80 but 0; each term takes no more
 # factors than `factor`, its conversion and three sums, or a product and a sum. Fused products
-# are not rounded before. Where S is 0 so are n and u. Truncating what is below 0 does not reach
-# above 0, and u is not below. S and T are off by less than a factor 1 +- 2^-40. The code adds
-# TRUNCATIONS to twice `low` and then truncates.
-# Forms in double are off by FORMS at a pixel (small_forms.g). The instructions that estimate
-# reciprocals are off by less than 3/2 2^-12: RCPPS as Intel and AMD specify it, VRCP14PS by 2^-14.
+# are not rounded before. n, u and S are of the forms as they are in double, S but for a factor
+# 1 +- 2^-40, and the true u is off by FORMS from theirs at a pixel (small_forms.g); so w may be
+# below 0 by a little, where all that is said of it holds for -w. Where S is 0 so are n and u.
+# Truncating what is below 0 does not reach above 0, and the true u is not below. The code adds
+# TRUNCATIONS to twice `low` and then truncates. The instructions that estimate reciprocals are off
+# by less than 3/2 2^-12: RCPPS as Intel and AMD specify it, VRCP14PS by 2^-14.
 
 # Of n, a share of S; of d, a share of T.
 factor = (1 + conversion) * (1 + r1) * (1 + r2) * (1 + r3) * (1 + double_r);

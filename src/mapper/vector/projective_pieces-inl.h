@@ -80,20 +80,11 @@ class PieceDraw {
   HWY_INLINE bool draw(const PieceBlock& block, int32_t k, int32_t at, int32_t count_px,
                        Fetch* fetch, Pixel* to) const {
     const int32_t rows = window_rows(block, k, at);
-    if (kHasWindows && HWY_LIKELY(rows == kHalfWindow)) {
-      const LaneVectors lanes = in_window(block, k, at);
-      if (HWY_UNLIKELY(raised_.any_near(lanes))) return false;
-      const V32 index = Fixed::template window_index<kHalfColumnBits>(lanes, kHalfWindowRows);
-      const Pixel* const window = texels_ + block.windows.place[at][k];
-      store_pixels(pick<kHalfColumnBits>(window, pitch_texel_, kHalfWindowRows, index), count_px,
-                   to);
-    } else if (kHasWindows && rows != 0) {
+    if (kHasWindows && rows != 0) {
       if (HWY_UNLIKELY(rows == kNoWindow)) return false;
       const LaneVectors lanes = in_window(block, k, at);
       if (HWY_UNLIKELY(raised_.any_near(lanes))) return false;
-      const V32 index = Fixed::template window_index<kWindowColumnBits>(lanes, rows);
-      const Pixel* const window = texels_ + block.windows.place[at][k];
-      store_pixels(pick_few(window, pitch_texel_, rows, index), count_px, to);
+      store_pixels(picked(block, k, at, rows, lanes), count_px, to);
     } else {
       const LaneVectors lanes = this->lanes(block, k, at);
       if (HWY_UNLIKELY(fixed_.any_near(lanes))) return false;
@@ -101,9 +92,34 @@ class PieceDraw {
     }
     return true;
   }
+  // Both vectors of a whole piece; false, and nothing is drawn, where one of them has no window or
+  // a pixel may be a near-tie.
+  HWY_INLINE bool draw_both(const PieceBlock& block, int32_t k, Pixel* to) const {
+    static_assert(!kHasWindows || kVectorsPerPiece <= 2);
+    constexpr int32_t kSecond = kVectorsPerPiece - 1;
+    const int32_t rows = window_rows(block, k, 0), second_rows = window_rows(block, k, kSecond);
+    if (!is_window(rows) || !is_window(second_rows)) return false;
+    const LaneVectors lanes = in_window(block, k, 0), second = in_window(block, k, kSecond);
+    if (HWY_UNLIKELY(raised_.any_near(lanes, second))) return false;
+    store_pixels(picked(block, k, 0, rows, lanes), kLanes, to);
+    store_pixels(picked(block, k, kSecond, second_rows, second), kLanes, to + kLanes);
+    return true;
+  }
 
  private:
   using Fixed = FixedLanes<Address>;
+  static HWY_INLINE bool is_window(int32_t rows) { return rows == kHalfWindow || rows > 0; }
+  // From a window, by raised lanes that are counted from it.
+  HWY_INLINE V32 picked(const PieceBlock& block, int32_t k, int32_t at, int32_t rows,
+                        const LaneVectors& lanes) const {
+    const Pixel* const window = texels_ + block.windows.place[at][k];
+    if (HWY_LIKELY(rows == kHalfWindow)) {
+      const V32 index = Fixed::template window_index<kHalfColumnBits>(lanes, kHalfWindowRows);
+      return pick<kHalfColumnBits>(window, pitch_texel_, kHalfWindowRows, index);
+    }
+    const V32 index = Fixed::template window_index<kWindowColumnBits>(lanes, rows);
+    return pick_few(window, pitch_texel_, rows, index);
+  }
   // Raised lanes, counted from the window.
   HWY_INLINE LaneVectors in_window(const PieceBlock& block, int32_t k, int32_t at) const {
     const PieceWindows& windows = block.windows;
@@ -140,6 +156,9 @@ HWY_NOINLINE bool draw_pieces(const Surface& surface, const AnchoredVectors& vec
     for (int32_t k = 0, count = pieces.count; k < count; ++k) {
       int32_t count_px = pieces.width_px[k];
       Pixel* to = reinterpret_cast<Pixel*>(pixels + pieces.row[k] * pitch) + pieces.left_px[k];
+      if (kHasWindows && kVectorsPerPiece == 2 && count_px >= kPiece_px) {
+        if (HWY_LIKELY(by.draw_both(block, k, to))) continue;
+      }
       for (int32_t at = 0; at < kVectorsPerPiece && count_px > 0; ++at) {
         if (HWY_UNLIKELY(!by.draw(block, k, at, count_px, &fetch, to))) {
           left->put(left_count++, pieces.rest(k, at), by.lanes(block, k, at),

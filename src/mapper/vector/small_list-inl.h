@@ -13,6 +13,7 @@
 #endif
 
 #include <cstring>
+#include <optional>
 
 #include "mapper/vector/affine_window-inl.h"
 #include "mapper/vector/small_set_up-inl.h"
@@ -78,15 +79,24 @@ class SmallList {
   HWY_ALIGN uint16_t code_[kMost_px + kMostRow_px];
 };
 
-// Kept out of the loop.
+// Exact texels, out of the loop. What they are found by is set up for a triangle's first ones.
 template <class Kind>
-[[nodiscard]] HWY_NOINLINE TexelVectors exact_texels(const SmallSetUp<Kind>& set_up, size_t i,
-                                                     const PixelSteps& steps,
-                                                     const selvage_texture& texture) {
-  const LaneVectors exact_fx16 = set_up.exact(i, texture).at(steps, kLanes);
-  return {hn::ShiftRight<kTexelFraction>(exact_fx16.u),
-          hn::ShiftRight<kTexelFraction>(exact_fx16.v)};
-}
+class SmallExactTexels {
+ public:
+  [[nodiscard]] HWY_NOINLINE TexelVectors at(const SmallSetUp<Kind>& set_up, size_t i,
+                                             const PixelSteps& steps,
+                                             const selvage_texture& texture) {
+    if (!exact_ || i != of_) exact_.emplace(set_up.exact(i, texture));
+    of_ = i;
+    const LaneVectors exact_fx16 = exact_->at(steps, kLanes);
+    return {hn::ShiftRight<kTexelFraction>(exact_fx16.u),
+            hn::ShiftRight<kTexelFraction>(exact_fx16.v)};
+  }
+
+ private:
+  size_t of_ = 0;
+  std::optional<typename Kind::Exact> exact_;
+};
 
 // Where pixels are copied from and to: numbers that go through memory, for taking vectors apart
 // costs more.
@@ -116,7 +126,8 @@ class SmallCopies {
 // the one so many rows below it.
 template <class Pixel, class Kind>
 HWY_INLINE void draw_list(const SmallList& list, const SmallSetUp<Kind>& set_up, size_t i,
-                          const Surface& surface, char* first_pixel, int32_t first_row) {
+                          const Surface& surface, char* first_pixel, int32_t first_row,
+                          SmallExactTexels<Kind>* exact) {
   const D32 d;
   const selvage_texture& texture = surface.texture;
   const auto pitch_texel = static_cast<int32_t>(pitch_texel_of(texture));
@@ -135,7 +146,7 @@ HWY_INLINE void draw_list(const SmallList& list, const SmallSetUp<Kind>& set_up,
     TexelVectors texels{hn::ShiftRight<kWindowFraction>(lanes.u),
                         hn::ShiftRight<kWindowFraction>(lanes.v)};
     if (HWY_UNLIKELY(!has_lanes || changes_texels<kWindowFraction>(low.changes(lanes)))) {
-      texels = exact_texels(set_up, i, steps, texture);
+      texels = exact->at(set_up, i, steps, texture);
     }
     const V32 from_texel = hn::Add(hn::Mul(texels.t, row_texel), hn::Add(texels.s, first_texel));
     const V32 down_px = hn::Sub(steps.down_px, hn::Set(d, first_row));
@@ -166,10 +177,11 @@ class SmallSet {
     list->find(set_up_.edges.of(index - first_), triangles_.left_px()[index],
                triangles_.right_px()[index], first_row, end_row);
   }
-  HWY_INLINE void draw(size_t index, int32_t first_row, const SmallList& list) const {
+  HWY_INLINE void draw(size_t index, int32_t first_row, const SmallList& list,
+                       SmallExactTexels<Kind>* exact) const {
     const Span row{triangles_.first_row()[index] + first_row, triangles_.left_px()[index], 0};
-    draw_list<Pixel>(list, set_up_, index - first_, surface_, first_pixel(surface_, row),
-                     first_row);
+    draw_list<Pixel>(list, set_up_, index - first_, surface_, first_pixel(surface_, row), first_row,
+                     exact);
   }
 
  private:
@@ -180,13 +192,14 @@ class SmallSet {
 };
 
 // Row by row.
-template <class Set>
-HWY_NOINLINE void draw_far_rows(const Set& set, size_t first, size_t end) {
+template <class Pixel, class Kind>
+HWY_NOINLINE void draw_far_rows(const SmallSet<Pixel, Kind>& set, size_t first, size_t end) {
   SmallList list;
+  SmallExactTexels<Kind> exact;
   for (size_t index = first; index < end; ++index) {
     for (int32_t row = 0; row < set.rows(index); ++row) {
       set.find(index, row, row + 1, &list);
-      set.draw(index, row, list);
+      set.draw(index, row, list, &exact);
     }
   }
 }
@@ -197,10 +210,11 @@ HWY_INLINE void draw_small_set(const SmallTriangles& triangles, const SmallSetUp
   const SmallSet<Pixel, Kind> set(triangles, set_up, first, surface);
   if (HWY_UNLIKELY(!are_rows_near(surface.target))) return draw_far_rows(set, first, end);
   SmallList lists[kRows];
+  SmallExactTexels<Kind> exact;
   for (size_t index = first; index < end; ++index) {
     set.find(index, 0, set.rows(index), &lists[index - first]);
   }
-  for (size_t index = first; index < end; ++index) set.draw(index, 0, lists[index - first]);
+  for (size_t index = first; index < end; ++index) set.draw(index, 0, lists[index - first], &exact);
 }
 
 #endif

@@ -178,7 +178,8 @@ HWY_INLINE V32 pick_few(const Pixel* HWY_RESTRICT window, ptrdiff_t pitch_texel,
   if (rows == 2 * kRowsPerPermute) {
     return pick<kBits>(window, pitch_texel, 2 * kRowsPerPermute, index);
   }
-  return pick<kBits>(window, pitch_texel, rows, index);
+  constexpr bool kAreThree = kMostWindowRows == 3 * kRowsPerPermute;
+  return pick<kBits>(window, pitch_texel, kAreThree ? kMostWindowRows : rows, index);
 }
 
 }  // namespace
