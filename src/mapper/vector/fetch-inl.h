@@ -23,7 +23,8 @@ template <class Pixel>
   return texel;
 }
 
-// By scalar loads: gathers were slower where both were measured (AMD Zen).
+// By scalar loads, which were faster than gathers where both were measured, but for whole vectors
+// of one kind of processor: are_gathers_fast().
 template <class Pixel>
 HWY_INLINE void fetch_as(const void* texels, const int32_t* HWY_RESTRICT place, int32_t count,
                          char* HWY_RESTRICT pixel) {
@@ -113,16 +114,27 @@ inline constexpr int32_t kFetchAhead_px = 256;
 template <class Pixel>
 class FetchAtOnce {
  public:
-  explicit HWY_INLINE FetchAtOnce(const void* texels) : texels_(texels) {}
+  explicit HWY_INLINE FetchAtOnce(const void* texels)
+      : texels_(texels), gathers_(kMayGather && are_gathers_fast()) {}
 
   // Pixels are the first ones.
   HWY_INLINE void add(V32 places, int32_t count_px, char* pixels) {
+    if (kMayGather && gathers_ && HWY_LIKELY(count_px >= kLanes)) return gather(places, pixels);
     fetch_vector<Pixel>(texels_, places, count_px, pixels);
   }
   HWY_INLINE void finish() {}
 
  private:
+  static constexpr bool kMayGather = HWY_TARGET == HWY_AVX3 && sizeof(Pixel) == sizeof(int32_t);
+
+  HWY_INLINE void gather(V32 places, char* pixels) const {
+    const D32 d;
+    const V32 texels = hn::GatherIndex(d, static_cast<const int32_t*>(texels_), places);
+    hn::StoreU(texels, d, reinterpret_cast<int32_t*>(pixels));
+  }
+
   const void* texels_;
+  bool gathers_;
 };
 
 // A ring of vectors whose texels, those of all lanes, have been asked for: their places must be

@@ -112,6 +112,14 @@ namespace {
 
 }  // namespace
 
+bool are_gathers_fast() {
+#if HWY_TARGETS & HWY_AVX3
+  return __builtin_cpu_is("amdfam19h") != 0;  // hexadecimal
+#else
+  return false;
+#endif
+}
+
 const Kernels* vector_kernels(selvage_kernel kernel, selvage_filter filter) {
   return table_of(kernel, filter);
 }
