@@ -58,12 +58,12 @@ class ExactSmallAffine {
   V32 most_;
 };
 
-// Of the i-th one of some that were set up. `end`: so many texels from its origin the texture ends.
+// Of the i-th one of some that were set up.
 class ExactAffineSmall {
  public:
-  HWY_INLINE ExactAffineSmall(const AffineSmalls& of, size_t i, const TexelEnd& end)
-      : u_(of.u, i, of.doubled_area[i], end.s_texel),
-        v_(of.v, i, of.doubled_area[i], end.t_texel) {}
+  HWY_INLINE ExactAffineSmall(const AffineSmalls& of, size_t i, const SmallTexels& texels)
+      : u_(of.u, i, of.doubled_area[i], texels.end_s),
+        v_(of.v, i, of.doubled_area[i], texels.end_t) {}
 
   [[nodiscard]] HWY_INLINE LaneVectors at(const PixelSteps& steps, int32_t /*count_px*/) const {
     return {u_.at(steps), v_.at(steps)};

@@ -80,8 +80,6 @@ class ProjectiveSmalls {
     const RowNumbers most_q = put(frame, depths, unit, &q);
     const RowNumbers most_u = put(frame, of_u.times(depths), fx24, &u),
                      most_v = put(frame, of_v.times(depths), fx24, &v);
-    hn::Store(s, ColumnTag(), s_texel_);
-    hn::Store(t, ColumnTag(), t_texel_);
     find_errors(hn::Max(most_u, most_v), most_q, frame.doubled_area());
   }
 
@@ -90,9 +88,7 @@ class ProjectiveSmalls {
   // If so:
   [[nodiscard]] HWY_INLINE int32_t lack_fx24(size_t i) const { return lack_fx24_[i]; }
 
-  // What it was set up from, and the texels that it is counted from.
-  [[nodiscard]] HWY_INLINE int32_t s_texel(size_t i) const { return s_texel_[i]; }
-  [[nodiscard]] HWY_INLINE int32_t t_texel(size_t i) const { return t_texel_[i]; }
+  // What it was set up from.
   [[nodiscard]] HWY_INLINE const Polygon& polygon(size_t i) const {
     return triangles_->polygon(first_ + i);
   }
@@ -138,7 +134,7 @@ class ProjectiveSmalls {
     have_lanes_ = bits_of(hn::And(are_precise, are_whole));
   }
 
-  HWY_ALIGN int32_t lack_fx24_[kRows], s_texel_[kRows], t_texel_[kRows];
+  HWY_ALIGN int32_t lack_fx24_[kRows];
   uint32_t have_lanes_;  // a bit each
   const SmallTriangles* triangles_;
   size_t first_;

@@ -117,11 +117,11 @@ class ExactSmallForm {
   int32_t last_texel_;
 };
 
-// Of the i-th one of some that were set up. `end`: so many texels from its origin the texture ends.
+// Of the i-th one of some that were set up.
 class ExactProjectiveSmall {
  public:
-  HWY_INLINE ExactProjectiveSmall(const ProjectiveSmalls& of, size_t i, const TexelEnd& end)
-      : ExactProjectiveSmall(of, i, end,
+  HWY_INLINE ExactProjectiveSmall(const ProjectiveSmalls& of, size_t i, const SmallTexels& texels)
+      : ExactProjectiveSmall(of, i, texels,
                              SmallIntegerFrame(of.polygon(i), of.first_px(i), of.first_row(i))) {}
 
   // Whole texels, as 16.16, of so many pixels, or more.
@@ -143,10 +143,10 @@ class ExactProjectiveSmall {
     Columns u, v;
   };
 
-  HWY_INLINE ExactProjectiveSmall(const ProjectiveSmalls& of, size_t i, const TexelEnd& end,
+  HWY_INLINE ExactProjectiveSmall(const ProjectiveSmalls& of, size_t i, const SmallTexels& texels,
                                   const SmallIntegerFrame& frame)
-      : u_(of.u, i, frame.integers(TimesDepth{&selvage_vertex::u, of.s_texel(i)}), end.s_texel),
-        v_(of.v, i, frame.integers(TimesDepth{&selvage_vertex::v, of.t_texel(i)}), end.t_texel),
+      : u_(of.u, i, frame.integers(TimesDepth{&selvage_vertex::u, texels.first_s}), texels.end_s),
+        v_(of.v, i, frame.integers(TimesDepth{&selvage_vertex::v, texels.first_t}), texels.end_t),
         q_start_(of.q.start[i]),
         q_right_(of.q.right[i]),
         q_down_(of.q.down[i]),

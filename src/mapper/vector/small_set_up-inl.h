@@ -49,7 +49,8 @@ struct SmallSetUp {
 
   [[nodiscard]] HWY_INLINE typename Kind::Exact exact(size_t i,
                                                       const selvage_texture& texture) const {
-    return {maps, i, TexelEnd{texture.width - s_texel[i], texture.height - t_texel[i]}};
+    const int32_t s = s_texel[i], t = t_texel[i];
+    return {maps, i, SmallTexels{s, t, texture.width - s, texture.height - t}};
   }
 
  private:

@@ -88,9 +88,9 @@ struct SmallWindows {
   };
 };
 
-// So many texels from where a triangle's are counted from the texture ends.
-struct TexelEnd {
-  int32_t s_texel, t_texel;
+// Where a triangle's texels are counted from, and how far from there the texture ends.
+struct SmallTexels {
+  int32_t first_s, first_t, end_s, end_t;
 };
 
 #endif
