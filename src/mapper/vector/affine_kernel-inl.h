@@ -7,6 +7,7 @@
 #endif
 
 #include "mapper/vector/affine_narrow-inl.h"
+#include "mapper/vector/affine_pair_strips-inl.h"
 #include "mapper/vector/affine_ties-inl.h"
 #include "mapper/vector/affine_wide-inl.h"
 #include "mapper/vector/affine_window-inl.h"
@@ -20,11 +21,16 @@ template <class Pixel, class Address>
 HWY_INLINE void draw_by_vectors(const AffineSpans& spans, const Surface& surface,
                                 const WindowShape& shape, RestDraw* rest) {
   const bool inside = shows_texture_alone(spans, surface.texture);
-  const bool by_pairs = pays_pairs(spans, surface.texture, inside);
-  if (!by_pairs && pays_strips(spans.batch, shape)) {
+  const WindowShape of_pairs = inside ? pair_shape(spans, surface.texture, shape) : WindowShape{};
+  if constexpr (kHasPairs) {
+    if (of_pairs.rows != 0 && pays_pair_strips(spans, surface.texture)) {
+      return with_pair_shape<Pixel>(of_pairs, PairStrips{spans, surface, rest});
+    }
+  }
+  if (of_pairs.rows == 0 && pays_strips(spans.batch, shape)) {
     return draw_by_strips<Pixel, Address>(spans, surface, shape, inside, rest);
   }
-  draw_wide<Pixel, Address>(spans, surface, shape, inside, by_pairs, rest);
+  draw_wide<Pixel, Address>(spans, surface, shape, of_pairs, inside, rest);
 }
 
 // Returns whether there were many near-ties.

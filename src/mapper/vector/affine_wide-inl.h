@@ -6,8 +6,8 @@
 #define SELVAGE_VECTOR_AFFINE_WIDE_INL_H
 #endif
 
+#include "mapper/vector/affine_pair_runs-inl.h"
 #include "mapper/vector/affine_rest-inl.h"
-#include "mapper/vector/affine_window_pairs-inl.h"
 #include "mapper/vector/fetch-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -82,15 +82,17 @@ HWY_NOINLINE void draw_loads(const AffineSpans& spans, const Surface& surface, R
 
 template <class Pixel, class Address>
 void draw_wide(const AffineSpans& spans, const Surface& surface, const WindowShape& shape,
-               bool inside, bool by_pairs, RestDraw* rest) {
+               const WindowShape& of_pairs, bool inside, RestDraw* rest) {
   const bool ahead = shape.rows == 0 && !is_cached(surface.texture);
   Resume at;
   Left left;
   do {
     const int32_t first = at.row;
-    const bool in_pairs = kHasPairs && by_pairs && first + 1 < spans.batch.rows;
+    const bool in_pairs = kHasPairs && of_pairs.rows != 0 && first + 1 < spans.batch.rows;
     if (in_pairs) {
-      draw_pairs<Pixel>(spans, surface, &at, &left);
+      if constexpr (kHasPairs) {
+        with_pair_shape<Pixel>(of_pairs, PairRuns{spans, surface, &at, &left});
+      }
     } else if (kHasWindows && shape.rows != 0) {
       with_window_shape<Pixel>(surface, shape, inside,
                                WindowRuns{spans, surface, inside, &at, &left});

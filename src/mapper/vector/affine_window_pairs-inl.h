@@ -1,8 +1,5 @@
-// Affine spans by windows, two rows at a time: where texels are some pixels wide, one window holds
-// those of a vector and of the one below it. Included once for each SIMD target.
-//
-// Windows are found a run ahead: no processor foresees where the rows of a polygon end, and what is
-// found by then need not be waited for.
+// Two rows of an affine map from one window: it holds the texels of a vector and of the one below
+// it. Included once for each SIMD target.
 #if defined(SELVAGE_VECTOR_AFFINE_WINDOW_PAIRS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_AFFINE_WINDOW_PAIRS_INL_H
 #undef SELVAGE_VECTOR_AFFINE_WINDOW_PAIRS_INL_H
@@ -17,42 +14,69 @@ HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
 
-// Whether windows of half as many columns as lanes hold all texels of two vectors, one below the
-// other.
-[[nodiscard]] HWY_INLINE bool holds_pairs(const AffineField& field,
-                                          const selvage_texture& texture) {
-  const auto texels = [&](int64_t Lane::*axis) {
-    return texels_across((kLanes - 1) * magnitude_fx32(field.step_x.*axis) +
-                         magnitude_fx32(field.step_y.*axis));
-  };
-  return may_have_windows(texture) && texture.height >= kHalfWindowRows &&
-         texels(&Lane::u_fx32) <= kColumns<kHalfColumnBits> &&
-         texels(&Lane::v_fx32) <= kHalfWindowRows;
+// What a pixel costs by windows of single rows and of pairs, about, and a pair beside its pixels,
+// as measured on AMD's family 25.
+[[nodiscard]] constexpr int32_t cost_by_rows(const WindowShape& shape) {
+  if (shape.rows == 0) return 36;
+  return shape.is_half() ? 12 : HWY_MAX(15, 4 * shape.rows - 3);
 }
+[[nodiscard]] constexpr int32_t cost_by_pairs(const WindowShape& shape) {
+  return shape.is_half() ? 8 : 2 * shape.rows + 3;
+}
+inline constexpr int32_t kPairCost = 600;
+// More cost more than loads.
+inline constexpr int32_t kMostPairRows = 7 * kRowsPerPermute;
 
-// What a pair of rows costs beside its vectors, which cost little more than those of one row.
-inline constexpr int32_t kPairCost_px = 5 * kLanes;
-
-// `inside`: the texture holds all texels.
-[[nodiscard]] HWY_INLINE bool pays_pairs(const AffineSpans& spans, const selvage_texture& texture,
-                                         bool inside) {
-  if (!kHasPairs || !inside || spans.batch.rows < 2 || !holds_pairs(spans.field, texture)) {
-    return false;
-  }
+[[nodiscard]] HWY_INLINE bool pays_pairs(const SpanBatch& batch, const WindowShape& of_rows,
+                                         const WindowShape& of_pairs) {
+  const int32_t row_cost = cost_by_rows(of_rows), pair_cost = cost_by_pairs(of_pairs);
+  // Rows are as wide as the widest one at most.
+  if (int64_t{2 * batch.widest_px} * (row_cost - pair_cost) < kPairCost) return false;
   int32_t by_rows_px = 0, by_pairs_px = 0;
-  for (int32_t i = 0; i + 1 < spans.batch.rows; i += 2) {
-    const Span upper = spans.batch.span(i), lower = spans.batch.span(i + 1);
+  for (int32_t i = 0; i + 1 < batch.rows; i += 2) {
+    const Span upper = batch.span(i), lower = batch.span(i + 1);
     by_rows_px += upper.width_px() + lower.width_px();
-    by_pairs_px += around(upper, lower).width_px() + kPairCost_px;
+    by_pairs_px += 2 * around(upper, lower).width_px();
   }
-  return by_pairs_px <= by_rows_px;
+  return int64_t{by_pairs_px} * pair_cost + batch.rows / 2 * kPairCost <=
+         int64_t{by_rows_px} * row_cost;
 }
 
-// Picks the texels of a vector and of the one below it.
-template <class Pixel>
+// Windows that hold all texels of two vectors, one below the other; no rows where none does, or
+// where those of one cost less.
+[[nodiscard]] HWY_INLINE WindowShape pair_shape(const AffineSpans& spans,
+                                                const selvage_texture& texture,
+                                                const WindowShape& of_rows) {
+  const AffineField& field = spans.field;
+  const auto texels = [&](int64_t Lane::*axis) {
+    return texels_across(reach_fx32(kLanes - 1, field.step_x.*axis) +
+                         reach_fx32(1, field.step_y.*axis));
+  };
+  const WindowShape shape =
+      shape_that_holds<kMostPairRows>(texels(&Lane::u_fx32), texels(&Lane::v_fx32), texture);
+  const bool pays = kHasPairs && shape.rows != 0 && spans.batch.rows > 1 &&
+                    pays_pairs(spans.batch, of_rows, shape);
+  return pays ? shape : WindowShape{};
+}
+
+// Calls by.template draw<Pixel, kColumnBits, kRows>(shape) as windows of this shape are drawn from.
+template <class Pixel, int32_t kRows = kMostPairRows, class By>
+HWY_INLINE void with_pair_shape(const WindowShape& shape, const By& by) {
+  if constexpr (kRows == kMostPairRows) {
+    if (shape.is_half()) return by.template draw<Pixel, kHalfColumnBits, kHalfWindowRows>(shape);
+  }
+  if constexpr (kRows > kRowsPerPermute) {
+    if (shape.rows < kRows) return with_pair_shape<Pixel, kRows - kRowsPerPermute>(shape, by);
+  }
+  by.template draw<Pixel, kWindowColumnBits, kRows>(shape);
+}
+
+// Picks the texels of a vector and of the one below it, which the texture holds, from windows of
+// one shape.
+template <class Pixel, int kColumnBits, int32_t kRows>
 class PairPicker {
  public:
-  using Coarse = CoarseLanes<kHalfColumnBits, kHalfWindowRows>;
+  using Coarse = CoarseLanes<kColumnBits, kRows>;
 
   HWY_INLINE PairPicker(const AffineSpans& spans, const Surface& surface)
       : fixed_(surface.texture, lack_fx16(spans.field.margin_fx32)),
@@ -77,9 +101,11 @@ class PairPicker {
       upper_index = index(above);
       lower_index = index(below);
     }
-    const Pixel* const window = texels_ + found.place[k];
-    *upper = pick<kHalfColumnBits>(window, pitch_texel_, kHalfWindowRows, upper_index);
-    *lower = pick<kHalfColumnBits>(window, pitch_texel_, kHalfWindowRows, lower_index);
+    const V32 indices[] = {upper_index, lower_index};
+    V32 picked[2];
+    pick_all<kColumnBits>(texels_ + found.place[k], pitch_texel_, kRows, indices, picked);
+    *upper = picked[0];
+    *lower = picked[1];
     return true;
   }
 
@@ -105,7 +131,7 @@ class PairPicker {
             hn::Add(hn::Set(d, found.v_fx16[k]), offsets.v)};
   }
   static HWY_INLINE V32 index(const LaneVectors& lanes) {
-    return Fixed::template window_index<kHalfColumnBits>(lanes, kHalfWindowRows);
+    return Fixed::template window_index<kColumnBits>(lanes, kRows);
   }
 
   using Fixed = FixedLanes<Addressed<InsideVector>>;
@@ -117,41 +143,6 @@ class PairPicker {
   const Pixel* texels_;
   ptrdiff_t pitch_texel_;
 };
-
-// Pairs of rows from a place on, as far as there is room for what is left of them.
-template <class Pixel>
-HWY_NOINLINE void draw_pairs(const AffineSpans& spans, const Surface& surface, Resume* at,
-                             Left* left) {
-  const AffineField field = spans.field;
-  const PairPicker<Pixel> by(spans, surface);
-  const WindowFinder<typename PairPicker<Pixel>::Coarse> finder(
-      surface, {kHalfColumnBits, kHalfWindowRows}, true);
-  const AnchorRun run_u(field.step_x.u_fx32), run_v(field.step_x.v_fx32);
-  const Lane to_anchor = by.to_anchor();
-  FoundWindows found[2];
-  PairRun runs[2];
-  PairWalk walk(spans.batch, *at, FoundWindows::kMost);
-  const auto find_next = [&](int32_t i) HWY_ATTR __attribute__((always_inline)) {
-    if (!walk.next(&runs[i])) return false;
-    const Lane anchor = plus(field.at(runs[i].px, runs[i].upper.row), 1, to_anchor);
-    for (int32_t k = 0; k < runs[i].vectors; k += kLanes) {
-      finder.find(run_u.from(anchor.u_fx32, k), run_v.from(anchor.v_fx32, k), k, &found[i]);
-    }
-    return true;
-  };
-  left->count = 0;
-  int32_t i = 0;
-  for (bool has_run = find_next(i); has_run; i ^= 1) {
-    has_run = find_next(i ^ 1);
-    const PairRun& run = runs[i];
-    const int32_t drawn = draw_pair_run<Pixel>(by, found[i], run, surface, left);
-    if (drawn < run.vectors) {
-      *at = {run.index, run.px + drawn * kLanes};
-      return;
-    }
-  }
-  *at = walk.at();
-}
 
 }  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE

@@ -19,12 +19,12 @@ namespace {
 inline constexpr int32_t kRunVectors = 2 * kMostLanes, kRun_px = kRunVectors * kLanes;
 static_assert(kRunVectors <= FoundWindows::kMost);
 
-// Of one coordinate: the lanes of a run's anchors. Where there are windows a step is a texel at
-// most: no sum overflows.
+// Of one coordinate: the lanes of anchors that are so far apart. Where there are windows a step is
+// a texel at most: no sum overflows.
 class AnchorRun {
  public:
-  HWY_INLINE explicit AnchorRun(int64_t step_fx32)
-      : apart_fx32_(kLanes * step_fx32),
+  HWY_INLINE explicit AnchorRun(int64_t apart_fx32)
+      : apart_fx32_(apart_fx32),
         low_(hn::Mul(hn::Iota(Wide(), 0), hn::Set(Wide(), apart_fx32_))),
         high_(hn::Add(low_, hn::Set(Wide(), kLanes / 2 * apart_fx32_))) {}
 
@@ -67,7 +67,7 @@ HWY_NOINLINE void draw_windows(const AffineSpans& spans, const Surface& surface,
   using Draw = WindowDraw<Pixel, InWindow, kColumnBits, kRows>;
   const Draw by(spans, surface, shape.rows);
   const WindowFinder<typename Draw::Coarse> finder(surface, shape, inside);
-  const AnchorRun run_u(field.step_x.u_fx32), run_v(field.step_x.v_fx32);
+  const AnchorRun run_u(kLanes * field.step_x.u_fx32), run_v(kLanes * field.step_x.v_fx32);
   const Lane to_anchor = by.to_anchor();
   FoundWindows found;
   int32_t i = at->row, px = at->px, left_count = 0;

@@ -132,7 +132,9 @@ HWY_INLINE void with_window_shape(const Surface& surface, const WindowShape& sha
                                   const By& by) {
   using Inside = Addressed<InsideVector>;
   constexpr int kBits = kWindowColumnBits;
-  constexpr int32_t kOne = kRowsPerPermute, kTwo = 2 * kOne, kThree = 3 * kOne;
+  constexpr int32_t kOne = kRowsPerPermute, kTwo = 2 * kOne, kThree = 3 * kOne, kFour = 4 * kOne;
+  constexpr int32_t kMost = kMostWindowRows;
+  static_assert(kMost == kThree || kMost == kFour + kOne, "these are all");
   if (surface.address == SELVAGE_ADDRESS_CLAMP && !inside) {
     by.template draw<Pixel, Addressed<ClampVector>, kBits, 0>({kBits, shape.rows});
   } else if (shape.is_half()) {
@@ -141,10 +143,12 @@ HWY_INLINE void with_window_shape(const Surface& surface, const WindowShape& sha
     by.template draw<Pixel, Inside, kBits, kOne>(shape);
   } else if (shape.rows == kTwo) {
     by.template draw<Pixel, Inside, kBits, kTwo>(shape);
-  } else if (shape.rows == kThree) {
-    by.template draw<Pixel, Inside, kBits, kThree>(shape);
+  } else if (kThree < kMost && shape.rows == kThree) {
+    by.template draw<Pixel, Inside, kBits, HWY_MIN(kThree, kMost)>(shape);
+  } else if (kFour < kMost && shape.rows == kFour) {
+    by.template draw<Pixel, Inside, kBits, HWY_MIN(kFour, kMost)>(shape);
   } else {
-    by.template draw<Pixel, Inside, kBits, 0>(shape);
+    by.template draw<Pixel, Inside, kBits, kMost>(shape);
   }
 }
 

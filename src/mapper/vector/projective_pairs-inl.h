@@ -42,17 +42,18 @@ class ProjectivePairPicker {
     const LaneVectors below = lanes(found, at + 1, i, found.lower_u[k], found.lower_v[k]);
     if (HWY_UNLIKELY(raised_.any_near(above, below))) return false;
     const Pixel* const window = texels_ + found.place[k];
+    V32 picked[2];
     if (HWY_LIKELY(rows == kHalfWindow)) {
-      const auto picked = [&](const LaneVectors& lanes) HWY_ATTR __attribute__((always_inline)) {
-        return pick<kHalfColumnBits>(window, pitch_texel_, kHalfWindowRows, half_index(lanes));
-      };
-      *upper = picked(above);
-      *lower = picked(below);
-      return true;
+      const V32 indices[] = {half_index(above), half_index(below)};
+      pick_all<kHalfColumnBits>(window, pitch_texel_, kHalfWindowRows, indices, picked);
+    } else if (HWY_UNLIKELY(rows == 0)) {
+      return false;
+    } else {
+      const V32 indices[] = {index(above), index(below)};
+      pick_few(window, pitch_texel_, rows, indices, picked);
     }
-    if (HWY_UNLIKELY(rows == 0)) return false;
-    *upper = pick_few(window, pitch_texel_, rows, index(above));
-    *lower = pick_few(window, pitch_texel_, rows, index(below));
+    *upper = picked[0];
+    *lower = picked[1];
     return true;
   }
 
@@ -101,7 +102,7 @@ HWY_NOINLINE int32_t draw_pairs(const SpanBatch& batch, const AnchoredVectors& v
   const PairFinder finder(vectors, extent_of(surface.texture));
   PairWindows found[2];
   PairRun runs[2];
-  PairWalk walk(batch, *at, PairWindows::kMost);
+  PairWalk<Pixel> walk(batch, surface, *at, PairWindows::kMost);
   const auto find_next = [&](int32_t i) HWY_ATTR __attribute__((always_inline)) {
     if (!walk.next(&runs[i])) return false;
     finder.find(runs[i], &found[i]);

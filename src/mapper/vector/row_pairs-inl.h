@@ -26,6 +26,14 @@ inline constexpr bool kHasPairs = kHasWindows && kHasMask;
           HWY_MAX(upper.right_px, lower.right_px)};
 }
 
+// The pixel, at or left of a span's first one, from which a row's vectors each lie in one line of
+// the cache: so many lie in two that stores take twice as long.
+template <class Pixel>
+[[nodiscard]] HWY_INLINE int32_t first_of_line(const Surface& surface, const Span& span) {
+  const auto at = reinterpret_cast<uintptr_t>(first_pixel(surface, span));
+  return span.left_px - static_cast<int32_t>(at / sizeof(Pixel) % kLanes);
+}
+
 // Vectors side by side of two rows, found at once.
 struct PairRun {
   int32_t index;  // of the upper row in the batch
@@ -44,18 +52,20 @@ struct PairRun {
 };
 
 // All runs of a batch, but for a last row that has none below it.
+template <class Pixel>
 class PairWalk {
  public:
   // Of so many vectors at most, from a place on.
-  HWY_INLINE PairWalk(const SpanBatch& batch, const Resume& at, int32_t most_vectors)
-      : batch_(batch), at_(at), most_vectors_(most_vectors) {}
+  HWY_INLINE PairWalk(const SpanBatch& batch, const Surface& surface, const Resume& at,
+                      int32_t most_vectors)
+      : batch_(batch), surface_(surface), at_(at), most_vectors_(most_vectors) {}
 
   // False where there is none left.
   HWY_INLINE bool next(PairRun* run) {
     for (; at_.row + 1 < batch_.rows; at_ = {at_.row + 2, INT32_MIN}) {
       const Span upper = batch_.span(at_.row), lower = batch_.span(at_.row + 1);
       const Span both = around(upper, lower);
-      const int32_t from_px = HWY_MAX(at_.px, both.left_px);
+      const int32_t from_px = HWY_MAX(at_.px, first_of_line<Pixel>(surface_, both));
       const int32_t rest_px = both.right_px - from_px;
       if (rest_px <= 0) continue;
       const int32_t vectors = HWY_MIN((rest_px + kLanes - 1) / kLanes, most_vectors_);
@@ -70,19 +80,20 @@ class PairWalk {
 
  private:
   const SpanBatch& batch_;
+  const Surface& surface_;
   Resume at_;
   int32_t most_vectors_;
 };
 
-// Those pixels of a vector that begins at `px` that are the span's.
+// Those pixels of a vector that begins at `px` that are the span's: there, or nowhere.
 template <class Pixel>
-HWY_INLINE void store_within(V32 texels, const Span& span, int32_t px, Pixel* row) {
+HWY_INLINE void store_within(V32 texels, const Span& span, int32_t px, Pixel* to) {
   const hn::Rebind<Pixel, D32> d;
   const auto before = [&](int32_t end_px) HWY_ATTR {
     return hn::FirstN(d, static_cast<size_t>(HWY_MIN(HWY_MAX(end_px - px, 0), kLanes)));
   };
   hn::BlendedStore(as_pixels<Pixel>(texels),
-                   hn::AndNot(before(span.left_px), before(span.right_px)), d, row + px);
+                   hn::AndNot(before(span.left_px), before(span.right_px)), d, to);
 }
 
 // The same of what is left of a vector.
@@ -112,8 +123,8 @@ HWY_INLINE int32_t draw_pair_run(const Picker& by, const Found& found, const Pai
     }
     if (k == run.vectors) break;
     if (HWY_LIKELY(by.pick_both(found, k, &above, &below))) {
-      store_within(above, run.upper, px, upper);
-      store_within(below, run.lower, px, lower);
+      store_within(above, run.upper, px, upper + px);
+      store_within(below, run.lower, px, lower + px);
       continue;
     }
     if (left->count > Left::kMost - 2) return k;

@@ -54,11 +54,21 @@ template <class V>
 struct WindowShape {
   int32_t column_bits, rows;
 
-  [[nodiscard]] HWY_INLINE bool is_half() const { return column_bits == kHalfColumnBits; }
+  [[nodiscard]] constexpr bool is_half() const { return column_bits == kHalfColumnBits; }
 };
 
 [[nodiscard]] HWY_INLINE bool may_have_windows(const selvage_texture& texture) {
   return kHasWindows && texture.layout == SELVAGE_LAYOUT_ROWS && texture.width >= kLanes;
+}
+
+[[nodiscard]] HWY_INLINE int64_t magnitude_fx32(int64_t step_fx32) {
+  return step_fx32 < 0 ? -step_fx32 : step_fx32;
+}
+
+// How far apart the texels of pixels so many steps apart are, or so far that no window holds them.
+[[nodiscard]] HWY_INLINE int64_t reach_fx32(int32_t steps, int64_t step_fx32) {
+  constexpr int64_t kMostStep_fx32 = int64_t{kLanes} << kLaneFraction;
+  return steps * HWY_MIN(magnitude_fx32(step_fx32), kMostStep_fx32);
 }
 
 // In how many columns or rows texels lie that are no further apart: n rounded up, plus one.
@@ -67,22 +77,25 @@ struct WindowShape {
   return static_cast<int32_t>((reach_fx32 + kOne - 1) >> kLaneFraction) + 1;
 }
 
-[[nodiscard]] HWY_INLINE int64_t magnitude_fx32(int64_t step_fx32) {
-  return step_fx32 < 0 ? -step_fx32 : step_fx32;
+// The smallest one that holds so many columns and rows.
+template <int32_t kMostRows = kMostWindowRows>
+[[nodiscard]] HWY_INLINE WindowShape shape_that_holds(int32_t columns, int32_t rows,
+                                                      const selvage_texture& texture) {
+  const int32_t whole = whole_rows(rows);
+  if (!may_have_windows(texture) || columns > kColumns<kWindowColumnBits> ||
+      whole > HWY_MIN(kMostRows, texture.height)) {
+    return {kWindowColumnBits, 0};
+  }
+  const bool is_half = whole == kHalfWindowRows && columns <= kColumns<kHalfColumnBits>;
+  return {is_half ? kHalfColumnBits : kWindowColumnBits, whole};
 }
 
 // Of a vector of pixels, whose steps are given.
 [[nodiscard]] HWY_INLINE WindowShape window_shape(Lane step_fx32, const selvage_texture& texture) {
-  constexpr int64_t kOne = int64_t{1} << kLaneFraction;
-  constexpr WindowShape kNone{kWindowColumnBits, 0};
-  const int64_t u_fx32 = magnitude_fx32(step_fx32.u_fx32);
-  const int64_t v_fx32 = magnitude_fx32(step_fx32.v_fx32);
-  if (!may_have_windows(texture) || u_fx32 > kOne) return kNone;
-  const auto texels = [](int64_t by_fx32) { return texels_across((kLanes - 1) * by_fx32); };
-  const int32_t rows = whole_rows(texels(v_fx32));
-  if (rows > HWY_MIN(kMostWindowRows, texture.height)) return kNone;
-  const bool is_half = rows == kHalfWindowRows && texels(u_fx32) <= kColumns<kHalfColumnBits>;
-  return {is_half ? kHalfColumnBits : kWindowColumnBits, rows};
+  const auto texels = [](int64_t by_fx32) {
+    return texels_across(reach_fx32(kLanes - 1, by_fx32));
+  };
+  return shape_that_holds(texels(step_fx32.u_fx32), texels(step_fx32.v_fx32), texture);
 }
 
 // Rows of the window of a vector of pixels, kLanes columns wide; 0 where there is none.
@@ -135,51 +148,98 @@ HWY_INLINE V32 load_rows(const Pixel* texels, ptrdiff_t pitch_texel) {
   }
 }
 
-// The texels at the low bits of an index into a row after another.
-template <int kColumnBits, class Pixel>
-HWY_INLINE V32 permute_rows(const Pixel* texels, ptrdiff_t pitch_texel, V32 index) {
-  const V32 first = load_rows<kColumnBits>(texels, pitch_texel);
-#if HWY_TARGET == HWY_AVX3
-  const V32 second =
-      load_rows<kColumnBits>(texels + kRowsPerVector<kColumnBits> * pitch_texel, pitch_texel);
-  return V32{_mm512_permutex2var_epi32(first.raw, index.raw, second.raw)};
-#elif HWY_TARGET == HWY_AVX2
-  return V32{_mm256_permutevar8x32_epi32(first.raw, index.raw)};
-#else
-  static_cast<void>(index);
-  return first;
-#endif
-}
+// The rows of a window that one permute takes.
+template <int kColumnBits>
+class PermutedRows {
+ public:
+  static constexpr int32_t kRows = kRowsPerPermute * kRowsPerVector<kColumnBits>;
 
-// Texels by their index in a window.
-template <int kColumnBits, class Pixel>
-HWY_INLINE V32 pick(const Pixel* HWY_RESTRICT window, ptrdiff_t pitch_texel, int32_t rows,
-                    V32 index) {
+  template <class Pixel>
+  HWY_INLINE PermutedRows(const Pixel* texels, ptrdiff_t pitch_texel)
+      : first_(load_rows<kColumnBits>(texels, pitch_texel)) {
+#if HWY_TARGET == HWY_AVX3
+    second_ =
+        load_rows<kColumnBits>(texels + kRowsPerVector<kColumnBits> * pitch_texel, pitch_texel);
+#endif
+  }
+
+  // In registers, or else compilers load them once for each use.
+  HWY_INLINE void keep() {
+#if HWY_TARGET == HWY_AVX3
+    asm("" : "+v"(first_.raw), "+v"(second_.raw));
+#endif
+  }
+
+  // The texels at the low bits of an index into a row after another.
+  [[nodiscard]] HWY_INLINE V32 texels(V32 index) const {
+#if HWY_TARGET == HWY_AVX3
+    return V32{_mm512_permutex2var_epi32(first_.raw, index.raw, second_.raw)};
+#elif HWY_TARGET == HWY_AVX2
+    return V32{_mm256_permutevar8x32_epi32(first_.raw, index.raw)};
+#else
+    static_cast<void>(index);
+    return first_;
+#endif
+  }
+
+ private:
+  V32 first_;
+#if HWY_TARGET == HWY_AVX3
+  V32 second_;
+#endif
+};
+
+// Texels of some vectors by their index in a window, the rows of which are loaded once.
+template <int kColumnBits, int32_t kVectors, class Pixel>
+HWY_INLINE void pick_all(const Pixel* HWY_RESTRICT window, ptrdiff_t pitch_texel, int32_t rows,
+                         const V32 (&index)[kVectors], V32 (&picked)[kVectors]) {
+  using Rows = PermutedRows<kColumnBits>;
+  constexpr int32_t kTexels = Rows::kRows << kColumnBits;
   const D32 d;
-  constexpr int32_t kRows = kRowsPerPermute * kRowsPerVector<kColumnBits>;
-  constexpr int32_t kTexels = kRows << kColumnBits;
-  V32 picked = permute_rows<kColumnBits>(window, pitch_texel, index);
+  Rows first(window, pitch_texel);
+  if (kVectors > 1) first.keep();
+  for (int32_t i = 0; i < kVectors; ++i) picked[i] = first.texels(index[i]);
   V32 before = hn::Set(d, kTexels - 1);
-  for (int32_t row = kRows; row < rows; row += kRows) {
-    window += kRows * pitch_texel;
-    picked = hn::IfThenElse(hn::Gt(index, before),
-                            permute_rows<kColumnBits>(window, pitch_texel, index), picked);
+#pragma GCC unroll 8
+  for (int32_t row = Rows::kRows; row < rows; row += Rows::kRows) {
+    window += Rows::kRows * pitch_texel;
+    Rows next(window, pitch_texel);
+    if (kVectors > 1) next.keep();
+    for (int32_t i = 0; i < kVectors; ++i) {
+      picked[i] = hn::IfThenElse(hn::Gt(index[i], before), next.texels(index[i]), picked[i]);
+    }
     before = hn::Add(before, hn::Set(d, kTexels));
   }
-  return picked;
 }
 
 // The same. Most windows take one permute or two: loops that know it are faster.
+template <int32_t kVectors, class Pixel>
+HWY_INLINE void pick_few(const Pixel* HWY_RESTRICT window, ptrdiff_t pitch_texel, int32_t rows,
+                         const V32 (&index)[kVectors], V32 (&picked)[kVectors]) {
+  constexpr int kBits = kWindowColumnBits;
+  constexpr int32_t kOne = kRowsPerPermute, kTwo = 2 * kOne;
+  if (rows == kOne) return pick_all<kBits>(window, pitch_texel, kOne, index, picked);
+  if (rows == kTwo) return pick_all<kBits>(window, pitch_texel, kTwo, index, picked);
+  constexpr bool kAreThree = kMostWindowRows == 3 * kRowsPerPermute;
+  pick_all<kBits>(window, pitch_texel, kAreThree ? kMostWindowRows : rows, index, picked);
+}
+
+// Of one vector.
+template <int kColumnBits, class Pixel>
+HWY_INLINE V32 pick(const Pixel* HWY_RESTRICT window, ptrdiff_t pitch_texel, int32_t rows,
+                    V32 index) {
+  const V32 indices[] = {index};
+  V32 picked[1];
+  pick_all<kColumnBits>(window, pitch_texel, rows, indices, picked);
+  return picked[0];
+}
 template <class Pixel>
 HWY_INLINE V32 pick_few(const Pixel* HWY_RESTRICT window, ptrdiff_t pitch_texel, int32_t rows,
                         V32 index) {
-  constexpr int kBits = kWindowColumnBits;
-  if (rows == kRowsPerPermute) return pick<kBits>(window, pitch_texel, kRowsPerPermute, index);
-  if (rows == 2 * kRowsPerPermute) {
-    return pick<kBits>(window, pitch_texel, 2 * kRowsPerPermute, index);
-  }
-  constexpr bool kAreThree = kMostWindowRows == 3 * kRowsPerPermute;
-  return pick<kBits>(window, pitch_texel, kAreThree ? kMostWindowRows : rows, index);
+  const V32 indices[] = {index};
+  V32 picked[1];
+  pick_few(window, pitch_texel, rows, indices, picked);
+  return picked[0];
 }
 
 }  // namespace
