@@ -1,7 +1,8 @@
-// Wide rows whose texels are some pixels wide, two at a time by one window: all signs of both
-// steps, rows that begin and end one vector apart or many, one of two with no pixels, windows at
-// the edges of the texture, and near-ties in none, some or nearly all vectors, more than are kept
-// at once.
+// Rows whose texels are a pixel wide or more, two at a time by one window, along them or a column
+// of vectors after another: all signs of both steps, windows of all sizes, rows that begin and end
+// one vector apart or many, one of two with no pixels, pitches that keep vectors in lines of the
+// cache and others, windows at the edges of the texture, and near-ties in none, some or nearly all
+// vectors, more than are kept at once.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -27,9 +28,10 @@ struct Slopes {
   spec::Case c = any_surfaces(random);
   c.target_width_px = random.percent(70) ? random.in(60, 700) : random.in(700, 2400);
   c.target_height_px = random.percent(80) ? random.in(2, 40) : random.in(40, 140);
-  c.texture_width_texel = random.pick({16, 17, 20, 64, 256, 256});
-  c.texture_height_texel = random.pick({4, 5, 8, 64, 256, 256});
-  c.padding_px = random.in(0, 4);
+  c.texture_width_texel = random.pick({16, 17, 20, 64, 256, 256, 1024});
+  c.texture_height_texel = random.pick({4, 5, 8, 15, 64, 256, 256, 600});
+  const int32_t to_line_px = (kMostLanes - c.target_width_px % kMostLanes) % kMostLanes;
+  c.padding_px = random.percent(50) ? to_line_px : random.in(0, 4);
   return c;
 }
 
@@ -40,13 +42,14 @@ struct Slopes {
     const auto tie = [&] { return random.pick({0, 0, 1, 2, 32, 64}) * sign(); };
     return {tie(), tie(), tie(), tie()};
   }
-  const int32_t most = random.pick({16, 60, 90, 128});
+  const int32_t most = random.pick({16, 60, 90, 128, 200, 260});
   if (random.percent(50)) {
     const int32_t along = random.in(0, most), across = random.in(0, most);
     return {along, across, -across, along};
   }
   const auto slope = [&](int32_t of) { return random.in(0, of + 1) * sign(); };
-  return {slope(most), slope(most / 2), slope(random.percent(20) ? 1000 : most), slope(most)};
+  return {slope(most), slope(random.percent(50) ? most : most / 2),
+          slope(random.percent(20) ? 1000 : most), slope(most)};
 }
 
 // Where its corners lie: a rectangle, one whose sides are slanted by as much as rows are wide, or a
