@@ -28,7 +28,8 @@ HWY_NOINLINE void draw_pairs(const AffineSpans& spans, const Surface& surface,
   const Lane to_anchor = by.to_anchor();
   FoundWindows found[2];
   PairRun runs[2];
-  PairWalk<Pixel> walk(spans.batch, surface, *at, FoundWindows::kMost);
+  PairWalk walk(spans.batch, *at, FoundWindows::kMost,
+                [&](const Span& both) HWY_ATTR { return first_of_line<Pixel>(surface, both); });
   const auto find_next = [&](int32_t i) HWY_ATTR __attribute__((always_inline)) {
     if (!walk.next(&runs[i])) return false;
     const Lane anchor = plus(field.at(runs[i].px, runs[i].upper.row), 1, to_anchor);

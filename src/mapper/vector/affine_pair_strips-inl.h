@@ -7,6 +7,7 @@
 #define SELVAGE_VECTOR_AFFINE_PAIR_STRIPS_INL_H
 #endif
 
+#include <array>
 #include <bit>
 
 #include "mapper/vector/affine_narrow-inl.h"
@@ -124,8 +125,9 @@ HWY_INLINE void draw_pair_column(const Picker& by, const FoundWindows& found, co
   const int32_t end = column.end();
   // Modulo 2^64: beside the rows there may be no address.
   const auto pitch = static_cast<uintptr_t>(ptrdiff_t{surface.target.pitch});
-  auto at = reinterpret_cast<uintptr_t>(first_pixel(surface, {first_row, px, px}));
+  auto at = reinterpret_cast<uintptr_t>(first_pixel(surface, {first_row, 0, 0}));
   at += 2 * static_cast<uintptr_t>(k) * pitch;
+  at += static_cast<uintptr_t>(px * ptrdiff_t{sizeof(Pixel)});
   const auto upper = [&] { return reinterpret_cast<Pixel*>(at); };
   const auto lower = [&] { return reinterpret_cast<Pixel*>(at + pitch); };
   left->count = 0;
@@ -149,8 +151,43 @@ HWY_INLINE void draw_pair_column(const Picker& by, const FoundWindows& found, co
   }
 }
 
-// Draws a batch a column of vectors after another, and what is left of each by rest->draw(). Rows
-// above those of a column may have pixels in the next: none is drawn all the way before the last.
+// What is left of some columns, kept until they tell whether near-ties are many: of one alone all
+// may be left where u does not change from row to row.
+class LeftColumns {
+ public:
+  explicit HWY_INLINE LeftColumns(RestDraw* rest) : rest_(rest) {}
+
+  // What is left of the next column.
+  HWY_INLINE Left* next() { return &columns_[count_]; }
+  // That was one of so many vectors. False where all rows have been drawn.
+  HWY_INLINE bool keep(int32_t vectors) {
+    vectors_ += vectors;
+    const int32_t left = columns_[count_].count;
+    if (left == 0) return true;
+    left_ += left;
+    return ++count_ < kMost || finish();
+  }
+  HWY_INLINE bool finish() {
+    // Each with its share of the vectors: so all are many, or none. Rows above those of a column
+    // may have pixels in others: none is drawn all the way before the last.
+    for (size_t i = 0; i < count_; ++i) {
+      const int64_t share = int64_t{vectors_} * columns_[i].count / left_;
+      if (!rest_->draw(columns_[i], 0, static_cast<int32_t>(share))) return false;
+    }
+    count_ = 0;
+    return true;
+  }
+
+ private:
+  static constexpr size_t kMost = 4;
+
+  RestDraw* rest_;
+  size_t count_ = 0;
+  int32_t vectors_ = 0, left_ = 0;  // of all columns so far
+  std::array<Left, kMost> columns_;
+};
+
+// Draws a batch a column of vectors after another, and what is left of them by rest->draw().
 template <class Pixel, int kColumnBits, int32_t kRows>
 HWY_NOINLINE void draw_pair_strips(const AffineSpans& spans, const Surface& surface,
                                    const WindowShape& shape, RestDraw* rest) {
@@ -163,7 +200,7 @@ HWY_NOINLINE void draw_pair_strips(const AffineSpans& spans, const Surface& surf
   const AnchorRun run_u(2 * field.step_y.u_fx32), run_v(2 * field.step_y.v_fx32);
   const PairEnds ends(spans.batch);
   FoundWindows found;
-  Left left;
+  LeftColumns left(rest);
   for (int32_t px = first_of_line<Pixel>(surface, {first_row, ends.left_px(), 0});
        px < ends.right_px(); px += kLanes) {
     const PairColumn column = ends.column(px);
@@ -172,10 +209,10 @@ HWY_NOINLINE void draw_pair_strips(const AffineSpans& spans, const Surface& surf
     for (int32_t k = column.first(); k < column.end(); k += kLanes) {
       finder.find(run_u.from(anchor.u_fx32, k), run_v.from(anchor.v_fx32, k), k, &found);
     }
-    draw_pair_column<Pixel>(by, found, ends, column, px, surface, first_row, &left);
-    const int32_t vectors = 2 * (column.end() - column.first());
-    if (HWY_UNLIKELY(left.count != 0) && !rest->draw(left, 0, vectors)) return;
+    draw_pair_column<Pixel>(by, found, ends, column, px, surface, first_row, left.next());
+    if (!left.keep(2 * (column.end() - column.first()))) return;
   }
+  static_cast<void>(left.finish());
 }
 
 struct PairStrips {

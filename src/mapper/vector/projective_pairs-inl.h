@@ -102,7 +102,9 @@ HWY_NOINLINE int32_t draw_pairs(const SpanBatch& batch, const AnchoredVectors& v
   const PairFinder finder(vectors, extent_of(surface.texture));
   PairWindows found[2];
   PairRun runs[2];
-  PairWalk<Pixel> walk(batch, surface, *at, PairWindows::kMost);
+  // No anchor lies left of the box.
+  PairWalk walk(batch, *at, PairWindows::kMost,
+                [](const Span& both) HWY_ATTR { return both.left_px; });
   const auto find_next = [&](int32_t i) HWY_ATTR __attribute__((always_inline)) {
     if (!walk.next(&runs[i])) return false;
     finder.find(runs[i], &found[i]);

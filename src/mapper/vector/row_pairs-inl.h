@@ -51,21 +51,23 @@ struct PairRun {
   }
 };
 
-// All runs of a batch, but for a last row that has none below it.
-template <class Pixel>
+// All runs of a batch, but for a last row that has none below it. Rows' vectors begin at
+// begin_of(both), at or left of the first pixel of two of them.
+template <class BeginOf>
 class PairWalk {
  public:
   // Of so many vectors at most, from a place on.
-  HWY_INLINE PairWalk(const SpanBatch& batch, const Surface& surface, const Resume& at,
-                      int32_t most_vectors)
-      : batch_(batch), surface_(surface), at_(at), most_vectors_(most_vectors) {}
+  HWY_INLINE PairWalk(const SpanBatch& batch, const Resume& at, int32_t most_vectors,
+                      const BeginOf& begin_of)
+      : batch_(batch), begin_of_(begin_of), at_(at), most_vectors_(most_vectors) {}
 
   // False where there is none left.
   HWY_INLINE bool next(PairRun* run) {
     for (; at_.row + 1 < batch_.rows; at_ = {at_.row + 2, INT32_MIN}) {
       const Span upper = batch_.span(at_.row), lower = batch_.span(at_.row + 1);
       const Span both = around(upper, lower);
-      const int32_t from_px = HWY_MAX(at_.px, first_of_line<Pixel>(surface_, both));
+      if (both.empty()) continue;
+      const int32_t from_px = HWY_MAX(at_.px, begin_of_(both));
       const int32_t rest_px = both.right_px - from_px;
       if (rest_px <= 0) continue;
       const int32_t vectors = HWY_MIN((rest_px + kLanes - 1) / kLanes, most_vectors_);
@@ -80,7 +82,7 @@ class PairWalk {
 
  private:
   const SpanBatch& batch_;
-  const Surface& surface_;
+  BeginOf begin_of_;
   Resume at_;
   int32_t most_vectors_;
 };
@@ -107,24 +109,28 @@ HWY_INLINE void leave(const Span& span, int32_t px, Left* left) {
 template <class Pixel, class Picker, class Found>
 HWY_INLINE int32_t draw_pair_run(const Picker& by, const Found& found, const PairRun& run,
                                  const Surface& surface, Left* left) {
+  // Modulo 2^64: left of a row there may be no address.
   const auto row_of = [&](const Span& span) HWY_ATTR {
-    return reinterpret_cast<Pixel*>(first_pixel(surface, {span.row, 0, 0}));
+    return reinterpret_cast<uintptr_t>(first_pixel(surface, {span.row, 0, 0}));
+  };
+  const auto at = [](uintptr_t row, int32_t px) HWY_ATTR {
+    return reinterpret_cast<Pixel*>(row + static_cast<uintptr_t>(px * ptrdiff_t{sizeof(Pixel)}));
   };
   const hn::Rebind<Pixel, D32> d;
-  Pixel *const upper = row_of(run.upper), *const lower = row_of(run.lower);
+  const uintptr_t upper = row_of(run.upper), lower = row_of(run.lower);
   const int32_t first_whole = run.first_whole(), end_whole = run.end_whole();
   int32_t px = run.px;
   V32 above, below;
   for (int32_t k = 0; k < run.vectors; ++k, px += kLanes) {
     for (; first_whole <= k && k < end_whole; ++k, px += kLanes) {
       if (HWY_UNLIKELY(!by.pick_both(found, k, &above, &below))) break;
-      hn::StoreU(as_pixels<Pixel>(above), d, upper + px);
-      hn::StoreU(as_pixels<Pixel>(below), d, lower + px);
+      hn::StoreU(as_pixels<Pixel>(above), d, at(upper, px));
+      hn::StoreU(as_pixels<Pixel>(below), d, at(lower, px));
     }
     if (k == run.vectors) break;
     if (HWY_LIKELY(by.pick_both(found, k, &above, &below))) {
-      store_within(above, run.upper, px, upper + px);
-      store_within(below, run.lower, px, lower + px);
+      store_within(above, run.upper, px, at(upper, px));
+      store_within(below, run.lower, px, at(lower, px));
       continue;
     }
     if (left->count > Left::kMost - 2) return k;
