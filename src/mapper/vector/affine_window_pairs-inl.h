@@ -47,6 +47,7 @@ inline constexpr int32_t kMostPairRows = 7 * kRowsPerPermute;
 [[nodiscard]] HWY_INLINE WindowShape pair_shape(const AffineSpans& spans,
                                                 const selvage_texture& texture,
                                                 const WindowShape& of_rows) {
+  if (!kHasPairs || spans.batch.rows < 2) return {};
   const AffineField& field = spans.field;
   const auto texels = [&](int64_t Lane::*axis) {
     return texels_across(reach_fx32(kLanes - 1, field.step_x.*axis) +
@@ -54,8 +55,7 @@ inline constexpr int32_t kMostPairRows = 7 * kRowsPerPermute;
   };
   const WindowShape shape =
       shape_that_holds<kMostPairRows>(texels(&Lane::u_fx32), texels(&Lane::v_fx32), texture);
-  const bool pays = kHasPairs && shape.rows != 0 && spans.batch.rows > 1 &&
-                    pays_pairs(spans.batch, of_rows, shape);
+  const bool pays = shape.rows != 0 && pays_pairs(spans.batch, of_rows, shape);
   return pays ? shape : WindowShape{};
 }
 
