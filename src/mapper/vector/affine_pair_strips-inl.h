@@ -115,14 +115,18 @@ class PairEnds {
   int32_t left_px_, right_px_;
 };
 
+// Where the first pairs of a column are all left, so many of them, so are the others: they hardly
+// would be drawn.
+inline constexpr int32_t kFirstLeftPairs = 4;
+
 // Draws the vectors that begin at a pixel, and puts those down that are left.
 template <class Pixel, class Picker>
 HWY_INLINE void draw_pair_column(const Picker& by, const FoundWindows& found, const PairEnds& ends,
                                  const PairColumn& column, int32_t px, const Surface& surface,
                                  int32_t first_row, Left* left) {
   const hn::Rebind<Pixel, D32> d;
-  int32_t k = column.first();
-  const int32_t end = column.end();
+  const int32_t first = column.first(), end = column.end();
+  int32_t k = first, left_pairs = 0;
   // Modulo 2^64: beside the rows there may be no address.
   const auto pitch = static_cast<uintptr_t>(ptrdiff_t{surface.target.pitch});
   auto at = reinterpret_cast<uintptr_t>(first_pixel(surface, {first_row, 0, 0}));
@@ -133,7 +137,8 @@ HWY_INLINE void draw_pair_column(const Picker& by, const FoundWindows& found, co
   left->count = 0;
   V32 above, below;
   for (; k < end; ++k, at += 2 * pitch) {
-    const int32_t end_whole = column.end_whole(k);
+    const bool all_left = left_pairs >= kFirstLeftPairs && left_pairs == k - first;
+    const int32_t end_whole = all_left ? k : column.end_whole(k);
     for (; k < end_whole; ++k, at += 2 * pitch) {
       if (HWY_UNLIKELY(!by.pick_both(found, k, &above, &below))) break;
       hn::StoreU(as_pixels<Pixel>(above), d, upper());
@@ -141,21 +146,24 @@ HWY_INLINE void draw_pair_column(const Picker& by, const FoundWindows& found, co
     }
     if (k == end) break;
     const Span upper_row = ends.upper(k, first_row), lower_row = ends.lower(k, first_row);
-    if (HWY_LIKELY(by.pick_both(found, k, &above, &below))) {
+    if (HWY_LIKELY(!all_left) && HWY_LIKELY(by.pick_both(found, k, &above, &below))) {
       store_within(above, upper_row, px, upper());
       store_within(below, lower_row, px, lower());
     } else {
       leave(upper_row, px, left);
       leave(lower_row, px, left);
+      ++left_pairs;
     }
   }
 }
 
 // What is left of some columns, kept until they tell whether near-ties are many: of one alone all
-// may be left where u does not change from row to row.
+// may be left where u does not change from row to row. Of few columns the first tells: others would
+// cost too much of what is drawn once more.
 class LeftColumns {
  public:
-  explicit HWY_INLINE LeftColumns(RestDraw* rest) : rest_(rest) {}
+  HWY_INLINE LeftColumns(RestDraw* rest, int32_t columns)
+      : rest_(rest), most_(static_cast<size_t>(HWY_MIN(HWY_MAX(columns / 4, 1), kMost))) {}
 
   // What is left of the next column.
   HWY_INLINE Left* next() { return &columns_[count_]; }
@@ -165,7 +173,7 @@ class LeftColumns {
     const int32_t left = columns_[count_].count;
     if (left == 0) return true;
     left_ += left;
-    return ++count_ < kMost || finish();
+    return ++count_ < most_ || finish();
   }
   HWY_INLINE bool finish() {
     // Each with its share of the vectors: so all are many, or none. Rows above those of a column
@@ -179,9 +187,10 @@ class LeftColumns {
   }
 
  private:
-  static constexpr size_t kMost = 4;
+  static constexpr int32_t kMost = 4;
 
   RestDraw* rest_;
+  size_t most_;
   size_t count_ = 0;
   int32_t vectors_ = 0, left_ = 0;  // of all columns so far
   std::array<Left, kMost> columns_;
@@ -200,7 +209,7 @@ HWY_NOINLINE void draw_pair_strips(const AffineSpans& spans, const Surface& surf
   const AnchorRun run_u(2 * field.step_y.u_fx32), run_v(2 * field.step_y.v_fx32);
   const PairEnds ends(spans.batch);
   FoundWindows found;
-  LeftColumns left(rest);
+  LeftColumns left(rest, (ends.right_px() - ends.left_px()) / kLanes);
   for (int32_t px = first_of_line<Pixel>(surface, {first_row, ends.left_px(), 0});
        px < ends.right_px(); px += kLanes) {
     const PairColumn column = ends.column(px);
