@@ -112,13 +112,15 @@ namespace {
 
 }  // namespace
 
-bool are_gathers_fast() {
+bool were_gathers_faster() {
 #if HWY_TARGETS & HWY_AVX3
   return __builtin_cpu_is("amdfam19h") != 0;  // hexadecimal
 #else
   return false;
 #endif
 }
+
+[[gnu::weak]] bool are_gathers_fast() { return were_gathers_faster(); }
 
 const Kernels* vector_kernels(selvage_kernel kernel, selvage_filter filter) {
   return table_of(kernel, filter);
