@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -74,6 +75,31 @@ inline void expect_list_drawn_alike(const spec::Case& c, const std::vector<Small
           << spec::print(c);
     }
   }
+}
+
+// How much of each vertex a point of a triangle has, times the doubled area: all of them positive
+// inside.
+struct Weights {
+  int64_t of[3];
+
+  [[nodiscard]] int64_t sum() const { return of[0] + of[1] + of[2]; }
+  [[nodiscard]] bool are_inside() const { return of[0] > 0 && of[1] > 0 && of[2] > 0; }
+  // Or on an edge of what has an area.
+  [[nodiscard]] bool touch() const { return of[0] >= 0 && of[1] >= 0 && of[2] >= 0 && sum() > 0; }
+};
+
+[[nodiscard]] inline Weights weights_at(std::span<const selvage_vertex> triangle, int32_t x_fx8,
+                                        int32_t y_fx8) {
+  const auto doubled_area = [&](size_t from, size_t to) {
+    const int64_t ax = triangle[from].x - x_fx8, ay = triangle[from].y - y_fx8;
+    const int64_t bx = triangle[to].x - x_fx8, by = triangle[to].y - y_fx8;
+    return ax * by - ay * bx;
+  };
+  Weights weights{{doubled_area(1, 2), doubled_area(2, 0), doubled_area(0, 1)}};
+  if (weights.sum() < 0) {
+    for (int64_t& weight : weights.of) weight = -weight;
+  }
+  return weights;
 }
 
 // b with a b = 1 modulo m, or 0 where there is none: Euclid's algorithm.

@@ -17,28 +17,6 @@ namespace {
 using spec::kPixel_fx8;
 using spec::kTexel_fx16;
 
-// How much of each vertex a point of a triangle has, times the doubled area: all of them positive
-// inside.
-struct Weights {
-  int64_t of[3];
-
-  [[nodiscard]] int64_t sum() const { return of[0] + of[1] + of[2]; }
-  [[nodiscard]] bool are_inside() const { return of[0] > 0 && of[1] > 0 && of[2] > 0; }
-};
-
-[[nodiscard]] Weights weights_at(const SmallOutline& triangle, int32_t x_fx8, int32_t y_fx8) {
-  const auto doubled_area = [&](size_t from, size_t to) {
-    const int64_t ax = triangle[from].x - x_fx8, ay = triangle[from].y - y_fx8;
-    const int64_t bx = triangle[to].x - x_fx8, by = triangle[to].y - y_fx8;
-    return ax * by - ay * bx;
-  };
-  Weights weights{{doubled_area(1, 2), doubled_area(2, 0), doubled_area(0, 1)}};
-  if (weights.sum() < 0) {
-    for (int64_t& weight : weights.of) weight = -weight;
-  }
-  return weights;
-}
-
 // Of the pixels inside some triangle of most of 16 x 16 of them: the first, the last, or another.
 struct CoveredPixel {
   SmallOutline triangle;
