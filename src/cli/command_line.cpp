@@ -14,6 +14,7 @@
 #include "cli/laws_command.h"
 #include "cli/render_command_line.h"
 #include "cli/stability_command.h"
+#include "cli/usage_error.h"
 #include "cli/verify_command.h"
 #include "cli/verify_command_line.h"
 #include "selvage.h"
@@ -218,10 +219,7 @@ int parse_and_run(std::vector<std::string> arguments, const spec::Subject& subje
     program.parse(std::move(arguments));
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return program.exit(error, console.out, console.err);
-    const auto chosen = program.get_subcommands();
-    const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
-    throw UserError(std::string(error.what()) + "\nRun 'selvage" + command +
-                    " --help' for what is possible.");
+    throw usage_error(program, error);
   }
   refuse_empty_values(*program.get_subcommands().front());
   if (draw->parsed()) return run_draw(draw_options, console);

@@ -76,6 +76,29 @@ TEST_F(CommandLine, WithoutACommandSaysWhatIsPossible) {
   expect_refused({"draw", "laws"}, "Run 'selvage");
 }
 
+TEST_F(CommandLine, NamesAWordThatIsNoCommand) {
+  const std::string commands = "; draw, render, demo, verify, merge, stability, bench and laws are";
+  const std::string help = "\nRun 'selvage --help' for what is possible.\n";
+  const auto said = [](const Words& words) { return run(words).err; };
+  EXPECT_EQ(said({"foo"}), "selvage: 'foo' is no command" + commands + help);
+  for (const char* word : {"drw", "rdaw", "drawn", "crew", "drawl"}) {
+    EXPECT_EQ(run({word}).code, kExitUsage);
+    expect_contains(said({word, "--texture", "x"}), "'" + std::string(word) + "' is no command");
+  }
+  for (const char* near : {"drw", "rdaw", "drawn", "draq"})
+    expect_contains(said({near}), ". Is 'draw' meant?" + help);
+  EXPECT_EQ(said({"crew"}).find("meant"), std::string::npos);
+  expect_refused({"--blur", "foo"}, "The following arguments were not expected: --blur foo\n");
+}
+
+TEST_F(CommandLine, ListsWhatItDidNotExpectAsItWasGiven) {
+  expect_refused(draw_and({"--polygonn", "0", "--blur"}),
+                 "selvage: The following arguments were not expected: --polygonn 0 --blur\n");
+  expect_refused(
+      {"draw", "--texture", "texture.png", "--ouput", "out.png"},
+      "--output is required. The following arguments were not expected: --ouput out.png");
+}
+
 TEST_F(CommandLine, RefusesUnknownAndMissingOptions) {
   expect_refused(draw_and({"--blur"}), "--blur");
   expect_refused(draw_and({"stray"}), "stray");
