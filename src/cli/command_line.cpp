@@ -49,6 +49,7 @@ constexpr const char* kDrawExamples = R"(Examples:
   selvage draw --texture floor.png --size 640x200 --tolerance 0.25 -o out.png --json \
                --polygon '200,0,0,0,4 440,0,64,0,4 640,200,64,64,1 0,200,0,64,1'
   selvage draw --texture earth.jpg --polygon-file globe.json --size 640x480 -o out.png --json
+  selvage draw --texture earth.jpg --polygon-file globe.json --size 640x480 -o - | display
 
 A polygon's vertices go around it, either way; every row of pixels may cross two of its edges or
 none. The texture replaces what is under it: alpha is copied, not blended. The historic profiles
@@ -130,7 +131,9 @@ void add_output(CLI::App& draw, DrawOptions& options) {
   draw.add_option("--format", options.format, "Format to draw in: rgba8888, rgb565 or grey8")
       ->type_name("FORMAT")
       ->capture_default_str();
-  draw.add_option("-o,--output", options.output, "PNG to write")->required()->type_name("FILE");
+  draw.add_option("-o,--output", options.output, "PNG to write; - is the standard output")
+      ->required()
+      ->type_name("FILE");
   draw.add_option("--threads", options.threads,
                   "Draw with at most N threads; 0 takes all. The picture is the same")
       ->type_name("N")

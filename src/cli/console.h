@@ -13,7 +13,8 @@ inline constexpr int kExitNoTime = 3;  // nothing was found wrong, but not all c
 struct Console {
   std::ostream& out;
   std::ostream& err;
-  bool show_progress = false;  // err is a terminal
+  bool show_progress = false;    // err is a terminal
+  bool out_is_terminal = false;  // which shows no pictures
 };
 
 }  // namespace selvage::cli

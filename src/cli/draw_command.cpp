@@ -4,7 +4,6 @@
 #include <chrono>
 #include <cstddef>
 #include <cstring>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "cli/file.h"
 #include "cli/json_text.h"
 #include "cli/picture_file.h"
+#include "cli/picture_output.h"
 #include "cli/png.h"
 #include "cli/polygon_json.h"
 #include "cli/polygon_text.h"
@@ -20,13 +20,6 @@
 
 namespace selvage::cli {
 namespace {
-
-void check_png_name(const std::string& output) {
-  const std::string extension = std::filesystem::path(output).extension().string();
-  if (extension == ".jpg" || extension == ".jpeg" || extension == ".JPG") {
-    throw UserError("cannot write '" + output + "': the output is a PNG; name it .png");
-  }
-}
 
 [[nodiscard]] Job read_polygons(const DrawOptions& options) {
   if (options.polygons.empty() == options.polygon_file.empty()) {
@@ -188,8 +181,7 @@ int run_draw(const DrawOptions& options, const Console& console) {
     throw UserError("--threads: " + std::to_string(options.threads) +
                     " is no number of threads; give 1 or more, or 0 for all that there are");
   }
-  check_png_name(options.output);
-  check_output(options.output);
+  check_picture(options.output, PictureKinds::kFilesOrOutput, console, options.json);
   const selvage_format format = about("--format", [&] { return parse_format(options.format); });
   const Job job = read_job(options);
   StatusLine status(console);
@@ -201,7 +193,7 @@ int run_draw(const DrawOptions& options, const Console& console) {
   nlohmann::ordered_json drawn_by = methods(job, texture, target);
   status.show("writing " + options.output);
   const Raster picture = to_raster(std::move(target));
-  write_file(options.output, encode_png(picture));
+  write_picture(options.output, encode_png(picture), console);
   if (options.json) report(options, job, picture, time_ns, std::move(drawn_by), console);
   return kExitFine;
 }

@@ -8,9 +8,9 @@
 
 #include "cli/apng.h"
 #include "cli/error.h"
-#include "cli/file.h"
 #include "cli/job.h"
 #include "cli/json_text.h"
+#include "cli/picture_output.h"
 #include "cli/png.h"
 #include "cli/polygon_text.h"
 #include "cli/render_report.h"
@@ -46,10 +46,6 @@ inline constexpr double kMostFrameTime_s = 1e9;
   return parse_size_text(text, limits);
 }
 
-[[nodiscard]] bool is_animation(const RenderOptions& options) {
-  return std::filesystem::path(options.output).extension() == ".apng";
-}
-
 // "NAME=FILE" each.
 [[nodiscard]] SceneFiles parse_textures(const std::vector<std::string>& texts) {
   SceneFiles files;
@@ -76,9 +72,9 @@ void check(const RenderOptions& options) {
   if (!(std::abs(options.start_s) <= kMostFrameTime_s && std::abs(last_s) <= kMostFrameTime_s)) {
     throw UserError("--time: all frames must lie within 1000000000 s of 0");
   }
-  if (std::filesystem::path(options.output).extension() != ".png" && !is_animation(options)) {
-    throw UserError("cannot write '" + options.output +
-                    "': the output is a PNG or an animated PNG; name it .png or .apng");
+  check_picture_name(options.output, PictureKinds::kAnimationsToo);
+  if (options.output == kStandardOutput && options.frames > 1) {
+    throw UserError("the standard output takes one picture; --frames 1 is right with -o -");
   }
   if (options.json && !options.explain && !options.stats) {
     throw UserError("--json: it prints what --explain and --stats tell; give one of them too");
@@ -87,7 +83,7 @@ void check(const RenderOptions& options) {
 
 // Of one frame, and of an animation, the name as it is; of several "name-00001.png" and so on.
 [[nodiscard]] std::string frame_name(const RenderOptions& options, int32_t frame) {
-  if (options.frames == 1 || is_animation(options)) return options.output;
+  if (options.frames == 1 || is_animation_name(options.output)) return options.output;
   char number[16];
   std::snprintf(number, sizeof number, "-%05d", frame + 1);
   std::filesystem::path name = options.output;
@@ -98,21 +94,30 @@ void check(const RenderOptions& options) {
 // Where the frames go: files of their own, or one animation.
 class Output {
  public:
-  explicit Output(const RenderOptions& options) : options_(options) {
-    for (int32_t i = 0; i < options.frames; ++i) check_output(frame_name(options, i));
-    if (!is_animation(options)) return;
+  Output(const RenderOptions& options, const Console& console)
+      : options_(options), console_(console) {
+    for (int32_t i = 0; i < options.frames; ++i) {
+      check_picture(frame_name(options, i), PictureKinds::kAnimationsToo, console,
+                    /*is_taken=*/options.explain || options.stats);
+    }
+    if (!is_animation_name(options.output)) return;
     animation_.emplace(static_cast<uint32_t>(options.frames),
                        about("--rate", [&] { return frame_delay(options.frames_per_s); }));
   }
 
   void add(int32_t frame, const Raster& raster) {
-    if (!animation_) return write_file(frame_name(options_, frame), encode_png(raster));
+    if (!animation_) {
+      return write_picture(frame_name(options_, frame), encode_png(raster), console_);
+    }
     animation_->add(raster);
-    if (frame + 1 == options_.frames) write_file(options_.output, animation_->finish());
+    if (frame + 1 == options_.frames) {
+      write_picture(options_.output, animation_->finish(), console_);
+    }
   }
 
  private:
   const RenderOptions& options_;
+  const Console& console_;
   std::optional<Apng> animation_;
 };
 
@@ -201,7 +206,7 @@ int run_render(const RenderOptions& options, const Console& console) {
   const scene::Hidden hidden = about("--hidden", [&] { return parse_hidden(options.hidden); });
   static_cast<void>(wish_of(options, {}));  // before any file is read
   const SceneFiles files = about("--texture", [&] { return parse_textures(options.textures); });
-  Output output(options);
+  Output output(options, console);
   const scene::Scene scene = read_scene(options.scene, files);
   const scene::Wish wish = wish_of(options, scene);
   StatusLine status(console);

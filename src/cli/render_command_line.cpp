@@ -35,7 +35,9 @@ void add_picture_options(CLI::App& render, RenderOptions& options) {
   render.add_option("scene", options.scene, "Scene: JSON, see below")
       ->required()
       ->type_name("FILE");
-  render.add_option("-o,--output", options.output, "PNG to write, or animated PNG (.apng)")
+  render
+      .add_option("-o,--output", options.output,
+                  "PNG to write, or animated PNG (.apng); - is the standard output")
       ->required()
       ->type_name("FILE");
   render.add_option("--size", options.size, "Size of the picture")

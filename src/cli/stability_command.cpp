@@ -6,6 +6,7 @@
 
 #include "cli/error.h"
 #include "cli/file.h"
+#include "cli/picture_output.h"
 #include "cli/png.h"
 #include "cli/seeds.h"
 #include "cli/stability_picture.h"
@@ -101,7 +102,7 @@ int run_stability(const StabilityOptions& options, const spec::Subject& subject,
   const auto contenders =
       chosen(std::span<const Contender>(all), options.arithmetics, "--arithmetic", "arithmetic");
   StabilityRun run{subject.name, first_seed(options.seed), case_count(options.cases), {}};
-  if (!options.picture.empty()) check_output(options.picture);
+  if (!options.picture.empty()) check_picture(options.picture, PictureKinds::kFiles, console);
 
   const bool show = !options.json;
   if (show) {

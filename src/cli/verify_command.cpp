@@ -11,6 +11,7 @@
 #include "cli/error.h"
 #include "cli/file.h"
 #include "cli/junit.h"
+#include "cli/picture_output.h"
 #include "cli/png.h"
 #include "cli/seeds.h"
 #include "cli/verdict.h"
@@ -214,7 +215,8 @@ int run_verify(const VerifyOptions& options, const spec::Subject& built_in,
   ChosenSubject chosen = choose_subject(options.subject, options.profile, built_in);
   if (replayed) chosen.subject.profile = replayed->profile;
   const VerifyPlan plan = plan_of(options, chosen.subject, replayed);
-  for (const std::string& file : {options.picture, options.junit, options.subject.output}) {
+  if (!options.picture.empty()) check_picture(options.picture, PictureKinds::kFiles, console);
+  for (const std::string& file : {options.junit, options.subject.output}) {
     if (!file.empty()) check_output(file);
   }
   VerifyRun run = begun(options, chosen, plan);

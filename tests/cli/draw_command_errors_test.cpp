@@ -54,13 +54,30 @@ TEST_F(Draw, NamesTheOptionThatIsWrong) {
 }
 
 TEST_F(Draw, RefusesAnOutputItCannotWrite) {
-  std::filesystem::create_directory("folder");
-  options_.output = "folder";
-  expect_contains(refusal(), "'folder': it is a directory");
+  std::filesystem::create_directory("folder.png");
+  options_.output = "folder.png";
+  expect_contains(refusal(), "'folder.png': it is a directory");
   options_.output = "nowhere/out.png";
   expect_contains(refusal(), "there is no directory 'nowhere'");
-  options_.output = "out.jpg";
-  EXPECT_EQ(refusal(), "cannot write 'out.jpg': the output is a PNG; name it .png");
+  for (const char* name : {"out.jpg", "out.txt", "out.apng", "out", ".png", "./-", "/dev/stdout"}) {
+    options_.output = name;
+    EXPECT_EQ(refusal(), "cannot write '" + std::string(name) +
+                             "': the output is a PNG; name it .png, or - for the standard output");
+  }
+}
+
+TEST_F(Draw, RefusesAStandardOutputThatCannotTakeThePicture) {
+  options_.output = "-";
+  std::ostringstream err;
+  EXPECT_EQ(error_of([&] {
+              (void)run_draw(options_, {.out = out_, .err = err, .out_is_terminal = true});
+            }),
+            "the standard output is a terminal, which shows no PNG; redirect it, or name a file in "
+            "the place of -");
+  options_.json = true;
+  expect_contains(refusal(),
+                  "cannot both go to the standard output; name a file in the place of -");
+  EXPECT_EQ(out_.str(), "");
 }
 
 TEST_F(Draw, KeepsTheOldOutputWhenItFails) {

@@ -184,6 +184,15 @@ TEST_F(Draw, DrawsInTheOtherFormats) {
   }
 }
 
+TEST_F(Draw, WritesToTheStandardOutput) {
+  EXPECT_EQ(run(), kExitFine);
+  const std::vector<std::string> before = files();
+  options_.output = "-";
+  EXPECT_EQ(run(), kExitFine);
+  EXPECT_EQ(out_.str(), get("out.png"));
+  EXPECT_EQ(files(), before);
+}
+
 TEST_F(Draw, ReportsInJson) {
   options_.polygons = {"0,0,0,0 10,0,0,0 10,5,0,0 0,5,0,0", "5,0,0,0 15,0,0,0 15,5,0,0 5,5,0,0",
                        "119,0,0,0 500,0,0,0 500,2,0,0 119,2,0,0"};

@@ -50,6 +50,13 @@ TEST_F(Render, AnimatesFrames) {
             (std::vector<std::string>{"out.apng", "scene.json", "square.mtl", "square.obj"}));
 }
 
+TEST_F(Render, WritesOneFrameToTheStandardOutput) {
+  EXPECT_EQ(run(), kExitFine);
+  options_.output = "-";
+  EXPECT_EQ(run(), kExitFine);
+  EXPECT_EQ(out_.str(), get("out.png"));
+}
+
 TEST_F(Render, TakesAnotherTexture) {
   put("square.obj", std::string("mtllib square.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nvt 0 0\nvt 1 0\n"
                                 "vt 1 1\nusemtl red\nf 1/1 2/2 3/3\n"));
@@ -104,7 +111,18 @@ TEST_F(Render, RefusesWhatCannotBe) {
          [](RenderOptions& o) { o.json = true; });
   expect("--hidden", [](RenderOptions& o) { o.hidden = "magic"; });
   expect("--tolerance", [](RenderOptions& o) { o.tolerance = "-1"; });
-  expect("name it .png or .apng", [](RenderOptions& o) { o.output = "out.jpg"; });
+  for (const char* name : {"out.jpg", "out", "/dev/stdout"}) {
+    expect("name it .png or .apng, or - for a PNG on the standard output",
+           [&](RenderOptions& o) { o.output = name; });
+  }
+  expect("--frames 1 is right with -o -", [](RenderOptions& o) {
+    o.output = "-";
+    o.frames = 2;
+  });
+  expect("cannot both go to the standard output", [](RenderOptions& o) {
+    o.output = "-";
+    o.stats = true;
+  });
   expect("--rate: an animated PNG shows", [](RenderOptions& o) {
     o.output = "out.apng";
     o.frames_per_s = 1e6;

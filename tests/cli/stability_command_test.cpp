@@ -214,6 +214,11 @@ TEST_F(Stability, DrawsTheWorstCase) {
 TEST_F(Stability, RefusesAPictureItCannotWriteBeforeItStarts) {
   options_.picture = "nowhere/worst.png";
   expect_contains(error_of([&] { run(); }), "there is no directory 'nowhere'");
+  for (const char* name : {"worst.txt", "-"}) {
+    options_.picture = name;
+    EXPECT_EQ(error_of([&] { run(); }),
+              "cannot write '" + std::string(name) + "': the output is a PNG; name it .png");
+  }
   EXPECT_EQ(out(), "");
 }
 

@@ -203,6 +203,11 @@ TEST_F(Verify, NamesThePicturesAsAsked) {
 TEST_F(Verify, RefusesAPictureItCannotWriteBeforeItStarts) {
   options_.picture = "nowhere/seen.png";
   expect_contains(error_of([&] { run(shifted_texture(1)); }), "there is no directory 'nowhere'");
+  for (const char* name : {"seen.txt", "-"}) {
+    options_.picture = name;
+    EXPECT_EQ(error_of([&] { run(shifted_texture(1)); }),
+              "cannot write '" + std::string(name) + "': the output is a PNG; name it .png");
+  }
   EXPECT_EQ(out(), "");
 }
 
