@@ -61,6 +61,23 @@ Bytes read_all(const fs::path& path, size_t max_bytes) {
   return bytes;
 }
 
+// A rename would take what a redirection points to away from it, all that it holds included.
+void refuse_own_streams(const fs::path& path) {
+  struct stat existing {};
+  if (::stat(path.c_str(), &existing) != 0) return;
+  for (const int stream : {STDOUT_FILENO, STDERR_FILENO}) {
+    struct stat own {};
+    if (::fstat(stream, &own) != 0 || own.st_dev != existing.st_dev ||
+        own.st_ino != existing.st_ino) {
+      continue;
+    }
+    throw UserError("cannot write '" + path.string() + "': it is this program's own standard " +
+                    (stream == STDOUT_FILENO ? "output, to which - writes a picture"
+                                             : "error, where messages go") +
+                    "; name another file");
+  }
+}
+
 // Where the bytes go: a link keeps pointing where it points, and its target is replaced.
 [[nodiscard]] fs::path resolve_output(const fs::path& path) {
   if (path.empty()) throw UserError("the name of the output file is empty");
@@ -74,8 +91,12 @@ Bytes read_all(const fs::path& path, size_t max_bytes) {
                     "': it is a directory; the name of a file is needed");
   }
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    throw UserError("cannot write '" + path.string() + "': it is not a regular file");
+    throw UserError(
+        "cannot write '" + path.string() +
+        "': it is not a regular file; one is needed, or - for a picture on the standard "
+        "output");
   }
+  refuse_own_streams(path);
   const fs::path resolved = fs::exists(status) ? fs::canonical(path) : path;
   if (fs::exists(status) && ::access(resolved.c_str(), W_OK) != 0) {
     throw failure("write", path, errno);

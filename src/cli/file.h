@@ -19,8 +19,9 @@ inline constexpr size_t kMaxFileBytes = size_t{256} << 20;
 [[nodiscard]] std::string read_text_file(const std::filesystem::path& path,
                                          size_t max_bytes = kMaxFileBytes);
 
-// Throws a UserError where write_file could only fail: no such directory, the name of a directory
-// or of a device, a file that may not be written. Lets a command refuse before it does the work.
+// Throws a UserError where write_file would: no such directory, the name of a directory or of a
+// device, a file that may not be written, or that this program's own standard output or error goes
+// to. Lets a command refuse before it does the work.
 void check_output(const std::filesystem::path& path);
 
 // Writes all bytes under a temporary name in the same directory, then renames: at every moment

@@ -1,5 +1,6 @@
 #include "cli/file.h"
 
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -8,6 +9,7 @@
 #include <atomic>
 #include <csignal>
 #include <thread>
+#include <utility>
 
 #include "support.h"
 
@@ -75,6 +77,31 @@ TEST_F(File, CannotBeWrittenOverADevice) {
     expect_contains(error_of([&] { write_file(name, Bytes{1}); }), "not a regular file");
   }
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+// What a redirection points to would be replaced, and whatever it held before lost.
+TEST_F(File, CannotBeWrittenOverTheOwnStandardOutput) {
+  put("log.png", "kept");
+  std::filesystem::create_symlink("/dev/stdout", "link.png");
+  const auto refused = [](const char* name) {
+    const std::string error = error_of([&] { write_file(name, Bytes{1}); });
+    EXPECT_EQ(error_of([&] { check_output(name); }), error);
+    return error;
+  };
+  for (const auto& [stream, is] : {std::pair(STDOUT_FILENO, "output, to which - writes a picture"),
+                                   std::pair(STDERR_FILENO, "error, where messages go")}) {
+    const int before = dup(stream), log = open("log.png", O_WRONLY | O_APPEND);
+    dup2(log, stream);
+    const std::string by_name = refused("log.png");
+    const std::string by_link = stream == STDOUT_FILENO ? refused("link.png") : by_name;
+    dup2(before, stream);
+    close(before);
+    close(log);
+    EXPECT_EQ(by_name, "cannot write 'log.png': it is this program's own standard " +
+                           std::string(is) + "; name another file");
+    expect_contains(by_link, is);
+    EXPECT_EQ(get("log.png"), "kept");
+  }
 }
 
 TEST_F(File, NeedsAName) {

@@ -59,6 +59,21 @@ TEST_F(Program, DrawsAJpegOverAPng) {
   EXPECT_NE(drawn.at(30, 24), (Colour{0, 0, 0}));
 }
 
+TEST_F(Program, WritesAPictureToItsOutputAndOverNothing) {
+  put("texture.png", encode_png(filled(2, 2, {})));
+  const std::string draw =
+      "draw --texture texture.png --size 8x8 --polygon '0,0,0,0 8,0,2,0 0,8,0,2' -o ";
+  EXPECT_EQ(run(draw + "drawn.png"), 0);
+  EXPECT_EQ(run(draw + "-"), 0);
+  EXPECT_EQ(get("out"), get("drawn.png"));
+  put("out.png", std::string("kept"));
+  for (const char* name : {"/dev/stdout", "out.png"}) {
+    EXPECT_EQ(run(draw + name, "/dev/null >> out.png"), 2);
+    expect_contains(get("err"), " - ");
+    EXPECT_EQ(get("out.png"), "kept");
+  }
+}
+
 TEST_F(Program, Verifies) {
   EXPECT_EQ(run("verify --cases 40 --seed 1"), 0) << get("out") << get("err");
   expect_contains(get("out"), "laws hold.");
