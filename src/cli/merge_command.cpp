@@ -118,7 +118,7 @@ VerifyRun merged(const std::vector<VerifyRun>& runs, const std::vector<std::stri
 int run_merge(const MergeOptions& options, const Console& console) {
   std::vector<VerifyRun> runs;
   for (const std::string& file : options.files) {
-    runs.push_back(about("'" + file + "'", [&] { return read_verdict(read_text_file(file)); }));
+    runs.push_back(read_verdict(file, read_text_file(file)));
   }
   const VerifyRun whole = merged(runs, options.files);
   add_to_corpus(options.corpus, whole);

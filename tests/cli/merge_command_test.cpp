@@ -191,8 +191,9 @@ TEST_F(Merge, RefusesWhatIsNotAllOfOneRun) {
   expect_contains(refused({"1.json", "count.json"}), "the number of shards is '2'");
   put("subject.json", verified(blank(), "2/2"));
   expect_contains(refused({"1.json", "subject.json"}), "the subject is 'selvage ");
+  EXPECT_EQ(refused({"none.json"}), "cannot read 'none.json': No such file or directory");
   put("text.json", std::string("no verdict"));
-  expect_contains(refused({"text.json"}), "'text.json': it is not what 'selvage verify --json'");
+  expect_contains(refused({"text.json"}), "text.json:1: not JSON: ");
 }
 
 // What damaged files say of their shards must not be allocated by, wrap around or pass.
@@ -206,8 +207,8 @@ TEST_F(Merge, RefusesDamagedNumbers) {
     return error_of([&] { (void)merge({"damaged.json"}, 2); });
   };
   const char *const index = "/shard/index", *const of = "/shard/of";
-  expect_contains(refused(index, "0"), "'damaged.json': there is no shard 0/2; 1/2 to 2/2 are");
-  expect_contains(refused(index, "3"), "'damaged.json': there is no shard 3/2; 1/2 to 2/2 are");
+  expect_contains(refused(index, "0"), ": shard: there is no shard 0/2; 1/2 to 2/2 are");
+  expect_contains(refused(index, "3"), ": shard: there is no shard 3/2; 1/2 to 2/2 are");
   expect_contains(refused(of, "0"), "there is no shard 1/0");
   for (const char* huge : {"20000000000", "1000000000000000000", "18446744073709551615"}) {
     expect_contains(refused(of, huge), "shard 2/" + std::string(huge) + " is missing");
@@ -215,11 +216,11 @@ TEST_F(Merge, RefusesDamagedNumbers) {
   for (const char* wrong : {"1.5", "-1", "18446744073709551616", "1e3", "\"1\"", "true"}) {
     for (const char* path : {index, of, "/cases", "/seed", "/laws/0/cases", "/laws/0/judged_px"}) {
       expect_contains(refused(path, wrong),
-                      "a whole number from 0 to 18446744073709551615 is right");
+                      "a whole number from 0 to 18446744073709551615 is needed, not ");
     }
   }
   expect_contains(refused("/laws/0/time_ns", "9223372036854775808"),
-                  "'time_ns' is 92233720368547758");
+                  "time_ns: a whole number from -9223372036854775808 to 9223372036854775807 is");
   expect_contains(refused("/laws", "[]"), "it has no verdict of any law, and so shows nothing");
 }
 

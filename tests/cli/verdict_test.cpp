@@ -81,7 +81,7 @@ TEST(Verdict, OfAShardCountsALawWithoutTime) {
   EXPECT_FALSE(passed(shard));
   EXPECT_EQ(exit_code(shard), kExitNoTime);
   expect_contains(table_summary(shard), "1 judged nothing in this shard, 1 not judged: the time");
-  EXPECT_EQ(read_verdict(verdict_json(shard)).verdicts[1].lacked_time, true);
+  EXPECT_EQ(read_verdict("shard.json", verdict_json(shard)).verdicts[1].lacked_time, true);
   shard.verdicts[1].lacked_time = false;
   EXPECT_EQ(exit_code(shard), kExitFine);
 }
@@ -153,7 +153,7 @@ TEST(VerdictJson, IsReadAsItWasWritten) {
   run.known_cases = 2;
   run.shard = {2, 3};
   const std::string json = verdict_json(run);
-  EXPECT_EQ(verdict_json(read_verdict(json)), json);
+  EXPECT_EQ(verdict_json(read_verdict("run.json", json)), json);
   expect_contains(json, "selvage verify --subject './my mapper.so' --law MAP --case ");
 }
 
@@ -176,15 +176,38 @@ TEST(VerdictTable, TellsWhatWasHuntedAndWhatIsKnown) {
   EXPECT_EQ(found_by(run.verdicts[1]), "corpus");
 }
 
+[[nodiscard]] std::string verdict_error(const std::string& text) {
+  return error_of([&] { (void)read_verdict("a.json", text); });
+}
+
 TEST(VerdictJson, RefusesWhatItHasNotWritten) {
-  for (const char* text : {"", "{", "[]", "{}", R"({"selvage": 3})"}) {
-    expect_contains(error_of([&] { (void)read_verdict(text); }),
-                    "it is not what 'selvage verify --json' prints");
-  }
-  std::string other = verdict_json(run_of({holding("COV")}));
-  other.replace(other.find("\"COV\""), 5, "\"CVO\"");
-  expect_contains(error_of([&] { (void)read_verdict(other); }), "knows no law 'CVO'");
-  expect_contains(error_of([] { (void)read_verdict(R"({"selvage": "0.0.0"})"); }), "version 0.0.0");
+  const std::string needed = "what 'selvage verify --json' prints is needed";
+  EXPECT_EQ(verdict_error(""), "a.json: the file is empty; " + needed);
+  EXPECT_EQ(verdict_error("{}"), "a.json:1: 'selvage' is missing; " + needed);
+  EXPECT_EQ(verdict_error("\n[]"), "a.json:2: 'selvage' is missing; " + needed);
+  const std::string cut_off = verdict_error("{\n\"selvage\": \"0.1");
+  expect_contains(cut_off, "a.json:2: not JSON: ");
+  expect_contains(cut_off, "; " + needed);
+  EXPECT_EQ(cut_off.find("json.exception"), std::string::npos) << cut_off;
+  EXPECT_EQ(verdict_error("{\n\"selvage\": 3}"), "a.json:2: selvage: a text is needed, not 3");
+  expect_contains(verdict_error(R"({"selvage": "0.0.0"})"),
+                  "a.json:1: selvage: it is of version 0.0.0, this program of ");
+}
+
+TEST(VerdictJson, TellsWhereItIsDamaged) {
+  const std::string good = verdict_json(run_of({holding("COV"), holding("MAP")}));
+  const auto error_with = [&](const std::string& was, const std::string& is) {
+    std::string text = good;
+    text.replace(text.rfind(was), was.size(), is);
+    return verdict_error(text);
+  };
+  const auto line = std::to_string(
+      std::count(good.begin(), good.begin() + static_cast<ptrdiff_t>(good.rfind("\"MAP\"")), '\n') +
+      1);
+  expect_contains(error_with("\"MAP\"", "\"PAM\""),
+                  "a.json:" + line + ": laws: law 2: law: this program knows no law 'PAM'");
+  expect_contains(error_with("\"judged_px\"", "\"judged\""),
+                  ": laws: law 2: 'judged_px' is missing");
 }
 
 TEST(Verdict, OfAShardLeavesToOthersWhatItDidNotJudge) {
@@ -234,7 +257,7 @@ TEST(Junit, IsXmlWhateverItTells) {
   const std::string bad = "\xEF\xBF\xBD";
   const std::string shown = "\xC3\xA4" + bad + bad + " " + bad + bad + "[31m";
   expect_contains(junit_xml(run), "classname=\"" + shown + "\"");
-  EXPECT_EQ(read_verdict(verdict_json(run)).subject, shown);
+  EXPECT_EQ(read_verdict("run.json", verdict_json(run)).subject, shown);
 }
 
 TEST(VerdictJson, OfAReplayHasNoSeed) {
