@@ -127,7 +127,9 @@ int run_merge(const MergeOptions& options, const Console& console) {
     console.out << verdict_json(whole);
     return exit_code(whole);
   }
-  console.out << "seed " << whole.seed << '\n' << table_header();
+  console.out << "subject " << whole.subject << ", profile " << whole.profile << "\nseed "
+              << whole.seed << '\n'
+              << table_header();
   for (const Verdict& verdict : whole.verdicts) console.out << table_row(verdict);
   console.out << table_summary(whole) << explanations(whole);
   return exit_code(whole);

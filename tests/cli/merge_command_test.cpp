@@ -98,6 +98,15 @@ TEST_F(Merge, KeepsTheNearestMargin) {
   EXPECT_LE(nearest["measured"], nearest["bound"]);
 }
 
+TEST_F(Merge, TellsOfWhichSubjectTheVerdictIs) {
+  const auto shards = put_shards(spec::built_in(), 2, "abrash56", "10", "0");
+  std::ostringstream out, err;
+  EXPECT_EQ(run_merge({.files = shards, .junit = "", .json = false}, {out, err}), kExitFine);
+  EXPECT_EQ(out.str().rfind("subject " + spec::built_in().name + ", profile abrash56\nseed 5\n", 0),
+            0u)
+      << out.str();
+}
+
 // Whichever began first, and whatever was known by then: no shard writes what another one reads.
 TEST_F(Merge, TakesShardsThatShareACorpus) {
   const std::string verify =
@@ -191,6 +200,9 @@ TEST_F(Merge, RefusesWhatIsNotAllOfOneRun) {
   expect_contains(refused({"1.json", "count.json"}), "the number of shards is '2'");
   put("subject.json", verified(blank(), "2/2"));
   expect_contains(refused({"1.json", "subject.json"}), "the subject is 'selvage ");
+  put("profile.json", verified(spec::built_in(), "2/2", "5", "abrash56"));
+  expect_contains(refused({"1.json", "profile.json"}),
+                  "the profile is 'exact' in '1.json' and 'abrash56' in 'profile.json'");
   EXPECT_EQ(refused({"none.json"}), "cannot read 'none.json': No such file or directory");
   put("text.json", std::string("no verdict"));
   expect_contains(refused({"text.json"}), "text.json:1: not JSON: ");
