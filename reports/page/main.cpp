@@ -65,6 +65,7 @@ bool write_matrix(const fs::path& folder, const std::string& findings) {
 void write_known(const fs::path& folder, const std::string& findings, const std::string& id) {
   const fs::path directory = folder / "matrix" / "known" / id;
   fs::create_directories(directory);
+  fs::create_directories(folder / "corpus");
   const auto corpus = cli::read_corpus(folder / "corpus");
   const json examined = findings.empty() ? json::object() : read_json(findings);
   for (const cli::KnownCase& known : known_cases(examined, id, corpus)) {

@@ -49,13 +49,25 @@ constexpr size_t kMaxFileOfCaseBytes = size_t{64} << 10;
 
 }  // namespace
 
-std::vector<KnownCase> read_corpus(const std::filesystem::path& directory) {
+void make_corpus(const std::filesystem::path& directory, const Console& console) {
+  const std::filesystem::path named =
+      directory.has_filename() ? directory : directory.parent_path();  // without a slash behind it
+  const std::filesystem::path above = named.has_parent_path() ? named.parent_path() : ".";
   std::error_code error;
-  std::filesystem::create_directories(directory, error);
-  if (!std::filesystem::is_directory(directory)) {
+  if (!std::filesystem::is_directory(above, error)) {
+    throw UserError("--corpus: cannot make '" + directory.string() + "': there is no directory '" +
+                    above.string() + "'");
+  }
+  const bool is_made = std::filesystem::create_directory(named, error);
+  if (!std::filesystem::is_directory(named, error)) {
     throw UserError("--corpus: '" + directory.string() +
                     "' is no directory and cannot be made one");
   }
+  if (is_made) console.err << "selvage: made the directory '" << named.string() << "'\n";
+}
+
+std::vector<KnownCase> read_corpus(const std::filesystem::path& directory) {
+  std::error_code error;
   std::vector<std::filesystem::path> paths;
   std::filesystem::directory_iterator entry(directory, error);
   for (; !error && entry != std::filesystem::directory_iterator(); entry.increment(error)) {
@@ -89,8 +101,6 @@ void write_to_corpus(const std::filesystem::path& directory, const KnownCase& kn
 
 void add_to_corpus(const std::filesystem::path& directory, const VerifyRun& run) {
   if (directory.empty() || run.replay) return;
-  std::error_code error;
-  std::filesystem::create_directories(directory, error);  // else writing tells why not
   for (const Verdict& verdict : run.verdicts) {
     if (!verdict.found.violation || verdict.from_corpus) continue;
     write_to_corpus(directory,

@@ -129,7 +129,7 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
 }
 
 [[nodiscard]] VerifyPlan plan_of(const VerifyOptions& options, const spec::Subject& subject,
-                                 std::optional<spec::Case> replayed) {
+                                 std::optional<spec::Case> replayed, const Console& console) {
   VerifyPlan plan;
   plan.laws = chosen_laws(options.laws, subject);
   plan.replayed = std::move(replayed);
@@ -139,6 +139,7 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
   if (!options.time.empty()) plan.time = parse_time(options.time);
   plan.hunted = parse_hunt(options.hunt, plan.time.has_value());
   if (!options.corpus.empty() && !plan.replayed) {
+    make_corpus(options.corpus, console);
     plan.known = read_corpus(options.corpus);
   }
   return plan;
@@ -214,7 +215,7 @@ int run_verify(const VerifyOptions& options, const spec::Subject& built_in,
   const std::optional<spec::Case> replayed = case_to_replay(options);
   ChosenSubject chosen = choose_subject(options.subject, options.profile, built_in);
   if (replayed) chosen.subject.profile = replayed->profile;
-  const VerifyPlan plan = plan_of(options, chosen.subject, replayed);
+  const VerifyPlan plan = plan_of(options, chosen.subject, replayed, console);
   if (!options.picture.empty()) check_picture(options.picture, PictureKinds::kFiles, console);
   for (const std::string& file : {options.junit, options.subject.output}) {
     if (!file.empty()) check_output(file);

@@ -134,7 +134,8 @@ void add_claims(CLI::App& verify, VerifyOptions& options) {
   CLI::Option* corpus = verify
                             .add_option("--corpus", options.corpus,
                                         "Known violations: tried first; new ones are written there "
-                                        "(with --shard: by merge)")
+                                        "(with --shard: by merge). Made if it is missing, but not "
+                                        "what is above it")
                             ->type_name("DIR");
   return {cases, hunt, seed, profile, time, shard, corpus};
 }

@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <sstream>
 #include <thread>
 
 #include "support.h"
@@ -9,9 +10,41 @@
 namespace selvage::cli::test {
 namespace {
 
-class Corpus : public InDirectory {};
+class Corpus : public InDirectory {
+ protected:
+  // Makes it, and returns what is told of that.
+  static std::string made(const std::filesystem::path& directory) {
+    std::ostringstream out, err;
+    make_corpus(directory, {out, err});
+    EXPECT_EQ(out.str(), "");
+    return err.str();
+  }
+};
+
+TEST_F(Corpus, IsMadeWhereItIsNot) {
+  EXPECT_EQ(made("known"), "selvage: made the directory 'known'\n");
+  EXPECT_EQ(made("known"), "");
+  EXPECT_EQ(made("known/"), "");
+  EXPECT_EQ(made("known/of_mine/"), "selvage: made the directory 'known/of_mine'\n");
+  EXPECT_EQ(
+      made(std::filesystem::current_path() / "other"),
+      "selvage: made the directory '" + std::filesystem::current_path().string() + "/other'\n");
+  EXPECT_TRUE(std::filesystem::is_directory("known/of_mine"));
+}
+
+// A mistyped path would be made, and hold no known violation.
+TEST_F(Corpus, IsNotMadeWithWhatIsAboveIt) {
+  EXPECT_EQ(error_of([] { (void)made("knwon/of_mine"); }),
+            "--corpus: cannot make 'knwon/of_mine': there is no directory 'knwon'");
+  put("file", std::string());
+  expect_contains(error_of([] { (void)made("file"); }), "'file' is no directory");
+  expect_contains(error_of([] { (void)made("file/known"); }), "there is no directory 'file'");
+  expect_contains(error_of([] { (void)read_corpus("known"); }), "--corpus: cannot read 'known'");
+  EXPECT_EQ(files(), std::vector<std::string>{"file"});
+}
 
 TEST_F(Corpus, IsReadAsItWasWritten) {
+  std::filesystem::create_directory("known");
   EXPECT_TRUE(read_corpus("known").empty());
   spec::Case c;
   c.target_width_px = 7;
@@ -47,8 +80,6 @@ TEST_F(Corpus, NamesTheFileThatIsNoCase) {
   put("known/a.case", "MOP " + whole);
   expect_contains(error_of([] { (void)read_corpus("known"); }),
                   "'known/a.case': no law is called 'MOP'");
-  put("file", std::string());
-  expect_contains(error_of([] { (void)read_corpus("file"); }), "'file' is no directory");
 }
 
 // A pipe would be waited for.
@@ -66,7 +97,7 @@ TEST_F(Corpus, NamesWhatIsNoFile) {
 // Whoever reads while others write sees whole cases and no half ones.
 TEST_F(Corpus, MayBeWrittenByManyAtOnce) {
   static constexpr uint32_t kCases = 20;
-  (void)read_corpus("known");
+  std::filesystem::create_directory("known");
   const auto write = [] {
     for (uint32_t choice = 0; choice < kCases; ++choice) {
       spec::Case c;

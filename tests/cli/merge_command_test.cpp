@@ -135,8 +135,13 @@ TEST_F(Merge, TakesShardsThatShareACorpus) {
 TEST_F(Merge, AddsWhatIsNewToACorpus) {
   const auto shards = put_shards(shifted_texture(1), 2);
   std::ostringstream out;
-  EXPECT_EQ(run_merge({.files = shards, .corpus = "known", .junit = "", .json = true}, {out, out}),
-            kExitLawFailed);
+  const auto merge_into = [&](const char* corpus) {
+    std::ostringstream err;
+    return run_merge({.files = shards, .corpus = corpus, .junit = "", .json = true}, {out, err});
+  };
+  expect_contains(error_of([&] { (void)merge_into("nowhere/known"); }),
+                  "there is no directory 'nowhere'");
+  EXPECT_EQ(merge_into("known"), kExitLawFailed);
   const auto known = read_corpus("known");
   ASSERT_FALSE(known.empty());
   const nlohmann::json merged = nlohmann::json::parse(out.str());

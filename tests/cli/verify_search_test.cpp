@@ -14,6 +14,7 @@ TEST_F(VerifySubject, TriesWhatIsKnownFirst) {
   options_.laws = {"COV"};
   EXPECT_EQ(run("draws_nothing"), kExitLawFailed);
   expect_contains(out(), "corpus 0 known cases\n");
+  expect_contains(err(), "selvage: made the directory 'known'\n");
   ASSERT_EQ(std::distance(std::filesystem::directory_iterator("known"), {}), 1);
   options_.seed = "77";
   options_.json = true;
@@ -61,6 +62,8 @@ TEST_F(VerifySubject, RefusesACorpusThatIsNone) {
   put("known/x.case", std::string("COV 12"));
   options_.corpus = "known";
   expect_contains(error_of([&] { run("right"); }), "'known/x.case' is no known violation");
+  options_.corpus = "nowhere/known";
+  expect_contains(error_of([&] { run("right"); }), "there is no directory 'nowhere'");
   options_.corpus = "";
   for (const char* hunt : {"-1", "x", "1000000001"}) {
     options_.hunt = hunt;
