@@ -134,7 +134,7 @@ std::string margin_text(const Verdict& verdict) {
 }
 
 std::string table_header() {
-  return law_row("law", "verdict", "cases", "pixels judged", "nearest", "time");
+  return law_row("law", "verdict", "cases", "pixels judged", "largest error", "time");
 }
 
 std::string table_row(const Verdict& verdict) {

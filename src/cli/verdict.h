@@ -79,7 +79,7 @@ struct VerifyRun {
 // that by itself it does not always fail.
 [[nodiscard]] std::vector<std::string> notes_on(const Verdict& verdict);
 
-// "0.71 of bound", "0 wrong" of an exact law; empty where the law does not hold.
+// The largest error: "0.71 of bound", "0 wrong" of an exact law; empty where it does not hold.
 [[nodiscard]] std::string margin_text(const Verdict& verdict);
 
 // The table, part by part, so that each law can be shown when it is done.

@@ -93,7 +93,7 @@ TEST(Verdict, OfAReplayNeedsOneLawWithASay) {
 
 TEST(VerdictTable, HasARowForEachLaw) {
   EXPECT_EQ(table_header() + table_row(holding("COV")) + table_row(violated("MAP")),
-            "law        verdict               cases  pixels judged        nearest       time\n"
+            "law        verdict               cases  pixels judged  largest error       time\n"
             "COV        holds                    20            100        0 wrong     1.50 s\n"
             "MAP        VIOLATED                  7             55                    0.00 s\n");
 }
