@@ -22,6 +22,15 @@
 namespace selvage::cli {
 namespace {
 
+constexpr const char* kUsualExitCodes =
+    "Exit codes: 0 fine; 2 wrong use, or a file that cannot be read or written.";
+
+constexpr const char* kProgramExitCodes =
+    "Exit codes: 0 fine; 1 a law failed, or a promise is broken (verify, merge, stability, "
+    "bench);\n"
+    "2 wrong use, or a file that cannot be read or written; 3 there was no time for each law\n"
+    "(verify, merge).";
+
 constexpr const char* kStabilityExitCodes =
     "Exit codes: 0 fine; 1 a promise is broken: 'exact' differs from the model, or a texel lies\n"
     "beyond its derived bound; 2 wrong use, or a file that cannot be read or written.";
@@ -200,7 +209,7 @@ int parse_and_run(std::vector<std::string> arguments, const spec::Subject& subje
                    "selvage");
   program.set_version_flag("--version", std::string("selvage ") + selvage_version());
   program.require_subcommand(1);
-  program.footer(footer(kProgramExamples));
+  program.footer(footer(kProgramExamples, kProgramExitCodes));
   DrawOptions draw_options;
   VerifyOptions verify_options;
   StabilityOptions stability_options;

@@ -38,8 +38,10 @@ All shards of one run are needed. What they knew from a corpus may differ: each 
 )";
 
 [[nodiscard]] std::string verdict_footer(const char* examples) {
-  return std::string(examples) + "\n" + kUsualExitCodes +
-         "\n3 no violation, but --time was over before each law had judged something.\n";
+  return std::string(examples) +
+         "\nExit codes: 0 fine; 1 a law failed; 2 wrong use, or a file that cannot be read or "
+         "written;\n"
+         "3 no violation, but --time was over before each law had judged something.";
 }
 
 constexpr const char* kSubject = "Another mapper to judge";

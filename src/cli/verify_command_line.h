@@ -8,9 +8,6 @@
 
 namespace selvage::cli {
 
-inline constexpr const char* kUsualExitCodes =
-    "Exit codes: 0 fine; 1 a law failed; 2 wrong use, or a file that cannot be read or written.";
-
 CLI::App* add_verify(CLI::App& program, VerifyOptions& options);
 CLI::App* add_merge(CLI::App& program, MergeOptions& options);
 

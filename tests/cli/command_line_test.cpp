@@ -59,7 +59,30 @@ TEST_F(CommandLine, HelpsWithExamplesForEveryCommand) {
     EXPECT_EQ(outcome.code, kExitFine);
     EXPECT_EQ(outcome.err, "");
     expect_contains(outcome.out, "Examples:\n  selvage " + std::string(command));
-    expect_contains(outcome.out, "Exit codes: 0 fine; 1 a law failed; 2 wrong use");
+  }
+}
+
+// Each its own, in one list.
+TEST_F(CommandLine, HelpsWithTheExitCodesOfEachCommand) {
+  const std::string fine = "Exit codes: 0 fine; ";
+  const std::string use = "2 wrong use, or a file that cannot be read or written";
+  const std::string verdict =
+      fine + "1 a law failed; " + use +
+      ";\n3 no violation, but --time was over before each law had judged something.\n";
+  const std::pair<Words, std::string> all[] = {
+      {{"draw"}, fine + use + ".\n"},
+      {{"laws"}, fine + use + ".\n"},
+      {{"verify"}, verdict},
+      {{"merge"}, verdict},
+      {{"render"}, fine + use + ".\n"},
+      {{}, "3 there was no time for each law\n(verify, merge).\n"}};
+  for (const auto& [command, codes] : all) {
+    Words words = command;
+    words.emplace_back("--help");
+    const std::string out = run(words).out;
+    const size_t list = out.find("Exit codes: ");
+    ASSERT_NE(list, std::string::npos);
+    expect_contains(out.substr(list), codes);
   }
 }
 
