@@ -1,7 +1,9 @@
 #include "cli/number.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace selvage::cli {
 
@@ -16,6 +18,20 @@ std::optional<double> parse_double(std::string_view text) {
 std::string show(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+std::string show_beside(double value, double limit) {
+  constexpr int kFewest = 3, kMost = std::numeric_limits<double>::max_digits10;
+  const double whole_digits =
+      std::abs(value) >= 1 ? std::floor(std::log10(std::abs(value))) + 1 : 0;
+  char text[32];
+  for (int digits = std::clamp(static_cast<int>(whole_digits), kFewest, 10); digits <= kMost;
+       ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    const std::optional<double> shown = parse_double(text);
+    if (shown && (*shown < limit) == (value < limit) && (*shown > limit) == (value > limit)) break;
+  }
   return text;
 }
 

@@ -26,6 +26,10 @@ template <std::integral Integer>
 // Short and for people: 0.25, 1e+09.
 [[nodiscard]] std::string show(double value);
 
+// Three significant digits, and as many more as it takes to lie on the same side of the limit as
+// the value does.
+[[nodiscard]] std::string show_beside(double value, double limit);
+
 // The parts between separators; n separators give n + 1 parts.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 

@@ -87,7 +87,7 @@ CLI::App* add_render(CLI::App& program, RenderOptions& options) {
   add_picture_options(*render, options);
   add_drawing_options(*render, options);
   render->add_flag("--explain", options.explain,
-                   "Print what each face of the first frame is drawn by, and why");
+                   "Print what each textured face of the first frame is drawn by, and why");
   render->add_flag("--stats", options.stats, "Print how much was drawn, and how fast");
   render->add_flag("--json", options.json, "Print what these two tell as JSON");
   render->footer(kRenderText);

@@ -1,5 +1,6 @@
 #include "cli/render_report.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "cli/drawn_kernel.h"
@@ -33,6 +34,26 @@ using nlohmann::ordered_json;
          (beyond ? "; rounding depths alone may cost more than " +
                        show(rounding_limit_texel(tolerance)) + " texel"
                  : "");
+}
+
+// Each number beside the limit that it was held against.
+[[nodiscard]] std::string face_line(const ordered_json& face) {
+  const double tolerance = face["tolerance_texel"], rounding = face["rounding_bound_texel"];
+  const double spare = std::max(0.0, tolerance - rounding);  // for the mapping
+  std::ostringstream text;
+  text << face["object"].get<std::string>() << " face " << face["face"] << ": "
+       << face["method"].get<std::string>();
+  if (face["segment_px"] > 0) text << " every " << face["segment_px"] << " px";
+  text << ", " << face["filter"].get<std::string>() << ", kernel "
+       << face["kernel"].get<std::string>() << "; off by at most "
+       << show_beside(face["bound_texel"], tolerance) << " texel (mapping "
+       << show_beside(face["mapping_bound_texel"], spare) << ", rounding "
+       << show_beside(rounding, rounding_limit_texel(tolerance))
+       << "); depths 1:" << show_beside(face["depth_ratio"], 1) << ", affine "
+       << show_beside(face["affine_bound_texel"], spare) << " texel, "
+       << show_beside(face["texels_per_px"], 1) << " texels a pixel; "
+       << face["reason"].get<std::string>() << '\n';
+  return text.str();
 }
 
 }  // namespace
@@ -74,6 +95,7 @@ ordered_json explanation(const scene::Scene& scene, const scene::Drawing& drawin
     const FaceChoice choice = choice_of(scene, drawing, i, target);
     faces.push_back({{"object", scene.objects[face.object].name},
                      {"face", face.face + 1},
+                     {"textured", face.paint.texture.has_value()},
                      {"method", choice.method},
                      {"segment_px", choice.segment_px},
                      {"filter", choice.filter},
@@ -91,20 +113,18 @@ ordered_json explanation(const scene::Scene& scene, const scene::Drawing& drawin
 }
 
 std::string explanation_text(const ordered_json& faces) {
-  std::ostringstream text;
+  std::string text;
+  size_t untextured = 0;
   for (const ordered_json& face : faces) {
-    text << face["object"].get<std::string>() << " face " << face["face"] << ": "
-         << face["method"].get<std::string>();
-    if (face["segment_px"] > 0) text << " every " << face["segment_px"] << " px";
-    text << ", " << face["filter"].get<std::string>() << ", kernel "
-         << face["kernel"].get<std::string>() << "; off by at most " << show(face["bound_texel"])
-         << " texel (mapping " << show(face["mapping_bound_texel"]) << ", rounding "
-         << show(face["rounding_bound_texel"]) << "); depths 1:" << show(face["depth_ratio"])
-         << ", affine " << show(face["affine_bound_texel"]) << " texel, "
-         << show(face["texels_per_px"]) << " texels a pixel; " << face["reason"].get<std::string>()
-         << '\n';
+    if (face["textured"]) {
+      text += face_line(face);
+    } else {
+      ++untextured;
+    }
   }
-  return text.str();
+  if (untextured == 0) return text;
+  return text + std::to_string(untextured) + (untextured == 1 ? " face" : " faces") +
+         " of one colour: any map will do\n";
 }
 
 void RoundingWarning::add(const scene::Scene& scene, const scene::Drawing& drawing) {
@@ -124,7 +144,7 @@ std::string RoundingWarning::line() const {
   std::ostringstream text;
   text << "warning: rounding depths to whole q may move the texture of " << faces_.size()
        << (faces_.size() == 1 ? " face" : " faces") << " by more than " << show(limit_texel_)
-       << " texel, that of " << worst_ << " by up to " << show(worst_texel_)
+       << " texel, that of " << worst_ << " by up to " << show_beside(worst_texel_, limit_texel_)
        << "; a camera's \"nearest\" that cuts off what is very near lessens it\n";
   return text.str();
 }

@@ -26,6 +26,7 @@ struct FaceChoice {
 [[nodiscard]] nlohmann::ordered_json explanation(const scene::Scene& scene,
                                                  const scene::Drawing& drawing, double tolerance,
                                                  Bitmap& target);
+// A line for each face that has a texture, and one for the others together.
 [[nodiscard]] std::string explanation_text(const nlohmann::ordered_json& faces);
 
 // From here on rounding is warned of. A tolerance of 0 asks for the exact map on the grid, which

@@ -270,11 +270,21 @@ TEST_F(Render, CountsFacesAndNotTheirTriangles) {
   EXPECT_EQ(stats["pixels_written"], 2 * 200 * 150);
 }
 
+TEST_F(FarWall, IsToldOfInALineAndTheTriangleInASum) {
+  put_scene(true);
+  options_.json = false;
+  EXPECT_EQ(run(), kExitFine);
+  const std::string told = out_.str();
+  EXPECT_EQ(told.rfind("square face 1: ", 0), 0u) << told;
+  expect_contains(told, ", rounding 0.612); depths 1:4, affine ");
+  EXPECT_EQ(std::count(told.begin(), told.end(), '\n'), 2);
+  expect_contains(told, "\n1 face of one colour: any map will do\n");
+}
+
 TEST_F(Render, TellsPeopleTheSame) {
   options_.explain = options_.stats = true;
   EXPECT_EQ(run(), kExitFine);
-  expect_contains(out_.str(), "square face 1: ");
-  expect_contains(out_.str(), "one colour");
+  EXPECT_EQ(out_.str().rfind("1 face of one colour: any map will do\n", 0), 0u) << out_.str();
   expect_contains(out_.str(), "faces_drawn: 1\n");
   expect_contains(out_.str(), "faces_culled:\n  with their object: 0\n");
   expect_contains(out_.str(), "drawn_by:\n  exact affine, nearest, kernel ");
