@@ -19,7 +19,7 @@ struct NamedFormat {
 
 constexpr std::array<NamedFormat, 3> kFormats{{{"rgba8888", SELVAGE_RGBA8888, 4},
                                                {"rgb565", SELVAGE_RGB565, 2},
-                                               {"grey8", SELVAGE_INDEX8, 1}}};
+                                               {"index8", SELVAGE_INDEX8, 1}}};
 
 [[nodiscard]] const NamedFormat& find(selvage_format format) {
   return *std::find_if(kFormats.begin(), kFormats.end(),
@@ -63,7 +63,8 @@ selvage_format parse_format(std::string_view name) {
   for (const NamedFormat& known : kFormats) {
     if (known.name == name) return known.format;
   }
-  throw UserError("'" + std::string(name) + "' is no format; rgba8888, rgb565 and grey8 are");
+  if (name == "grey8") return SELVAGE_INDEX8;
+  throw UserError("'" + std::string(name) + "' is no format; rgba8888, rgb565 and index8 are");
 }
 
 std::string_view format_name(selvage_format format) { return find(format).name; }

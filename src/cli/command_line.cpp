@@ -137,7 +137,8 @@ void add_manner(CLI::App& draw, DrawOptions& options) {
 }
 
 void add_output(CLI::App& draw, DrawOptions& options) {
-  draw.add_option("--format", options.format, "Format to draw in: rgba8888, rgb565 or grey8")
+  draw.add_option("--format", options.format,
+                  "Format to draw in: rgba8888, rgb565 or index8 (levels of grey)")
       ->type_name("FORMAT")
       ->capture_default_str();
   draw.add_option("-o,--output", options.output, "PNG to write; - is the standard output")

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/bitmap.h"
 #include "cli/error.h"
 #include "cli/job.h"
 #include "cli/number.h"
@@ -23,13 +24,6 @@ constexpr double kUsualCallLimit_s = 2, kMostCallLimit_s = 3600;
     throw UserError("--call-limit: '" + text + "' is no time; 0.001 to 3600 seconds are");
   }
   return std::chrono::nanoseconds(static_cast<int64_t>(*seconds * 1e9));
-}
-
-[[nodiscard]] int32_t parse_claimed_format(std::string_view name) {
-  if (name == "rgba8888") return SELVAGE_RGBA8888;
-  if (name == "rgb565") return SELVAGE_RGB565;
-  if (name == "index8") return SELVAGE_INDEX8;
-  throw UserError("'" + std::string(name) + "' is no format; index8, rgb565 and rgba8888 are");
 }
 
 [[nodiscard]] spec::Winding parse_winding(const std::string& name) {
@@ -76,7 +70,7 @@ void read_number(const char* option, const std::string& text, int32_t least, int
 
 void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
   if (!options.winding.empty()) claims->winding = parse_winding(options.winding);
-  read_set("--formats", options.formats, parse_claimed_format, &claims->formats);
+  read_set("--formats", options.formats, parse_format, &claims->formats);
   read_set("--filters", options.filters, parse_filter, &claims->filters);
   read_set("--addresses", options.addresses, parse_address, &claims->addresses);
   if (!spec::holds(claims->filters, SELVAGE_FILTER_NEAREST)) {

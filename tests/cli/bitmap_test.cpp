@@ -83,11 +83,12 @@ TEST(Bitmap, IsAnImageTheMapperAccepts) {
 }
 
 TEST(Format, HasAName) {
-  for (const char* name : {"rgba8888", "rgb565", "grey8"}) {
+  for (const char* name : {"rgba8888", "rgb565", "index8"}) {
     EXPECT_EQ(format_name(parse_format(name)), name);
   }
+  EXPECT_EQ(parse_format("grey8"), SELVAGE_INDEX8);
   EXPECT_EQ(error_of([] { static_cast<void>(parse_format("rgb888")); }),
-            "'rgb888' is no format; rgba8888, rgb565 and grey8 are");
+            "'rgb888' is no format; rgba8888, rgb565 and index8 are");
 }
 
 }  // namespace

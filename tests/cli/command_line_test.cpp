@@ -179,6 +179,18 @@ TEST_F(CommandLine, Verifies) {
   expect_contains(outcome.out, "COV        VIOLATED");
 }
 
+TEST_F(CommandLine, TakesEitherNameOfAFormatEverywhere) {
+  for (const char* name : {"index8", "grey8"}) {
+    EXPECT_EQ(run(draw_and({"--format", name})).code, kExitFine);
+    EXPECT_EQ(
+        run({"verify", "--law", "COV", "--cases", "2", "--seed", "3", "--formats", name}).code,
+        kExitFine);
+  }
+  const std::string known = ": 'grey' is no format; rgba8888, rgb565 and index8 are";
+  expect_refused(draw_and({"--format", "grey"}), "--format" + known);
+  expect_refused({"verify", "--formats", "grey"}, "--formats" + known);
+}
+
 TEST_F(CommandLine, MeasuresStability) {
   const Words words = {"stability", "--arithmetic", "exact", "--cases", "1", "--seed", "3"};
   EXPECT_EQ(run(words).code, kExitFine);
