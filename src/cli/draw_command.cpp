@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "cli/draw_refusal.h"
 #include "cli/error.h"
 #include "cli/file.h"
 #include "cli/json_text.h"
@@ -98,7 +99,8 @@ namespace {
 }
 
 void draw_call(const Job& job, size_t first, std::span<const selvage_polygon> polygons,
-               const selvage_image& image, int32_t threads) {
+               const std::vector<std::vector<selvage_vertex>>& vertices, const selvage_image& image,
+               int32_t threads) {
   std::vector<std::byte> scratch(selvage_draw_many_bytes(polygons.size()));
   size_t failed = polygons.size();
   const std::optional<selvage_rect>& clip = job[first].clip;
@@ -106,9 +108,8 @@ void draw_call(const Job& job, size_t first, std::span<const selvage_polygon> po
       selvage_draw_many(&image, clip ? &*clip : nullptr, polygons.data(), polygons.size(),
                         &job[first].options, threads, scratch.data(), scratch.size(), &failed);
   if (status == SELVAGE_OK) return;
-  if (failed == polygons.size()) throw UserError(selvage_status_text(status));
-  throw UserError("polygon " + std::to_string(first + failed + 1) + ": " +
-                  selvage_status_text(status));
+  if (failed == polygons.size()) throw draw_refusal(status);
+  throw draw_refusal(job, first + failed, vertices[first + failed], status);
 }
 
 void draw_all(const Job& job, const std::vector<std::vector<selvage_vertex>>& vertices,
@@ -120,7 +121,8 @@ void draw_all(const Job& job, const std::vector<std::vector<selvage_vertex>>& ve
     polygons.push_back({outline.data(), outline.size(), &source});
   for (size_t first = 0, end; first < job.size(); first = end) {
     end = end_of_call(job, first);
-    draw_call(job, first, std::span(polygons).subspan(first, end - first), image, threads);
+    draw_call(job, first, std::span(polygons).subspan(first, end - first), vertices, image,
+              threads);
   }
 }
 
@@ -136,7 +138,7 @@ void draw_all(const Job& job, const std::vector<std::vector<selvage_vertex>>& ve
     const selvage_status status =
         selvage_choose(&image, job[i].clip ? &*job[i].clip : nullptr, vertices[i].data(),
                        vertices[i].size(), &source, &job[i].options, &choice);
-    if (status != SELVAGE_OK) throw UserError(selvage_status_text(status));
+    if (status != SELVAGE_OK) throw draw_refusal(job, i, vertices[i], status);
     all.push_back({{"method", method_name(choice.method)},
                    {"segment_px", choice.segment_px},
                    {"bound_texel", choice.bound / double{SELVAGE_SUBTEXELS}}});

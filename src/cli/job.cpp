@@ -13,20 +13,13 @@
 namespace selvage::cli {
 namespace {
 
-[[nodiscard]] std::string describe(const Job& job, size_t polygon, size_t vertex) {
-  const JobVertex& at = job[polygon].vertices[vertex];
-  const std::string which = job.size() > 1 ? "polygon " + std::to_string(polygon + 1) + ", " : "";
-  return which + "vertex " + std::to_string(vertex + 1) + " (x " + show(at.x_px) + ", y " +
-         show(at.y_px) + ", u " + show(at.u_texel) + ", v " + show(at.v_texel) + ", w " +
-         show(at.w) + ")";
-}
-
 [[nodiscard]] double least_w(const Job& job) {
   double least = 0;
   for (size_t p = 0; p < job.size(); ++p) {
     for (size_t i = 0; i < job[p].vertices.size(); ++i) {
       const double w = job[p].vertices[i].w;
-      if (!(w > 0)) throw UserError(describe(job, p, i) + ": w is a distance, greater than 0");
+      if (!(w > 0))
+        throw UserError(describe_vertex(job, p, i) + ": w is a distance, greater than 0");
       least = least == 0 ? w : std::min(least, w);
     }
   }
@@ -91,6 +84,14 @@ std::string_view kernel_name(selvage_kernel kernel) {
   return kNames[static_cast<size_t>(kernel)];
 }
 
+std::string describe_vertex(const Job& job, size_t polygon, size_t vertex) {
+  const JobVertex& at = job[polygon].vertices[vertex];
+  const std::string which = job.size() > 1 ? "polygon " + std::to_string(polygon + 1) + ", " : "";
+  return which + "vertex " + std::to_string(vertex + 1) + " (x " + show(at.x_px) + ", y " +
+         show(at.y_px) + ", u " + show(at.u_texel) + ", v " + show(at.v_texel) + ", w " +
+         show(at.w) + ")";
+}
+
 std::vector<std::vector<selvage_vertex>> snap(const Job& job) {
   const double w_near = least_w(job);
   std::vector<std::vector<selvage_vertex>> polygons(job.size());
@@ -101,7 +102,7 @@ std::vector<std::vector<selvage_vertex>> snap(const Job& job) {
       const selvage_status status =
           selvage_snap(at.x_px, at.y_px, at.u_texel, at.v_texel, at.w, w_near, &vertex);
       if (status != SELVAGE_OK) {
-        throw UserError(describe(job, p, i) + ": " + selvage_status_text(status));
+        throw UserError(describe_vertex(job, p, i) + ": " + selvage_status_text(status));
       }
     }
   }

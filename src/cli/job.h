@@ -1,8 +1,10 @@
 // What `selvage draw` is asked to draw: polygons as people write them.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -38,6 +40,9 @@ using Job = std::vector<JobPolygon>;
 [[nodiscard]] std::string_view method_name(selvage_method method);
 // "fastest", "scalar", "sse4", ...
 [[nodiscard]] std::string_view kernel_name(selvage_kernel kernel);
+
+// "polygon 2, vertex 1 (x 10, y 20, ...)", as errors begin; of a job of one polygon without it.
+[[nodiscard]] std::string describe_vertex(const Job& job, size_t polygon, size_t vertex);
 
 // Each polygon's vertices on the mapper's grid. The least w of the whole job is the near one, so
 // that polygons that share an edge agree on it. Errors name the polygon and the vertex.

@@ -15,6 +15,32 @@ TEST_F(Draw, RefusesWhatItCannotDraw) {
   expect_contains(refusal(), "vertex 2 (x 99999, ");
 }
 
+TEST_F(Draw, NamesTheVertexThatAHistoricProfileCannotTake) {
+  options_.profile = "abrash56";
+  options_.polygons = {"0,0,0,0 9,0,8,0 0,9.5,0,8"};
+  EXPECT_EQ(refusal(), std::string("vertex 3 (x 0, y 9.5, u 0, v 8, w 1): ") +
+                           selvage_status_text(SELVAGE_ERROR_VERTEX_FRACTION));
+  options_.polygons = {"0,0,0,0 9,0,8,0 0,9,0,8", "0,0,0,0 -8.25,1,8,0 0,9,0,8"};
+  EXPECT_EQ(refusal(), std::string("polygon 2, vertex 2 (x -8.25, y 1, u 8, v 0, w 1): ") +
+                           selvage_status_text(SELVAGE_ERROR_VERTEX_FRACTION));
+  options_.polygons = {"0,0,0,0,2 9,0,8,0,2 0,9,0,8,3"};
+  EXPECT_EQ(refusal(), std::string("vertex 3 (x 0, y 9, u 0, v 8, w 3): ") +
+                           selvage_status_text(SELVAGE_ERROR_VERTEX_Q_DIFFERS) +
+                           " (q is 1/w: leave w out, or --profile exact)");
+}
+
+TEST_F(Draw, SaysWhichOptionsWouldBeRight) {
+  options_.filter = "area";
+  options_.format = "rgb565";
+  EXPECT_EQ(refusal(), std::string(selvage_status_text(SELVAGE_ERROR_FILTER_FORMAT)) +
+                           " (--filter nearest, or --format rgba8888)");
+  options_.format = "rgba8888";
+  options_.profile = "dkit";
+  options_.polygons = {"0,0,0,0 9,0,8,0 0,9,0,8"};
+  EXPECT_EQ(refusal(), std::string(selvage_status_text(SELVAGE_ERROR_FILTER_PROFILE)) +
+                           " (--filter nearest, or --profile exact)");
+}
+
 TEST_F(Draw, NamesTheFileThatIsWrong) {
   put("bad.json", "{\"vertices\": 3}");
   put("bad.png", "no picture");
