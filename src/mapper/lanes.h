@@ -1,11 +1,11 @@
 // Lanes: fast one-sided approximations of u and v along a span, in 32.32 texels (fx32).
 //
-// Law of the filter: at every pixel of the span
+// At every pixel of the span
 //
 //     lane <= true value < lane + margin,          margin in units of 2^-32 texel.
 //
 // So floor(lane) is the exact texel unless the lane's fraction is within `margin` of 1; only such
-// near-ties are decided by the exact integers of SpanMap. spec/proofs proves it, with the bounds
+// near-ties are decided by exact integers (exact_row.h). spec/proofs proves it, with the bounds
 // below.
 #pragma once
 

@@ -22,16 +22,22 @@ struct ByParity {
   Number even, odd;
 };
 
-// The step times 0, 1, 2, ..., for the pixels of a vector, modulo 2^64.
+// The step times 0, 1, 2, ..., for the pixels of a vector, modulo 2^64. Products of 64 bits are made
+// of several instructions where there is none for them.
 [[nodiscard]] HWY_INLINE ByParity<V64> multiples_of(uint64_t step) {
   const D64 d;
   const V64 even_pixel = hn::Add(hn::Iota(d, 0), hn::Iota(d, 0));
   const V64 once = hn::Set(d, step);
+#if HWY_TARGET == HWY_AVX3
+  const V64 even = hn::Mul(once, even_pixel);
+#else
   V64 even = hn::Zero(d), times_bit = once;
+#pragma GCC unroll 4
   for (uint64_t bit = 2; bit < kLanes; bit *= 2) {
     times_bit = hn::Add(times_bit, times_bit);
     even = hn::Add(even, hn::IfThenElseZero(hn::TestBit(even_pixel, hn::Set(d, bit)), times_bit));
   }
+#endif
   return {even, hn::Add(even, once)};
 }
 

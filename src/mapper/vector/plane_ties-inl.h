@@ -10,85 +10,15 @@
 #define SELVAGE_VECTOR_PLANE_TIES_INL_H
 #endif
 
-#include <type_traits>
-
-#include "mapper/exact_slab.h"
 #include "mapper/span_batch.h"
 #include "mapper/vector/limbs-inl.h"
 #include "mapper/vector/near_ties-inl.h"
+#include "mapper/vector/row_walk-inl.h"
+#include "mapper/vector/ruled_numbers-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
 namespace {
-
-// No texel is below 0 with so many more: (n + bias d) - (k + bias) d is n - k d.
-inline constexpr int kTexelBiasBits = kTexelBits - kTexelFraction + 1;
-inline constexpr int32_t kTexelBias = 1 << kTexelBiasBits;
-static_assert(kTexelBiasBits + 1 <= TwoLimbs::kFactorBits);
-static_assert(TwoLimbs::kDivisorZeros <= kTexelFraction);
-static_assert(kDenominatorBits - kLeastSpareBits < TwoLimbs::kBits - 1, "|n - k d| and its sign");
-
-// A numerator of texels that are kTexelBias more.
-[[nodiscard]] HWY_INLINE ExactLine biased(const ExactLine& n, const ExactLine& d) {
-  constexpr uint128 kTexels = kTexelBias;
-  return {n.start + kTexels * d.start, n.step + kTexels * d.step};
-}
-
-// A number along a row.
-template <class Walk>
-class RowWalk {
- public:
-  HWY_INLINE void set(const ExactLine& line) {
-    start_ = Walk::scalar(line.start);
-    step_ = Walk::scalar(line.step);
-    walk_.set_step(step_);
-  }
-  // At a vector of pixels.
-  [[nodiscard]] HWY_INLINE auto from(int32_t right_px) const {
-    return walk_.from(start_ + times(right_px, step_));
-  }
-
- protected:
-  using Scalar = typename Walk::Scalar;
-  Scalar start_;
-
- private:
-  Scalar step_;
-  Walk walk_;
-};
-
-// A number that is linear over the target.
-template <class Walk>
-class PlaneWalk : public RowWalk<Walk> {
- public:
-  // In some row and in the one below it, from one column on.
-  HWY_INLINE PlaneWalk(const ExactLine& row, const ExactLine& below)
-      : first_(Walk::scalar(row.start)), down_(Walk::scalar(below.start - row.start)) {
-    this->set(row);
-  }
-  HWY_INLINE void go_to_row(int32_t down_px) { this->start_ = first_ + times(down_px, down_); }
-
- private:
-  typename Walk::Scalar first_, down_;
-};
-
-// A number that is the same at all pixels.
-template <class Walk>
-class ConstantWalk {
- public:
-  HWY_INLINE ConstantWalk(const ExactLine& row, const ExactLine& /*below*/)
-      : number_(number(row.start)) {}
-  HWY_INLINE void go_to_row(int32_t /*down_px*/) {}
-  [[nodiscard]] HWY_INLINE const auto& from(int32_t /*right_px*/) const { return number_; }
-
- private:
-  static HWY_INLINE auto number(uint128 value) {
-    Walk walk;
-    walk.set_step(Walk::scalar(0));
-    return walk.from(Walk::scalar(value));
-  }
-  decltype(number(0)) number_;
-};
 
 // Which near-ties of a vector reach the next whole number, by numbers at its pixels.
 template <class Number>
@@ -151,7 +81,7 @@ class PlaneTies {
 template <class Number>
 class RuledTies {
  public:
-  explicit RuledTies(const RuledMap& map) : rows_(map) {}
+  explicit RuledTies(const RuledMap& map) : numbers_(map) {}
 
   HWY_INLINE void go_to(const Span& span) {
     span_ = span;
@@ -168,14 +98,11 @@ class RuledTies {
 
  private:
   HWY_NOINLINE void find() {
-    const ExactRow row = rows_.row_from(span_.left_px, span_.row);
-    u_.set(biased(row.u, row.d));
-    v_.set(biased(row.v, row.d));
-    d_.set(row.d);
+    numbers_.set(span_, &u_, &v_, &d_);
     is_known_ = true;
   }
 
-  std::conditional_t<Number::kBits == OneLimb::kBits, ShortRuledRowFinder, RuledRowFinder> rows_;
+  RuledNumbers<Number> numbers_;
   Span span_{INT32_MIN, 0, 0};
   bool is_known_ = false;
   // If known:
