@@ -124,6 +124,47 @@ Judgement compare(std::string_view law, std::string_view what, const Case& shown
   return judgement;
 }
 
+namespace {
+
+[[nodiscard]] std::string describe(const Case& c, bool shows_texels, const MaybePixel& pixel) {
+  if (shows_texels || !pixel) return describe_pixel(c, pixel);
+  return c.format == SELVAGE_RGBA8888 ? describe_colour(*pixel) : "value " + std::to_string(*pixel);
+}
+
+[[nodiscard]] std::shared_ptr<const Comparison> comparison_of(const Picture& picture,
+                                                              bool shows_texels,
+                                                              const WantedAt& wanted_at) {
+  Comparison all{picture, picture, shows_texels};
+  size_t index = 0;
+  for (int32_t y = 0; y < picture.height_px; ++y) {
+    for (int32_t x = 0; x < picture.width_px; ++x, ++index) {
+      const Wanted wanted = wanted_at(x, y);
+      if (wanted.judged) all.wanted.pixels[index] = wanted.pixel;
+    }
+  }
+  return std::make_shared<const Comparison>(std::move(all));
+}
+
+}  // namespace
+
+Judgement compare(std::string_view law, std::string_view what, const Case& shown,
+                  const Picture& picture, const OtherDrawing& other, const WantedAt& wanted_at) {
+  Judgement judgement = compare(law, what, shown, picture, wanted_at);
+  if (!judgement.violation) return judgement;
+  Violation& violation = *judgement.violation;
+  violation.comparison = comparison_of(picture, other.shows_texels, wanted_at);
+  const auto told = [&](const Picture& of) {
+    return describe(shown, other.shows_texels, of.at(violation.x_px, violation.y_px));
+  };
+  violation.drawn = told(violation.comparison->drawn);
+  violation.allowed = told(violation.comparison->wanted) + ", as " + std::string(other.clause);
+  if (other.shows_texels && is_valid(shown)) {
+    const MaybePixel exact = expected_pixel(shown, violation.x_px, violation.y_px);
+    violation.allowed += "; the exact one is " + describe_pixel(shown, exact);
+  }
+  return judgement;
+}
+
 bool TexelRange::holds(int32_t texel) const {
   if (texel < 0 || texel >= size) return false;
   if (address == SELVAGE_ADDRESS_CLAMP) {

@@ -7,15 +7,23 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
 #include "spec/case.h"
+#include "spec/picture.h"
 #include "spec/subject.h"
 
 namespace selvage::spec {
+
+// Two drawings of one target that a law held against each other.
+struct Comparison {
+  Picture drawn, wanted;     // alike where nothing is judged
+  bool shows_texels = true;  // by the coordinate texture, if the filter is nearest
+};
 
 struct Violation {
   std::string law{};
@@ -25,6 +33,9 @@ struct Violation {
   std::string allowed{};         // what the law allows there
   std::string drawn{};           // what the subject drew
   Case shown{};                  // the drawing in which it was seen, derived from the law's case
+  bool is_of_call = false;  // a call did not end as calls do: whatever the law, it says the same
+  // Where another drawing told what is allowed, and not the model.
+  std::shared_ptr<const Comparison> comparison{};
 };
 
 // How near a law with a bound came to it. Laws without one are exact.

@@ -19,6 +19,7 @@ inline constexpr int32_t kFineTexture_texel = 256;
   for (selvage_vertex& v : other.vertices) v.q = q;
   const Picture affine = draw(subject, one);
   return compare("AFFINE", "q that are all equal change nothing", other, draw(subject, other),
+                 {"q = 1 shows it"},
                  [&](int32_t x, int32_t y) { return must_be(affine.at(x, y)); });
 }
 

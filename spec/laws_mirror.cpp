@@ -15,10 +15,11 @@ struct Motion {
   std::string what;
   bool swaps_axes, flips_x, flips_y;  // swaps first
 
-  [[nodiscard]] Pixel pixel(Pixel p, int32_t width_px, int32_t height_px) const {
+  // The pixel that moves to another one of the moved target.
+  [[nodiscard]] Pixel origin(Pixel p, const Case& to) const {
+    if (flips_x) p.x_px = to.target_width_px - 1 - p.x_px;
+    if (flips_y) p.y_px = to.target_height_px - 1 - p.y_px;
     if (swaps_axes) std::swap(p.x_px, p.y_px);
-    if (flips_x) p.x_px = width_px - 1 - p.x_px;
-    if (flips_y) p.y_px = height_px - 1 - p.y_px;
     return p;
   }
 };
@@ -71,20 +72,13 @@ struct Motion {
   const Picture after = draw(subject, *to);
   // Turned by a quarter, only a triangle keeps its map: its spans lie elsewhere, its map does not.
   const bool keeps_texels = !motion.swaps_axes || c.vertices.size() == 3;
-  Judgement judgement;
-  for (int32_t y = 0; y < c.target_height_px; ++y) {
-    for (int32_t x = 0; x < c.target_width_px; ++x) {
-      if (is_tie(c, {x, y}, motion.swaps_axes)) continue;
-      ++judgement.judged_px;
-      const Pixel moved = motion.pixel({x, y}, to->target_width_px, to->target_height_px);
-      const MaybePixel &a = before.at(x, y), &b = after.at(moved.x_px, moved.y_px);
-      if (keeps_texels ? a == b : a.has_value() == b.has_value()) continue;
-      judgement.violation =
-          violation_at("MIRROR", motion.what, *to, moved.x_px, moved.y_px, describe_pixel(c, a), b);
-      return judgement;
-    }
-  }
-  return judgement;
+  return compare("MIRROR", motion.what, *to, after, {"the polygon shows it that was not moved"},
+                 [&](int32_t x, int32_t y) {
+                   const Pixel from = motion.origin({x, y}, *to);
+                   if (is_tie(c, from, motion.swaps_axes)) return unjudged();
+                   const MaybePixel &a = before.at(from.x_px, from.y_px), &b = after.at(x, y);
+                   return must_be(!keeps_texels && a.has_value() == b.has_value() ? b : a);
+                 });
 }
 
 // Where texels are floored u becomes width - u, where they are rounded width - 1 - u, and likewise
@@ -102,7 +96,7 @@ struct Motion {
   }
   const Picture before = draw(subject, c);
   return compare("MIRROR", "flipped (u, v) show flipped texels", flipped, draw(subject, flipped),
-                 [&](int32_t x, int32_t y) {
+                 {"the unflipped (u, v) show it, flipped"}, [&](int32_t x, int32_t y) {
                    const MaybePixel& pixel = before.at(x, y);
                    const std::optional<Texel> texel = pixel ? read_texel(c, *pixel) : std::nullopt;
                    const std::optional<Sample> point = ModelRow(c, y).coordinates(x);

@@ -173,25 +173,54 @@ struct Drawn {
   return drawn;
 }
 
-[[nodiscard]] Violation difference(const Scene& scene, const std::string& what,
-                                   const Drawn& in_turn, const Drawn& other) {
+// What is left of the background counts as not drawn: no other way to tell it from a texel.
+[[nodiscard]] Picture picture_of(const Scene& scene, const Drawn& drawn) {
   const Case& c = scene.shown();
-  const auto tell = [&](const Canvas& canvas, int32_t x, int32_t y) {
-    return "value " + std::to_string(canvas.pixel(x, y));
-  };
-  Violation violation{.law = "SAME", .what = what, .shown = c};
+  const uint32_t background = scene.blank().pixel(0, 0);
+  Picture picture{c.target_width_px, c.target_height_px};
   for (int32_t y = 0; y < c.target_height_px; ++y) {
     for (int32_t x = 0; x < c.target_width_px; ++x) {
-      if (in_turn.canvas.pixel(x, y) == other.canvas.pixel(x, y)) continue;
-      violation.x_px = x;
-      violation.y_px = y;
-      violation.allowed = tell(in_turn.canvas, x, y) + ", as one after another";
-      violation.drawn = tell(other.canvas, x, y);
-      return violation;
+      const uint32_t value = drawn.canvas.pixel(x, y);
+      picture.pixels.push_back(value == background ? MaybePixel() : value);
     }
   }
-  violation.allowed = "the bytes beside the pixels as they were";
-  violation.drawn = "others";
+  return picture;
+}
+
+// Of either texture. Where a texel of the one has the value of one of the other, the first is told.
+[[nodiscard]] std::string describe(const Case& c, const MaybePixel& pixel) {
+  if (!pixel) return "nothing";
+  if (c.filter != SELVAGE_FILTER_NEAREST) return describe_colour(*pixel);
+  const auto told = [&](uint32_t value) -> std::optional<std::string> {
+    const std::optional<Texel> texel = read_texel(c, value);
+    if (!texel || texel->s >= c.texture_width_texel || texel->t >= c.texture_height_texel)
+      return {};
+    return describe_texel(c.format, value);
+  };
+  const uint32_t bits = c.format == SELVAGE_RGBA8888 ? UINT32_MAX
+                        : c.format == SELVAGE_RGB565 ? UINT16_MAX
+                                                     : UINT8_MAX;
+  if (const auto first = told(*pixel)) return *first + " of the first texture";
+  if (const auto second = told(~*pixel & bits)) return *second + " of the second texture";
+  return "value " + std::to_string(*pixel);
+}
+
+[[nodiscard]] Violation difference(const Scene& scene, const std::string& what,
+                                   const Drawn& in_turn, const Drawn& other) {
+  const Picture wanted = picture_of(scene, in_turn), drawn = picture_of(scene, other);
+  Violation violation{.law = "SAME", .what = what, .shown = scene.shown()};
+  const auto at = std::ranges::mismatch(wanted.pixels, drawn.pixels);
+  if (at.in1 == wanted.pixels.end()) {
+    violation.allowed = "the bytes beside the pixels as they were";
+    violation.drawn = "others";
+    return violation;
+  }
+  const auto index = static_cast<int32_t>(at.in1 - wanted.pixels.begin());
+  violation.x_px = index % wanted.width_px;
+  violation.y_px = index / wanted.width_px;
+  violation.allowed = describe(scene.shown(), *at.in1) + ", as one after another";
+  violation.drawn = describe(scene.shown(), *at.in2);
+  violation.comparison = std::make_shared<const Comparison>(Comparison{drawn, wanted, false});
   return violation;
 }
 
@@ -221,7 +250,9 @@ Judgement check_same(const Subject& subject, const Case& c) {
   const Scene scene(subject, c);
   const Drawn in_turn = draw_in_turn(subject, scene);
   demand_drawn(in_turn.status, scene.shown());
-  const std::string tiles = std::to_string(scene.count()) + " polygons, each drawn tile by tile";
+  const std::string polygons = std::to_string(scene.count()) + " polygons drawn ";
+  const std::string alike = " show what they show one after another";
+  const std::string tiles = polygons + "tile by tile" + alike;
   if (subject.claims.clip &&
       add(&judgement, judge_other(scene, tiles, in_turn, draw_in_tiles(subject, scene)))) {
     return judgement;
@@ -229,14 +260,14 @@ Judgement check_same(const Subject& subject, const Case& c) {
   for (const selvage_kernel kernel : kKernels) {
     const Drawn by_kernel = draw_in_turn(subject, scene, kernel);
     if (by_kernel.status == SELVAGE_ERROR_KERNEL) continue;  // not one for this machine
-    const std::string what = std::to_string(scene.count()) + " polygons, drawn by kernel " +
-                             std::to_string(kernel) + " of selvage_kernel";
+    const std::string what =
+        polygons + "by kernel " + std::to_string(kernel) + " of selvage_kernel" + alike;
     if (add(&judgement, judge_other(scene, what, in_turn, by_kernel))) return judgement;
   }
   if (!subject.draw_many) return judgement;
   for (const int32_t threads : kThreads) {
-    const std::string what = std::to_string(scene.count()) + " polygons in one call, " +
-                             std::to_string(threads) + (threads == 1 ? " thread" : " threads");
+    const std::string what = polygons + "in one call, by " + std::to_string(threads) +
+                             (threads == 1 ? " thread," : " threads,") + alike;
     const Drawn together = draw_together(subject, scene, threads);
     if (add(&judgement, judge_other(scene, what, in_turn, together))) return judgement;
   }

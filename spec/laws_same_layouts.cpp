@@ -52,7 +52,9 @@ Judgement check_same_layouts(const Subject& subject, const Case& c) {
       return judgement;
     }
     const auto wanted = [&](int32_t x, int32_t y) { return must_be(given.at(x, y)); };
-    if (add(&judgement, compare("SAME", sentence(layout), shown, picture, wanted))) break;
+    if (add(&judgement, compare("SAME", sentence(layout), shown, picture,
+                                {"rows as given show it", false}, wanted)))
+      break;
   }
   return judgement;
 }

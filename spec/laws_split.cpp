@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
+#include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -55,6 +57,12 @@ struct Chord {
   return Chord{hull, 2};
 }
 
+[[nodiscard]] std::string place_px(const selvage_vertex& v) {
+  std::ostringstream text;
+  text << '(' << v.x / double{SELVAGE_SUBPIXELS} << ", " << v.y / double{SELVAGE_SUBPIXELS} << ')';
+  return text.str();
+}
+
 // Without the vertex that was put between corners 1 and 2, if there is one.
 [[nodiscard]] std::vector<selvage_vertex> corners_of(const std::vector<selvage_vertex>& outline) {
   if (outline.size() != 4) return outline;
@@ -79,23 +87,25 @@ Judgement check_split(const Subject& subject, const Case& c) {
   const Case whole_case = visible(subject, with_vertices(c, is_too_much ? triangle : outline));
   const Picture whole = draw(subject, whole_case);
   const Picture a = draw(subject, visible(subject, with_vertices(c, one)));
-  const Picture b = draw(subject, visible(subject, with_vertices(c, other)));
+  const Case rest_case = visible(subject, with_vertices(c, other));
+  const Picture b = draw(subject, rest_case);
   Picture parts = a;
   for (size_t i = 0; i < parts.pixels.size(); ++i) {
     if (b.pixels[i]) parts.pixels[i] = b.pixels[i];
   }
   const bool texels_too = c.profile == SELVAGE_PROFILE_EXACT;
+  const std::string cut = "cut from " + place_px(outline.front()) + " to " + place_px(*middle);
   Judgement judgement = compare(
-      "SPLIT", "two parts of a polygon draw what the whole draws", whole_case, parts,
-      [&](int32_t x, int32_t y) {
+      "SPLIT", "two parts of a polygon, " + cut + ", draw what the whole draws", whole_case, parts,
+      {"the whole polygon shows it"}, [&](int32_t x, int32_t y) {
         const MaybePixel& pixel = whole.at(x, y);
         return must_be(texels_too || !pixel ? pixel : parts.at(x, y) ? parts.at(x, y) : pixel);
       });
   if (judgement.violation) return judgement;
-  add(&judgement,
-      compare("SPLIT", "a pixel lies in one part only", whole_case, b, [&](int32_t x, int32_t y) {
-        return a.at(x, y) ? must_be(std::nullopt) : unjudged();
-      }));
+  add(&judgement, compare("SPLIT", "a pixel lies in one part only of a polygon, " + cut, rest_case,
+                          b, {"the other part has drawn it"}, [&](int32_t x, int32_t y) {
+                            return a.at(x, y) ? must_be(std::nullopt) : unjudged();
+                          }));
   return judgement;
 }
 

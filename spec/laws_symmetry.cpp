@@ -50,8 +50,9 @@ Judgement check_clip(const Subject& subject, const Case& c) {
     const auto wanted = [&](int32_t x, int32_t y) {
       return must_be(contains(clipped.clip, x, y) ? whole.at(x, y) : MaybePixel());
     };
-    if (add(&judgement, compare("CLIP", "drawing clipped is drawing whole and cropping", clipped,
-                                draw(subject, clipped), wanted))) {
+    if (add(&judgement,
+            compare("CLIP", "drawing clipped is drawing whole and cropping", clipped,
+                    draw(subject, clipped), {"the whole drawing, cropped, shows it"}, wanted))) {
       break;
     }
   }
@@ -71,7 +72,8 @@ namespace {
   const Picture before = draw(subject, c);
   const selvage_rect target{0, 0, c.target_width_px, c.target_height_px};
   return compare("SHIFT", "polygon and clip shifted by whole pixels shift the picture", shifted,
-                 draw(subject, shifted), [&](int32_t x, int32_t y) {
+                 draw(subject, shifted), {"the unshifted polygon shows it"},
+                 [&](int32_t x, int32_t y) {
                    if (!contains(target, x - dx, y - dy)) return unjudged();
                    return must_be(before.at(x - dx, y - dy));
                  });
@@ -100,7 +102,7 @@ namespace {
   const Picture before = draw(subject, wrapped);
   return compare(
       "SHIFT", "(u, v) shifted by whole texels shift the texels", shifted, draw(subject, shifted),
-      [&](int32_t x, int32_t y) {
+      {"the unshifted (u, v) show it, shifted"}, [&](int32_t x, int32_t y) {
         const MaybePixel& pixel = before.at(x, y);
         if (!pixel) return must_be(std::nullopt);
         const std::optional<Texel> texel = read_texel(c, *pixel);
@@ -123,7 +125,7 @@ namespace {
   if (!shift_texture(&shifted.vertices, ds, dt)) return {};
   const Picture before = draw(subject, wrapped);
   return compare("SHIFT", "(u, v) shifted by whole periods of the texture change nothing", shifted,
-                 draw(subject, shifted),
+                 draw(subject, shifted), {"the unshifted (u, v) show it"},
                  [&](int32_t x, int32_t y) { return must_be(before.at(x, y)); });
 }
 
@@ -149,17 +151,19 @@ Judgement check_order(const Subject& subject, const Case& c) {
   Case rotated = c;
   const auto first = choices.pick(1, static_cast<int32_t>(c.vertices.size()));
   std::ranges::rotate(rotated.vertices, rotated.vertices.begin() + first);
-  Judgement judgement = compare("ORDER", "which vertex comes first changes nothing", rotated,
-                                draw(subject, rotated), wanted);
+  Judgement judgement =
+      compare("ORDER", "which vertex comes first changes nothing", rotated, draw(subject, rotated),
+              {"the outline in its own order shows it"}, wanted);
   if (judgement.violation || subject.claims.winding != Winding::kBoth) return judgement;
   std::ranges::reverse(rotated.vertices);
   const Picture reversed = draw(subject, rotated);
   if (!profile_of(c).clockwise_only) {
-    add(&judgement, compare("ORDER", "the winding changes nothing", rotated, reversed, wanted));
+    add(&judgement, compare("ORDER", "the winding changes nothing", rotated, reversed,
+                            {"the other winding shows it"}, wanted));
     return judgement;
   }
   add(&judgement, compare("ORDER", "a pixel is drawn by one winding only", rotated, reversed,
-                          [&](int32_t x, int32_t y) {
+                          {"the other winding has drawn it"}, [&](int32_t x, int32_t y) {
                             return before.at(x, y) ? must_be(std::nullopt) : unjudged();
                           }));
   return judgement;

@@ -190,32 +190,41 @@ Weights filter_weights(const Case& c, int32_t x_px, int32_t y_px, const Sample& 
   };
 }
 
+namespace {
+
+[[nodiscard]] std::optional<uint32_t> pixel_of(const Case& c, const ModelRow& row, int32_t x,
+                                               int32_t y, const TexelAt& texel_at) {
+  if (is_clipped(c, x, y)) return std::nullopt;
+  const std::optional<Texel> texel = row.texel(x);
+  if (!texel) return std::nullopt;
+  if (c.filter == SELVAGE_FILTER_NEAREST) {
+    return texel_at({address_texel(texel->s, c.texture_width_texel, c.address),
+                     address_texel(texel->t, c.texture_height_texel, c.address)});
+  }
+  const auto [columns, rows] = filter_weights(c, x, y, *row.coordinates(x));
+  return weighted_mean(columns, rows, texel_at);
+}
+
+}  // namespace
+
 Picture expected(const Case& c) { return expected(c, coordinate_texture(c.format)); }
 
 Picture expected(const Case& c, const TexelAt& texel_at) {
   Picture picture = blank(c);
   picture.status = validity(c);
   if (picture.status != SELVAGE_OK) return picture;
-  const auto address = [&](Texel texel) {
-    return Texel{address_texel(texel.s, c.texture_width_texel, c.address),
-                 address_texel(texel.t, c.texture_height_texel, c.address)};
-  };
   size_t index = 0;
   for (int32_t y = 0; y < c.target_height_px; ++y) {
     const ModelRow row(c, y);
     for (int32_t x = 0; x < c.target_width_px; ++x, ++index) {
-      if (is_clipped(c, x, y)) continue;
-      const std::optional<Texel> texel = row.texel(x);
-      if (!texel) continue;
-      if (c.filter == SELVAGE_FILTER_NEAREST) {
-        picture.pixels[index] = texel_at(address(*texel));
-        continue;
-      }
-      const auto [columns, rows] = filter_weights(c, x, y, *row.coordinates(x));
-      picture.pixels[index] = weighted_mean(columns, rows, texel_at);
+      picture.pixels[index] = pixel_of(c, row, x, y, texel_at);
     }
   }
   return picture;
+}
+
+std::optional<uint32_t> expected_pixel(const Case& c, int32_t x_px, int32_t y_px) {
+  return pixel_of(c, ModelRow(c, y_px), x_px, y_px, coordinate_texture(c.format));
 }
 
 }  // namespace selvage::spec

@@ -48,6 +48,8 @@ struct Picture {
 // The same by the model of the case's profile.
 [[nodiscard]] Picture expected(const Case& c);
 [[nodiscard]] Picture expected(const Case& c, const TexelAt& texel_at);
+// One pixel of what a valid case's coordinate texture shows.
+[[nodiscard]] std::optional<uint32_t> expected_pixel(const Case& c, int32_t x_px, int32_t y_px);
 
 // The texels, addressed, that the case's filter makes a pixel of, which its polygon covers.
 struct Weights {

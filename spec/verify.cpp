@@ -39,7 +39,8 @@ using Failure = Verification::Failure;
                   (failure.call.empty() ? "" : ": " + failure.call),
           .allowed = "a picture or a named error",
           .drawn = "it " + failure.happened,
-          .shown = failure.shown.value_or(c)};
+          .shown = failure.shown.value_or(c),
+          .is_of_call = true};
 }
 
 struct Outcome {

@@ -1,7 +1,10 @@
 #include "cli/comparison_picture.h"
 
 #include <algorithm>
+#include <string_view>
 #include <unordered_map>
+
+#include "cli/bitmap_font.h"
 
 namespace selvage::cli {
 namespace {
@@ -10,10 +13,14 @@ constexpr int32_t kWindowPx = 96;  // the most of a target that is shown, a side
 constexpr int32_t kPanelPx = 384;  // about the side of a panel
 constexpr int32_t kMaxScale = 32;  // px of the picture for one of the target
 constexpr int32_t kGapPx = 8;
+constexpr std::string_view kCaptions[] = {"drawn", "expected", "difference"};
 constexpr int32_t kPanels = 3;
+constexpr int32_t kDot_px = 2;  // of a caption
+constexpr int32_t kCaptionPx = kGlyphHeight_dots * kDot_px;
+constexpr int32_t kLeastPanelPx = 10 * kGlyphWidth_dots * kDot_px;  // the widest caption
 constexpr Colour kGap{24, 24, 24};
 constexpr Colour kUnknown{255, 0, 255};
-constexpr Colour kFrame{255, 255, 255};
+constexpr Colour kFrame{255, 255, 255}, kInk{222, 224, 228};
 
 using Pixel = std::optional<uint32_t>;
 
@@ -60,13 +67,16 @@ struct View {
   int32_t scale;
   bool stacked;
 
-  [[nodiscard]] int32_t across_px() const { return width_px * scale + kGapPx; }
-  [[nodiscard]] int32_t down_px() const { return height_px * scale + kGapPx; }
+  // From one panel to the next, with its caption above it.
+  [[nodiscard]] int32_t across_px() const {
+    return std::max(width_px * scale, kLeastPanelPx) + kGapPx;
+  }
+  [[nodiscard]] int32_t down_px() const { return kCaptionPx + height_px * scale + kGapPx; }
   [[nodiscard]] int32_t panel_left_px(int32_t panel) const {
     return kGapPx + (stacked ? 0 : panel * across_px());
   }
   [[nodiscard]] int32_t panel_top_px(int32_t panel) const {
-    return kGapPx + (stacked ? panel * down_px() : 0);
+    return kGapPx + kCaptionPx + (stacked ? panel * down_px() : 0);
   }
 };
 
@@ -131,7 +141,11 @@ Raster comparison_picture(const PictureComparison& c) {
   const Point shown = focus(c);
   const View view = view_around(c.drawn, shown.x_px, shown.y_px);
   Raster raster = filled(view.panel_left_px(view.stacked ? 0 : kPanels - 1) + view.across_px(),
-                         view.panel_top_px(view.stacked ? kPanels - 1 : 0) + view.down_px(), kGap);
+                         (view.stacked ? kPanels : 1) * view.down_px() + kGapPx, kGap);
+  for (int32_t panel = 0; panel < kPanels; ++panel) {
+    draw_text(raster, view.panel_left_px(panel), view.panel_top_px(panel) - kCaptionPx, kDot_px,
+              kCaptions[panel], kInk);
+  }
   for (int32_t y = view.top_px; y < view.top_px + view.height_px; ++y) {
     for (int32_t x = view.left_px; x < view.left_px + view.width_px; ++x) {
       const Pixel& got = c.drawn.at(x, y);

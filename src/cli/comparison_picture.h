@@ -1,4 +1,4 @@
-// Two drawings of one target to look at: drawn | expected | difference, enlarged.
+// Two drawings of one target to look at: drawn | expected | difference, enlarged, with captions.
 #pragma once
 
 #include <cstdint>
@@ -21,6 +21,11 @@ struct PictureComparison {
                        const std::optional<uint32_t>& expected)>
       difference{};
 };
+
+// Whether there is a difference to be seen.
+[[nodiscard]] inline bool differs(const PictureComparison& comparison) {
+  return comparison.drawn.pixels != comparison.expected.pixels;
+}
 
 // Texel (s, t) is coloured by its place, red growing with s and green with t; a value that no texel
 // has is magenta. Colours are shown as they are, without alpha. What was not drawn is a grey

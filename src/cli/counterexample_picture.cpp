@@ -81,18 +81,28 @@ struct FanPictures {
 
 }  // namespace
 
-Raster counterexample_picture(const spec::Subject& judged, const spec::Violation& violation,
-                              const spec::Drawings* drawings) {
+PictureComparison counterexample(const spec::Subject& judged, const spec::Violation& violation,
+                                 const spec::Drawings* drawings) {
   const spec::Case& shown = violation.shown;
+  if (violation.comparison) {
+    const bool is_mixed = shown.filter != SELVAGE_FILTER_NEAREST;
+    return {.scene = shown,
+            .colours = is_mixed || !violation.comparison->shows_texels,
+            .drawn = violation.comparison->drawn,
+            .expected = violation.comparison->wanted,
+            .x_px = violation.x_px,
+            .y_px = violation.y_px,
+            .difference = in_red};
+  }
   if (const auto centre = spec::fan_centre(violation.law, shown, violation.x_px, violation.y_px)) {
     FanPictures fan = fan_pictures(judged, shown, *centre, drawings);
-    return comparison_picture({.scene = shown,
-                               .colours = true,
-                               .drawn = std::move(fan.drawn),
-                               .expected = std::move(fan.expected),
-                               .x_px = violation.x_px,
-                               .y_px = violation.y_px,
-                               .difference = in_red});
+    return {.scene = shown,
+            .colours = true,
+            .drawn = std::move(fan.drawn),
+            .expected = std::move(fan.expected),
+            .x_px = violation.x_px,
+            .y_px = violation.y_px,
+            .difference = in_red};
   }
   // A mixed pixel tells no texel: these are shown with a texture of colours, that of law FILTER.
   const bool colours = shown.filter != SELVAGE_FILTER_NEAREST || violation.law == "FILTER";
@@ -105,15 +115,20 @@ Raster counterexample_picture(const spec::Subject& judged, const spec::Violation
     noted = drawings->find(shown, places);
     if (noted != nullptr) texture = places;
   }
-  return comparison_picture(
-      {.scene = shown,
-       .colours = colours,
-       .drawn = noted != nullptr ? *noted
-                                 : spec::draw_whatever_answered(unfailing(judged), shown, texture),
-       .expected = spec::expected(shown, texture),
-       .x_px = violation.x_px,
-       .y_px = violation.y_px,
-       .difference = in_red});
+  return {.scene = shown,
+          .colours = colours,
+          .drawn = noted != nullptr
+                       ? *noted
+                       : spec::draw_whatever_answered(unfailing(judged), shown, texture),
+          .expected = spec::expected(shown, texture),
+          .x_px = violation.x_px,
+          .y_px = violation.y_px,
+          .difference = in_red};
+}
+
+Raster counterexample_picture(const spec::Subject& judged, const spec::Violation& violation,
+                              const spec::Drawings* drawings) {
+  return comparison_picture(counterexample(judged, violation, drawings));
 }
 
 }  // namespace selvage::cli

@@ -70,6 +70,25 @@ namespace {
   return text;
 }
 
+// Whichever law made a call that did not end as calls do, it says the same, but for numbers.
+[[nodiscard]] bool is_same_call(const spec::Violation& a, const spec::Violation& b) {
+  const auto without_digits = [](std::string text) {
+    std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
+    return text;
+  };
+  return a.is_of_call && b.is_of_call && a.what == b.what &&
+         without_digits(a.drawn) == without_digits(b.drawn);
+}
+
+[[nodiscard]] std::string explanation(const Verdict& verdict, const spec::Violation* told) {
+  const spec::Violation& violation = *verdict.found.violation;
+  if (told != nullptr) {
+    return "law " + violation.law + " is broken as " + told->law + " is: " + violation.drawn + "\n";
+  }
+  const std::string text = spec::explain(violation);
+  return text + (text.ends_with('\n') ? "" : "\n");
+}
+
 }  // namespace
 
 std::string_view outcome(const Verdict& verdict) {
@@ -182,10 +201,14 @@ std::string table_summary(const VerifyRun& run) {
 
 std::string explanations(const VerifyRun& run) {
   std::string text;
+  std::vector<const spec::Violation*> told;
   for (const Verdict& verdict : run.verdicts) {
     if (!verdict.found.violation) continue;
-    const std::string explanation = spec::explain(*verdict.found.violation);
-    text += "\n" + explanation + (explanation.ends_with('\n') ? "" : "\n");
+    const auto same = std::ranges::find_if(told, [&](const spec::Violation* other) {
+      return is_same_call(*other, *verdict.found.violation);
+    });
+    text += "\n" + explanation(verdict, same != told.end() ? *same : nullptr);
+    if (same == told.end()) told.push_back(&*verdict.found.violation);
     for (const std::string& note : notes_on(verdict)) text += "note: " + note + "\n";
     text += "replay: " + replay_line(run, verdict) + "\n";
     if (verdict.picture.empty()) continue;

@@ -20,6 +20,7 @@ using nlohmann::ordered_json;
     values["pixel_px"] = {violation.x_px, violation.y_px};
     values["sample"] = spec::describe_sample(violation.shown, violation.x_px, violation.y_px);
   }
+  if (violation.is_of_call) values["of_call"] = true;
   if (!run.replay) values["case_number"] = verdict.found.failed_case;
   if (!run.replay) values["found_by"] = found_by(verdict);
   if (!run.replay) {

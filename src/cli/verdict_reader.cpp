@@ -88,7 +88,8 @@ void read_pixel(const JsonNode& node, spec::Violation* violation) {
                             .v = node.at("v_texel").text(),
                             .allowed = node.at("allowed").text(),
                             .drawn = node.at("drawn").text(),
-                            .shown = read_case(node.at("shown_case"))};
+                            .shown = read_case(node.at("shown_case")),
+                            .is_of_call = node.has("of_call") && node.at("of_call").boolean()};
   if (node.has("pixel_px")) read_pixel(node.at("pixel_px"), &violation);
   return violation;
 }

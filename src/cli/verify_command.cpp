@@ -114,11 +114,14 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
   bool first = true;
   for (Verdict& verdict : run.verdicts) {
     if (!verdict.found.violation) continue;
-    const std::string name = picture_name(options, std::string(verdict.found.law->name), run.shard,
-                                          std::exchange(first, false));
+    const std::string name =
+        picture_name(options, std::string(verdict.found.law->name), run.shard, first);
     try {
-      write_file(name, encode_png(counterexample_picture(subject, *verdict.found.violation,
-                                                         verdict.found.drawings.get())));
+      const PictureComparison seen =
+          counterexample(subject, *verdict.found.violation, verdict.found.drawings.get());
+      if (!differs(seen)) continue;  // what was wrong lies outside of the picture
+      write_file(name, encode_png(comparison_picture(seen)));
+      first = false;
       verdict.picture = name;
     } catch (const OutOfTime&) {
     } catch (const spec::NotClaimed&) {  // an outline that the subject draws in tiles alone

@@ -1,6 +1,7 @@
 #include "cli/counterexample_picture.h"
 
 #include <algorithm>
+#include <string>
 
 #include "comparison_panels.h"
 #include "spec/filter_texture.h"
@@ -35,6 +36,7 @@ namespace {
 
 constexpr Colour kRed{255, 0, 0};
 constexpr Colour kWhite{255, 255, 255};
+constexpr Colour kInk{222, 224, 228};
 constexpr Colour kMagenta{255, 0, 255};
 
 [[nodiscard]] bool covered(int32_t x, int32_t y) { return x >= 1 && x < 7 && y >= 2 && y < 6; }
@@ -46,7 +48,24 @@ constexpr Colour kMagenta{255, 0, 255};
 TEST(CounterexamplePicture, HasThreePanels) {
   const Raster picture = counterexample_picture(spec::built_in(), violation_of(rectangle(), 3, 3));
   EXPECT_EQ(picture.width_px, 3 * kSide_px * kScale_px + 4 * kGap_px);
-  EXPECT_EQ(picture.height_px, kSide_px * kScale_px + 2 * kGap_px);
+  EXPECT_EQ(picture.height_px, kCaption_px + kSide_px * kScale_px + 2 * kGap_px);
+}
+
+// Of small targets, too, each panel has a caption of its own.
+TEST(CounterexamplePicture, HasCaptions) {
+  for (const auto& [width_px, height_px] : {std::pair{8, 8}, {1, 1}, {1, 400}, {400, 1}}) {
+    spec::Case c = rectangle();
+    c.target_width_px = width_px;
+    c.target_height_px = height_px;
+    const Raster picture = counterexample_picture(spec::built_in(), violation_of(c, 0, 0));
+    const bool stacked = width_px > 3 * height_px;
+    int32_t across = 0;  // pixels of captions' letters along the panels
+    for (int32_t y = kGap_px; y < kGap_px + kCaption_px; ++y) {
+      for (int32_t x = 0; x < picture.width_px; ++x) across += picture.at(x, y) == kInk;
+    }
+    EXPECT_GT(across, stacked ? 200 : 900) << width_px << " x " << height_px;
+    EXPECT_GE(picture.width_px, 120);
+  }
 }
 
 TEST(CounterexamplePicture, OfAFilterShowsColours) {
@@ -186,6 +205,62 @@ TEST(CounterexamplePicture, OfAFanShowsTheOneThatTheLawDrew) {
       EXPECT_GT(seen, 15) << name << ", " << wrong.name;
     }
   }
+}
+
+// Shows texels further right as one bit of its arguments has it: of two drawings that should be
+// alike one may be wrong.
+[[nodiscard]] spec::Subject moody() {
+  return {"moody",
+          [steady = spec::built_in(), shifted = shifted_texture(1)](
+              const selvage_image* target, const selvage_rect* clip, const selvage_vertex* vertices,
+              size_t count, const selvage_texture* texture, const selvage_options* options) {
+            uint32_t hash = clip != nullptr ? static_cast<uint32_t>(clip->left) * 3U + 1 : 0;
+            for (size_t i = 0; vertices != nullptr && i < count; ++i) {
+              for (const int32_t part : {vertices[i].x, vertices[i].y, vertices[i].u, vertices[i].q,
+                                         texture != nullptr ? texture->layout : 0}) {
+                hash = (hash ^ static_cast<uint32_t>(part)) * 0x9E3779B9U;
+              }
+            }
+            const spec::Subject& chosen = hash >> 31 != 0 ? shifted : steady;
+            return chosen.draw(target, clip, vertices, count, texture, options);
+          }};
+}
+
+TEST(CounterexamplePicture, OfTwoDrawingsShowsThoseThatTheLawHeldAgainstEachOther) {
+  for (const char* name : {"CLIP", "SHIFT", "ORDER", "MIRROR", "SPLIT", "AFFINE", "SAME"}) {
+    int seen = 0;
+    for (uint64_t seed = 0; seed < 200; ++seed) {
+      const auto found = spec::find_law(name)->check(moody(), spec::generate(seed)).violation;
+      if (!found || !found->comparison) continue;
+      ++seen;
+      EXPECT_NE(found->allowed.find(", as "), std::string::npos) << found->allowed;
+      const PictureComparison seen_by = counterexample(moody(), *found);
+      EXPECT_TRUE(differs(seen_by));
+      EXPECT_TRUE(has_red_in_a_frame(comparison_picture(seen_by))) << name << ", seed " << seed;
+    }
+    EXPECT_GT(seen, 15) << name;
+  }
+}
+
+// A pixel that is not drawn has no value, and the other drawing is named.
+TEST(CounterexamplePicture, OfTilesTellsWhatTheyDrewInstead) {
+  const spec::Subject without_clip{
+      "whole pictures alone",
+      [](const selvage_image* target, const selvage_rect* clip, const selvage_vertex* vertices,
+         size_t count, const selvage_texture* texture, const selvage_options* options) {
+        const bool is_part = clip != nullptr && clip->top > 0;
+        return is_part ? selvage_status{SELVAGE_OK}
+                       : selvage_draw(target, clip, vertices, count, texture, options);
+      }};
+  spec::Case c = rectangle();
+  c.target_height_px = 64;
+  const auto found = spec::find_law("SAME")->check(without_clip, c).violation;
+  ASSERT_TRUE(found && found->comparison);
+  EXPECT_EQ(found->drawn, "nothing");
+  EXPECT_NE(found->allowed.find(" texture, as one after another"), std::string::npos)
+      << found->allowed;
+  EXPECT_NE(found->what.find("tile by tile show what they show one after another"),
+            std::string::npos);
 }
 
 TEST(CounterexamplePicture, OfALargeTargetShowsTheBlamedPart) {

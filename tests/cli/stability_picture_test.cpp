@@ -65,7 +65,7 @@ TEST(StabilityPicture, StacksWhatIsWideAndEnlargesWhatIsTall) {
   c.target_height_px = 2;
   const Raster wide = stability_picture(painter(), stability::reference(c));
   EXPECT_EQ(wide.width_px, 96 * 12 + 2 * kGap_px);
-  EXPECT_EQ(wide.height_px, 3 * (2 * 12 + kGap_px) + kGap_px);
+  EXPECT_EQ(wide.height_px, 3 * (kCaption_px + 2 * 12 + kGap_px) + kGap_px);
   c.target_width_px = 2;
   c.target_height_px = 4096;
   const stability::Contender blank{"blank",
@@ -75,8 +75,8 @@ TEST(StabilityPicture, StacksWhatIsWideAndEnlargesWhatIsTall) {
                                    false,
                                    {"blank", [](auto...) -> selvage_status { return SELVAGE_OK; }}};
   const Raster tall = stability_picture(blank, stability::reference(c));
-  EXPECT_EQ(tall.width_px, 3 * (2 * 12 + kGap_px) + kGap_px);
-  EXPECT_EQ(tall.height_px, 32 * 12 + 2 * kGap_px);
+  EXPECT_EQ(tall.width_px, 3 * (10 * 12 + kGap_px) + kGap_px) << "as wide as its captions";
+  EXPECT_EQ(tall.height_px, kCaption_px + 32 * 12 + 2 * kGap_px);
 }
 
 }  // namespace

@@ -49,6 +49,34 @@ TEST(Verdict, PassesWhereEveryLawHolds) {
   EXPECT_FALSE(passed(run_of({}))) << "a verdict about nothing";
 }
 
+// A crash says the same whichever law made the call: once in full, and how to see it again each
+// time.
+TEST(Verdict, TellsOfACallOnceThatEndsAlikeInSeveralLaws) {
+  const auto crashed = [](const char* law, const std::string& drawn) {
+    Verdict verdict = violated(law);
+    spec::Violation& violation = *verdict.found.violation;
+    violation.is_of_call = true;
+    violation.x_px = violation.y_px = -1;
+    violation.what = "a call ends";
+    violation.drawn = drawn;
+    return verdict;
+  };
+  const std::string text = explanations(run_of(
+      {crashed("COV", "it wrote at pixel (3, 4)"), crashed("MAP", "it wrote at pixel (7, 12)"),
+       crashed("CLIP", "it never ended"), violated("SPLIT"), violated("SHIFT")}));
+  const auto count = [&](std::string_view part) {
+    int found = 0;
+    for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+      ++found;
+    }
+    return found;
+  };
+  EXPECT_EQ(count("is broken: a call ends\n"), 2) << text;
+  EXPECT_EQ(count("law MAP is broken as COV is: it wrote at pixel (7, 12)\n"), 1) << text;
+  EXPECT_EQ(count("is broken: it should have held\n"), 2) << text;
+  EXPECT_EQ(count("replay: selvage verify"), 5) << text;
+}
+
 TEST(Verdict, CountsALawWithoutASayAsAFailure) {
   EXPECT_EQ(outcome(holding("MAP", 0)), "judged nothing");
   EXPECT_FALSE(passed(run_of({holding("COV"), holding("MAP", 0)})));

@@ -113,7 +113,7 @@ TEST_F(VerifySubject, ThatHangsKeepsTheTime) {
   EXPECT_EQ(violation["smallest"], false);
   expect_contains(violation["notes"][0].get<std::string>(),
                   "this is not the smallest counterexample");
-  EXPECT_GT(read_picture("selvage-COV.png").width_px, 3) << "of what was drawn until then";
+  EXPECT_FALSE(violation.contains("picture")) << "what was drawn until then was right";
 }
 
 }  // namespace

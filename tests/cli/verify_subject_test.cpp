@@ -34,21 +34,31 @@ TEST_F(VerifySubject, TellsWhatItDoesNotExport) {
   EXPECT_EQ(missing[1]["law"], "SAME");
 }
 
-TEST_F(VerifySubject, ThatFailsToPrepareHasAPictureOfNothing) {
+// The polygon that it fails at has shrunk to nothing: there is no picture of that.
+TEST_F(VerifySubject, ThatFailsToPrepareHasNoPicture) {
   options_.laws = {"SAME"};
   EXPECT_EQ(run("prepares_source"), kExitLawFailed);
   expect_contains(out(), "it wrote in the texture, at texel (0, 0) (SIGSEGV)");
-  EXPECT_GT(read_picture("selvage-SAME.png").width_px, 3);
+  EXPECT_EQ(out().find("picture:"), std::string::npos);
 }
 
-TEST_F(VerifySubject, ThatCrashesEndsInAVerdictAndAPicture) {
+TEST_F(VerifySubject, ThatCrashesEndsInAVerdict) {
+  options_.laws = {"MAP", "COV"};
+  EXPECT_EQ(run("crashes"), kExitLawFailed);
+  expect_contains(out(), "0 of 2 laws hold, 2 violated.");
+  expect_contains(out(), "law COV is broken as MAP is: it wrote through a null pointer");
+  EXPECT_EQ(out().find("picture:"), std::string::npos);
+}
+
+// All is right in the picture: there is none.
+TEST_F(VerifySubject, ThatWritesBesideItsTargetEndsInAVerdict) {
   options_.laws = {"MAP", "COV"};
   EXPECT_EQ(run("writes_after"), kExitLawFailed);
   expect_contains(out(), "0 of 2 laws hold, 2 violated.");
   expect_contains(out(), "drawn    it wrote just after the end of the target");
   expect_contains(out(), "replay: selvage verify --subject " + shell_word(library("writes_after")) +
                              " --call-limit 20 --law COV --case ");
-  EXPECT_GT(read_picture("selvage-COV.png").width_px, 3);
+  EXPECT_EQ(out().find("picture:"), std::string::npos);
 }
 
 TEST_F(VerifySubject, ThatRefusesIsToldBySayingWhatItReturned) {
