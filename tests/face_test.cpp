@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 namespace selvage {
@@ -88,6 +90,49 @@ TEST(Face, PassesClipAndOptionsOn) {
   const Options unknown{SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST, 9, 0, 0};
   EXPECT_EQ(draw(pictures.target(), snapped_triangle(), pictures.texture(), unknown),
             SELVAGE_ERROR_ADDRESS);
+}
+
+TEST(Face, SnapsAsTheCInterfaceDoes) {
+  Vertex by_face{}, by_c{};
+  ASSERT_EQ(snap({200.5, 40, 64, 0.25, 3}, by_face, 1.5), SELVAGE_OK);
+  ASSERT_EQ(selvage_snap(200.5, 40, 64, 0.25, 3, 1.5, &by_c), SELVAGE_OK);
+  EXPECT_EQ(std::tie(by_face.x, by_face.y, by_face.u, by_face.v, by_face.q),
+            std::tie(by_c.x, by_c.y, by_c.u, by_c.v, by_c.q));
+  ASSERT_EQ(snap({1, 2, 3, 4}, by_face), SELVAGE_OK);
+  EXPECT_EQ(by_face.q, SELVAGE_Q_MAX);
+  const selvage_status status = snap({1e9, 2, 3, 4}, by_face);
+  EXPECT_NE(status, SELVAGE_OK);
+  EXPECT_EQ(text_of(status), selvage_status_text(status));
+}
+
+// Anticlockwise on the screen, a picture as it is.
+TEST(Face, FitsAPictureAsItIs) {
+  Pictures pictures;
+  for (size_t i = 0; i < pictures.texels.size(); ++i) pictures.texels[i] = static_cast<uint32_t>(i);
+  std::array<Vertex, 4> corners{}, fitted{};
+  constexpr int32_t kEnd_px = kSide_texel;
+  const std::pair<int32_t, int32_t> places_px[] = {
+      {0, 0}, {0, kEnd_px}, {kEnd_px, kEnd_px}, {kEnd_px, 0}};
+  for (size_t i = 0; i < corners.size(); ++i) {
+    corners[i] = {places_px[i].first * SELVAGE_SUBPIXELS, places_px[i].second * SELVAGE_SUBPIXELS,
+                  0, 0, 1};
+  }
+  const Texture texture = pictures.texture();
+  ASSERT_EQ(fit(corners, texture, fitted), SELVAGE_OK);
+  Choice choice{};
+  ASSERT_EQ(choose(pictures.target(), fitted, texture, {}, choice), SELVAGE_OK);
+  EXPECT_EQ(choice.method, SELVAGE_METHOD_COPY);
+  ASSERT_EQ(choose(pictures.target(), fitted, texture, {}, choice, Rect{0, 0, 0, 0}), SELVAGE_OK);
+  EXPECT_EQ(choice.method, SELVAGE_METHOD_NONE);
+  ASSERT_EQ(draw(pictures.target(), fitted, texture), SELVAGE_OK);
+  EXPECT_EQ(pictures.pixels[3], 3U);
+  EXPECT_EQ(pictures.pixels[3 * kSide_px], 3U * kSide_texel);
+}
+
+TEST(Face, TellsOfKernelsAndScratchMemory) {
+  EXPECT_TRUE(has_kernel(SELVAGE_KERNEL_SCALAR));
+  EXPECT_FALSE(has_kernel(99));
+  EXPECT_EQ(draw_many_bytes(7), selvage_draw_many_bytes(7));
 }
 
 TEST(Face, NoOptionsAreAllZero) {

@@ -115,6 +115,8 @@ TEST(Prepare, SumsUpEveryRectangleFromTheCorner) {
     const selvage_texture source = texels.texture();
     const selvage_layout layout = random.pick({SELVAGE_LAYOUT_ROWS, SELVAGE_LAYOUT_TILES});
     const size_t bytes = selvage_prepare_bytes(&source, layout, 1);
+    ASSERT_EQ(bytes % SELVAGE_PREPARED_ALIGNMENT, 0U);
+    ASSERT_EQ(selvage_prepare_bytes(&source, layout, 0) % SELVAGE_PREPARED_ALIGNMENT, 0U);
     Memory64 memory(bytes);
     selvage_texture prepared{};
     ASSERT_EQ(selvage_prepare(&source, layout, 1, memory.data(), bytes, &prepared), SELVAGE_OK);

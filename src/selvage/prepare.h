@@ -38,7 +38,8 @@ SELVAGE_API selvage_status selvage_prepare(const selvage_texture* source, selvag
 
 enum { SELVAGE_PREPARED_ALIGNMENT = 64 }; /* bytes */
 
-/* The memory that selvage_prepare needs. SIZE_MAX where it would refuse whatever the memory, or
+/* The memory that selvage_prepare needs, a multiple of SELVAGE_PREPARED_ALIGNMENT, as C11's
+ * aligned_alloc wants it. SIZE_MAX where it would refuse whatever the memory, or
  * where none is large enough. May differ between versions of the library. */
 SELVAGE_API size_t selvage_prepare_bytes(const selvage_texture* source, selvage_layout layout,
                                          int32_t with_sums);

@@ -29,6 +29,9 @@ enum {
   SELVAGE_RGB565 = 1,  /* uint16_t: red in the high 5 bits, then green 6, blue 5 */
   SELVAGE_RGBA8888 = 2 /* four bytes in memory order: red, green, blue, alpha */
 };
+/* No channel is treated otherwise than the others, and none by its meaning: bytes in another order
+ * (BGRA) come out in that order. Filters take means of the bytes as they are. So texels that have
+ * an alpha want to be premultiplied by it, and sRGB is mixed as it is encoded. */
 
 /* Pixel (i, j) is at (char*)pixels + j * pitch + i * (bytes per pixel). A negative pitch is a
  * picture stored bottom row first: `pixels` then points at the row that is drawn on top.

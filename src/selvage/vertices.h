@@ -29,8 +29,10 @@ SELVAGE_API selvage_status selvage_snap(double x_px, double y_px, double u_texel
  * it has texels (all but SELVAGE_PROFILE_ABRASH57).
  *
  * corners  4, in order around a quadrilateral: they get the texture's corners (0, 0), (0, height),
- *          (width, height) and (width, 0), in this order. Or 3: corner `doubled`, 0 .. 2, is taken
- *          twice, so that two corners of the texture meet in it. x, y and q are kept.
+ *          (width, height) and (width, 0), in this order, which is anticlockwise on the screen: top
+ *          left, bottom left, bottom right, top right is a picture as it is. Clockwise corners get
+ *          the picture transposed. Or 3: corner `doubled`, 0 .. 2, is taken twice, so that two
+ *          corners of the texture meet in it. x, y and q are kept.
  * doubled  not looked at where there are 4 corners
  * fitted   4 vertices for selvage_draw; may be `corners` itself
  *

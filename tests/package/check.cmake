@@ -1,5 +1,6 @@
 # Installs the build, moves the installed tree elsewhere, and uses it from outside: through CMake's
-# find_package and through pkg-config, from C11 and from C++20. Fails on the first step that does.
+# find_package and through pkg-config, from C11 and from C++20; then the sources as a part of another
+# project. Fails on the first step that does.
 #   cmake -DBUILD=build -DWORK=/tmp/package -DC=cc -DCXX=c++ -P tests/package/check.cmake
 cmake_minimum_required(VERSION 3.25)
 foreach(variable IN ITEMS BUILD WORK C CXX)
@@ -25,6 +26,10 @@ run(${CMAKE_COMMAND} -S ${consumer} -B ${WORK}/build -G Ninja -DCMAKE_C_COMPILER
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/with_selvage)
 run(${WORK}/build/with_static)
+# Configured only: to build it would take as long as all that was installed.
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/embedded -B ${WORK}/embedded -G Ninja
+    -DCMAKE_C_COMPILER=${C} -DCMAKE_CXX_COMPILER=${CXX}
+    -DSELVAGE=${CMAKE_CURRENT_LIST_DIR}/../..)
 # Where it was installed, and oneTBB with it.
 file(GLOB_RECURSE threads_library ${prefix}/*/libselvage_threads.a)
 if(threads_library)
