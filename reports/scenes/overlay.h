@@ -8,7 +8,7 @@
 namespace selvage::reports {
 
 // Each pixel in the colour of what it was drawn by, lighter and darker with the picture; the
-// borders of faces are dark. What no face shows at stays as it is.
+// borders of faces are dark. What no face shows at stays as it is. Below the picture is a key.
 [[nodiscard]] cli::Raster overlay(const cli::Raster& picture, const ExactView& exact,
                                   const RowChoices& choices);
 

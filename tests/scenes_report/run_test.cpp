@@ -68,7 +68,9 @@ void ScenesRun::check_trial(const json& trial, uint64_t shown_px) const {
     EXPECT_LE(ns.at("lower_quartile"), ns.at("median"));
     EXPECT_LE(ns.at("median"), ns.at("upper_quartile"));
   }
-  EXPECT_EQ(picture(trial.at("overlay")).width_px, 64);
+  const auto overlay = picture(trial.at("overlay"));
+  EXPECT_EQ(overlay.width_px, 64);
+  EXPECT_EQ(overlay.height_px, 48 + 6 + 24 * static_cast<int32_t>(trial.at("choices").size()));
 }
 
 TEST_F(ScenesRun, DrawsJudgesTimesAndTells) {
