@@ -22,8 +22,8 @@ struct ByParity {
   Number even, odd;
 };
 
-// The step times 0, 1, 2, ..., for the pixels of a vector, modulo 2^64. Products of 64 bits are made
-// of several instructions where there is none for them.
+// The step times 0, 1, 2, ..., for the pixels of a vector, modulo 2^64. AVX-512 has a product of 64
+// bits, others would make it of several.
 [[nodiscard]] HWY_INLINE ByParity<V64> multiples_of(uint64_t step) {
   const D64 d;
   const V64 even_pixel = hn::Add(hn::Iota(d, 0), hn::Iota(d, 0));
