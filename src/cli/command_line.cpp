@@ -56,7 +56,7 @@ constexpr const char* kDrawExamples = R"(Examples:
   selvage draw --texture earth.jpg --size 64x32 --filter area -o small.png \
                --polygon '0,0,0,0 64,0,2048,0 64,32,2048,1024 0,32,0,1024'
   selvage draw --texture floor.png --size 640x200 --tolerance 0.25 -o out.png --json \
-               --polygon '200,0,0,0,4 440,0,64,0,4 640,200,64,64,1 0,200,0,64,1'
+               --polygon '0,0,0,0,1 640,0,64,0,1.015 640,200,64,64,1.015 0,200,0,64,1'
   selvage draw --texture earth.jpg --polygon-file globe.json --size 640x480 -o out.png --json
   selvage draw --texture earth.jpg --polygon-file globe.json --size 640x480 -o - | display
 

@@ -126,7 +126,7 @@ void draw_all(const Job& job, const std::vector<std::vector<selvage_vertex>>& ve
   }
 }
 
-// What each polygon is drawn by.
+// What each polygon is drawn by, as a whole and how many of its rows by what.
 [[nodiscard]] nlohmann::ordered_json methods(const Job& job, const Bitmap& texture,
                                              Bitmap& target) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
@@ -134,14 +134,26 @@ void draw_all(const Job& job, const std::vector<std::vector<selvage_vertex>>& ve
   const selvage_image image = target.image();
   const selvage_texture source = texture.texture();
   for (size_t i = 0; i < job.size(); ++i) {
-    selvage_choice choice{};
-    const selvage_status status =
-        selvage_choose(&image, job[i].clip ? &*job[i].clip : nullptr, vertices[i].data(),
-                       vertices[i].size(), &source, &job[i].options, &choice);
-    if (status != SELVAGE_OK) throw draw_refusal(job, i, vertices[i], status);
+    const auto choice_within = [&](const selvage_rect& clip) {
+      selvage_choice choice{};
+      const selvage_status status = selvage_choose(
+          &image, &clip, vertices[i].data(), vertices[i].size(), &source, &job[i].options, &choice);
+      if (status != SELVAGE_OK) throw draw_refusal(job, i, vertices[i], status);
+      return choice;
+    };
+    const selvage_rect clip = job[i].clip.value_or(selvage_rect{0, 0, image.width, image.height});
+    const selvage_choice choice = choice_within(clip);
+    nlohmann::ordered_json rows = nlohmann::ordered_json::object();
+    for (int32_t y = std::max(clip.top, 0); y < std::min(clip.bottom, image.height); ++y) {
+      const selvage_method of_row = choice_within({clip.left, y, clip.right, y + 1}).method;
+      if (of_row == SELVAGE_METHOD_NONE) continue;
+      nlohmann::ordered_json& count = rows[method_name(of_row)];
+      count = count.is_null() ? 1 : count.get<int32_t>() + 1;
+    }
     all.push_back({{"method", method_name(choice.method)},
                    {"segment_px", choice.segment_px},
-                   {"bound_texel", choice.bound / double{SELVAGE_SUBTEXELS}}});
+                   {"bound_texel", choice.bound / double{SELVAGE_SUBTEXELS}},
+                   {"rows", std::move(rows)}});
   }
   return all;
 }

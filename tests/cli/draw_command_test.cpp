@@ -1,5 +1,7 @@
 // What `selvage draw` draws and reports.
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "draw_files.h"
 
@@ -208,6 +210,23 @@ TEST_F(Draw, ReportsInJson) {
   EXPECT_GT(report["draw_ns"], 0);
 }
 
+// Of a trapezoid's rows the short ones are exact: the method of the whole, by its order, says less.
+TEST_F(Draw, TellsHowManyRowsAreDrawnByWhat) {
+  options_.polygons = {"0,0,0,0,1 640,50,16,0,1.02 640,150,16,16,1.02 0,200,0,16,1"};
+  options_.size = "640x300";
+  options_.background = "#000";
+  options_.json = true;
+  options_.tolerance = "0.5";
+  run();
+  const nlohmann::json drawn_by = nlohmann::json::parse(out_.str())["methods"][0];
+  EXPECT_EQ(drawn_by["method"], "exact perspective");
+  EXPECT_GT(drawn_by["bound_texel"], 0);
+  const auto rows = drawn_by["rows"].get<std::map<std::string, int>>();
+  ASSERT_EQ(rows.size(), 2U) << drawn_by;
+  EXPECT_GE(rows.at("affine for perspective"), 100);
+  EXPECT_EQ(rows.at("affine for perspective") + rows.at("exact perspective"), 200);
+}
+
 TEST_F(Draw, TellsWhatIsDrawnByWithinATolerance) {
   options_.polygons = {"0,0,0,0,1 200,0,16,0,1.02 200,5,16,16,1.02 0,5,0,16,1",
                        "0,0,0,0 9,0,3,0 0,9,0,3"};
@@ -223,6 +242,10 @@ TEST_F(Draw, TellsWhatIsDrawnByWithinATolerance) {
   EXPECT_LE(report["methods"][0]["bound_texel"], 0.5);
   EXPECT_EQ(report["methods"][1]["method"], "exact affine");
   EXPECT_EQ(report["methods"][1]["bound_texel"], 0);
+  using Rows = std::map<std::string, int>;
+  EXPECT_EQ(report["methods"][0]["rows"].get<Rows>(),
+            (Rows{{is_exact ? "exact perspective" : "affine for perspective", 5}}));
+  EXPECT_EQ(report["methods"][1]["rows"].get<Rows>().at("exact affine"), 8);
   options_.tolerance = "-1";
   EXPECT_THROW(run(), UserError);
   options_.tolerance = "0,5";
