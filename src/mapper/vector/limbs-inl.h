@@ -67,10 +67,10 @@ struct ByParity {
 }
 
 // Modulo 2^64, and modulo 2^128.
-[[nodiscard]] HWY_INLINE uint64_t times(int32_t n, uint64_t a) {
-  return static_cast<uint64_t>(int64_t{n}) * a;
+[[nodiscard]] HWY_INLINE uint64_t times(int64_t n, uint64_t a) {
+  return static_cast<uint64_t>(n) * a;
 }
-[[nodiscard]] HWY_INLINE uint128 times(int32_t n, uint128 a) {
+[[nodiscard]] HWY_INLINE uint128 times(int64_t n, uint128 a) {
   return static_cast<uint128>(int128{n}) * a;
 }
 
@@ -126,7 +126,7 @@ struct LoosePair {
   friend HWY_INLINE LoosePair operator+(const LoosePair& a, const LoosePair& b) {
     return {a.low + b.low, a.high + b.high};
   }
-  friend HWY_INLINE LoosePair times(int32_t n, const LoosePair& a) {
+  friend HWY_INLINE LoosePair times(int64_t n, const LoosePair& a) {
     return {mapper::HWY_NAMESPACE::times(n, a.low), mapper::HWY_NAMESPACE::times(n, a.high)};
   }
 };

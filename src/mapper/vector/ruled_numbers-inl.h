@@ -45,8 +45,9 @@ class RuledNumbers {
   std::conditional_t<Number::kBits == OneLimb::kBits, ShortRuledRowFinder, RuledRowFinder> rows_;
 };
 
-// A number of a slab, biased, as SlabLine has it: at a column and to the next pixel, and what these
-// are more in the next row.
+// A number of a slab, as SlabLine has it: at a column and to the next pixel, and what these are
+// more in the next row. What a LoosePair carries late is at any row what it would be by a formula
+// from the slab's first one: below 2^16 (1 + n + n^2 / 2), n < 2^16.
 template <class Scalar>
 struct SlabScalars {
   Scalar start, down, bend, step, turn;
@@ -60,6 +61,12 @@ struct SlabScalars {
     start = start + down;
     down = down + bend;
     step = step + turn;
+  }
+  // Or up, where rows are less than 0.
+  HWY_INLINE void go_down(int64_t rows) {
+    start = start + (times(rows, down) + times(rows * (rows - 1) / 2, bend));
+    down = down + times(rows, bend);
+    step = step + times(rows, turn);
   }
 };
 
@@ -76,14 +83,7 @@ class RuledNumbers<UpperLimb> {
     if (HWY_UNLIKELY(!is_directed_)) {
       return set_row<UpperLimb>(any_.row_from(span.left_px, span.row), u, v, d);
     }
-    if (span.row == row_ + 1) {
-      u_.go_down();
-      v_.go_down();
-      d_.go_down();
-      row_ = span.row;
-    } else if (span.row != row_) {
-      go_to(span.row);
-    }
+    go_to(span.row);
     const int32_t right_px = span.left_px - first_px_;
     u->set(u_.start + times(right_px, u_.step), u_.step);
     v->set(v_.start + times(right_px, v_.step), v_.step);
@@ -93,36 +93,40 @@ class RuledNumbers<UpperLimb> {
  private:
   HWY_NOINLINE void find(const Span& span) {
     const Slab& slab = map_->slab_of(span.row);
-    first_row_ = slab.first_row;
+    first_row_ = row_ = slab.first_row;
     end_row_ = slab.end_row;
     first_px_ = span.left_px;
     const auto directed = from_left_to_right(slab);
     is_directed_ = directed.has_value();
     if (!is_directed_) return;
     const ExactSlab rows(*directed, first_px_);
-    lines_[0] = rows.u();
-    lines_[1] = rows.v();
-    lines_[2] = rows.d();
-    constexpr auto kTimes = static_cast<uint128>(int128{-kTexelBias});
-    lines_[0].subtract(kTimes, lines_[2]);
-    lines_[1].subtract(kTimes, lines_[2]);
-    go_to(span.row);
+    u_ = biased(rows.u(), rows.d());
+    v_ = biased(rows.v(), rows.d());
+    d_ = SlabScalars<uint64_t>::of(rows.d(), UpperLimb::Divisor::scalar);
   }
-  HWY_NOINLINE void go_to(int32_t row) {
-    ExactSlab::Line u = lines_[0], v = lines_[1], d = lines_[2];
-    for (ExactSlab::Line* const line : {&u, &v, &d}) line->go_down(row - first_row_);
-    u_ = SlabScalars<LoosePair>::of(u, UpperLimb::Numerator::scalar);
-    v_ = SlabScalars<LoosePair>::of(v, UpperLimb::Numerator::scalar);
-    d_ = SlabScalars<uint64_t>::of(d, UpperLimb::Divisor::scalar);
+  static HWY_INLINE SlabScalars<LoosePair> biased(ExactSlab::Line n, const ExactSlab::Line& d) {
+    n.subtract(static_cast<uint128>(int128{-kTexelBias}), d);
+    return SlabScalars<LoosePair>::of(n, UpperLimb::Numerator::scalar);
+  }
+  HWY_INLINE void go_to(int32_t row) {
+    const int32_t rows = row - row_;
     row_ = row;
+    if (HWY_LIKELY(rows == 1)) {
+      u_.go_down();
+      v_.go_down();
+      d_.go_down();
+    } else if (rows != 0) {
+      u_.go_down(rows);
+      v_.go_down(rows);
+      d_.go_down(rows);
+    }
   }
 
   const RuledMap* map_;
   RuledRowFinder any_;
   int32_t first_px_ = 0, first_row_ = 0, end_row_ = 0;
   bool is_directed_ = false;
-  ExactSlab::Line lines_[3];  // u, v, d from the slab's first row on
-  int32_t row_ = 0;           // that the scalars are of
+  int32_t row_ = 0;  // that the numbers are of, from the column on
   SlabScalars<LoosePair> u_, v_;
   SlabScalars<uint64_t> d_;
 };
