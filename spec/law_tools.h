@@ -90,10 +90,11 @@ using WantedAt = std::function<Wanted(int32_t x_px, int32_t y_px)>;
                                 const Picture& picture, const WantedAt& wanted_at);
 
 // The same where another drawing tells what is wanted: a clause that says so, "the whole polygon
-// shows it", and whether both show texels of the coordinate texture.
+// shows it"; whether both show texels of the coordinate texture; whether coverage alone is judged.
 struct OtherDrawing {
   std::string_view clause;
   bool shows_texels = true;
+  bool judges_texels = true;
 };
 [[nodiscard]] Judgement compare(std::string_view law, std::string_view what, const Case& shown,
                                 const Picture& picture, const OtherDrawing& other,

@@ -72,7 +72,8 @@ struct Motion {
   const Picture after = draw(subject, *to);
   // Turned by a quarter, only a triangle keeps its map: its spans lie elsewhere, its map does not.
   const bool keeps_texels = !motion.swaps_axes || c.vertices.size() == 3;
-  return compare("MIRROR", motion.what, *to, after, {"the polygon where it was shows it"},
+  return compare("MIRROR", motion.what, *to, after,
+                 {"the polygon where it was shows it", true, keeps_texels},
                  [&](int32_t x, int32_t y) {
                    const Pixel from = motion.origin({x, y}, *to);
                    if (is_tie(c, from, motion.swaps_axes)) return unjudged();

@@ -97,7 +97,7 @@ Judgement check_split(const Subject& subject, const Case& c) {
   const std::string cut = "cut from " + place_px(outline.front()) + " to " + place_px(*middle);
   Judgement judgement = compare(
       "SPLIT", "two parts of a polygon, " + cut + ", draw what the whole draws", whole_case, parts,
-      {"the whole polygon shows it"}, [&](int32_t x, int32_t y) {
+      {"the whole polygon shows it", true, texels_too}, [&](int32_t x, int32_t y) {
         const MaybePixel& pixel = whole.at(x, y);
         return must_be(texels_too || !pixel ? pixel : parts.at(x, y) ? parts.at(x, y) : pixel);
       });

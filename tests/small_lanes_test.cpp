@@ -153,8 +153,8 @@ TEST_P(SmallLanesOfKernels, LackNoMoreThanTheySay) {
       const spec::Case c = any_small_case(random);
       const std::vector<SmallOutline> outlines = any_small_outlines(random, c);
       const spec::TextureMemory texture = texture_of(c);
-      const selvage_rect target{0, 0, c.target_width_px, c.target_height_px};
-      const TakenTriangles taken(outlines, texture.view(), c.address, target);
+      const selvage_rect visible = visible_rect(target_of(c).image(), clip_of(c));
+      const TakenTriangles taken(outlines, texture.view(), c.address, visible);
       if (taken.polygons.empty()) continue;
       ASSERT_NO_FATAL_FAILURE(expect_lanes(by, c, taken, texture.view(), &seen));
     }

@@ -46,7 +46,7 @@ Drawing drawing_of(const json& cell) {
 
 std::string picture_of(const json& violation, const Drawing& drawing) {
   if (!violation.contains("picture"))
-    return element("p", "No picture: it takes several drawings to see this.");
+    return element("p", "No picture: none would show what is wrong.");
   const std::string file = escaped(violation["picture"].get<std::string>());
   const std::string counts =
       "; blue is drawn by one tile, yellow by two, white by more, grey by none";

@@ -47,17 +47,26 @@ constexpr size_t kMaxFileOfCaseBytes = size_t{64} << 10;
   return hash;
 }
 
+[[nodiscard]] std::filesystem::path without_slash(const std::filesystem::path& directory) {
+  return directory.has_filename() ? directory : directory.parent_path();
+}
+
 }  // namespace
 
-void make_corpus(const std::filesystem::path& directory, const Console& console) {
-  const std::filesystem::path named =
-      directory.has_filename() ? directory : directory.parent_path();  // without a slash behind it
-  const std::filesystem::path above = named.has_parent_path() ? named.parent_path() : ".";
+void check_corpus(const std::filesystem::path& directory) {
+  const std::filesystem::path above =
+      without_slash(directory).has_parent_path() ? without_slash(directory).parent_path() : ".";
   std::error_code error;
   if (!std::filesystem::is_directory(above, error)) {
     throw UserError("--corpus: cannot make '" + directory.string() + "': there is no directory '" +
                     above.string() + "'");
   }
+}
+
+void make_corpus(const std::filesystem::path& directory, const Console& console) {
+  check_corpus(directory);
+  const std::filesystem::path named = without_slash(directory);
+  std::error_code error;
   const bool is_made = std::filesystem::create_directory(named, error);
   if (!std::filesystem::is_directory(named, error)) {
     throw UserError("--corpus: '" + directory.string() +

@@ -17,8 +17,10 @@ struct KnownCase {
   spec::Case found;
 };
 
-// Makes the directory if it is not there, but not those above it: a mistyped path is an error.
-// Tells console.err if it does. Throws UserError.
+// That the directory is there, or could be made in one that is: a mistyped path is an error. Throws
+// UserError.
+void check_corpus(const std::filesystem::path& directory);
+// Makes it if it is not there, and tells console.err if it does. Throws UserError.
 void make_corpus(const std::filesystem::path& directory, const Console& console);
 
 // All of the directory's *.case files, which must be regular ones, in the order of their names.

@@ -164,7 +164,7 @@ void report(const DrawOptions& options, const Job& job, const Raster& picture, i
       {"output", options.output},
       {"width_px", picture.width_px},
       {"height_px", picture.height_px},
-      {"format", options.format},
+      {"format", format_name(parse_format(options.format))},
       {"polygons", job.size()},
       {"covered_px", covered_px(job, picture.width_px, picture.height_px)},
       {"draw_ns", time_ns},

@@ -72,8 +72,7 @@ void refuse_own_streams(const fs::path& path) {
       continue;
     }
     throw UserError("cannot write '" + path.string() + "': it is this program's own standard " +
-                    (stream == STDOUT_FILENO ? "output, to which - writes a picture"
-                                             : "error, where messages go") +
+                    (stream == STDOUT_FILENO ? "output" : "error, where messages go") +
                     "; name another file");
   }
 }
@@ -91,10 +90,8 @@ void refuse_own_streams(const fs::path& path) {
                     "': it is a directory; the name of a file is needed");
   }
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    throw UserError(
-        "cannot write '" + path.string() +
-        "': it is not a regular file; one is needed, or - for a picture on the standard "
-        "output");
+    throw UserError("cannot write '" + path.string() +
+                    "': it is not a regular file; one is needed");
   }
   refuse_own_streams(path);
   const fs::path resolved = fs::exists(status) ? fs::canonical(path) : path;

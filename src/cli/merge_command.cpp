@@ -121,6 +121,7 @@ int run_merge(const MergeOptions& options, const Console& console) {
     runs.push_back(read_verdict(file, read_text_file(file)));
   }
   const VerifyRun whole = merged(runs, options.files);
+  if (!options.junit.empty()) check_output(options.junit);
   if (!options.corpus.empty()) make_corpus(options.corpus, console);
   add_to_corpus(options.corpus, whole);
   if (!options.junit.empty()) write_text_file(options.junit, junit_xml(whole));

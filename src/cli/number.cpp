@@ -25,6 +25,7 @@ std::string show_beside(double value, double limit) {
   constexpr int kFewest = 3, kMost = std::numeric_limits<double>::max_digits10;
   const double whole_digits =
       std::abs(value) >= 1 ? std::floor(std::log10(std::abs(value))) + 1 : 0;
+  if (!std::isfinite(value)) return show(value);
   char text[32];
   for (int digits = std::clamp(static_cast<int>(whole_digits), kFewest, 10); digits <= kMost;
        ++digits) {

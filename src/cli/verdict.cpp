@@ -70,14 +70,27 @@ namespace {
   return text;
 }
 
+// Numbers are decimal, or addresses.
+[[nodiscard]] std::string without_numbers(std::string_view text) {
+  std::string rest;
+  for (size_t i = 0; i < text.size();) {
+    const bool is_address = text.substr(i).starts_with("0x");
+    const std::string_view digits = is_address ? "0123456789abcdef" : "0123456789";
+    const size_t end =
+        std::min(text.find_first_not_of(digits, i + (is_address ? 2 : 0)), text.size());
+    if (end == i) {
+      rest += text[i++];
+    } else {
+      i = end;
+    }
+  }
+  return rest;
+}
+
 // Whichever law made a call that did not end as calls do, it says the same, but for numbers.
 [[nodiscard]] bool is_same_call(const spec::Violation& a, const spec::Violation& b) {
-  const auto without_digits = [](std::string text) {
-    std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
-    return text;
-  };
   return a.is_of_call && b.is_of_call && a.what == b.what &&
-         without_digits(a.drawn) == without_digits(b.drawn);
+         without_numbers(a.drawn) == without_numbers(b.drawn);
 }
 
 [[nodiscard]] std::string explanation(const Verdict& verdict, const spec::Violation* told) {

@@ -1,4 +1,5 @@
 // Reads what verdict_json has written.
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <limits>
@@ -38,9 +39,14 @@ template <std::integral Integer = uint64_t>
                 std::to_string(Limits::max()));
 }
 
+// A file's text may be shown on a terminal.
+[[nodiscard]] std::string read_text(const JsonNode& node) {
+  return testbed::printable(node.text());
+}
+
 [[nodiscard]] Counts read_counts(const JsonNode& node) {
   Counts counts;
-  for (const auto& [what, count] : node.members()) counts[what] = whole(count);
+  for (const auto& [what, count] : node.members()) counts[testbed::printable(what)] = whole(count);
   return counts;
 }
 
@@ -83,11 +89,11 @@ void read_pixel(const JsonNode& node, spec::Violation* violation) {
 
 [[nodiscard]] spec::Violation read_violation(const JsonNode& node, std::string law) {
   spec::Violation violation{.law = std::move(law),
-                            .what = node.at("what").text(),
-                            .u = node.at("u_texel").text(),
-                            .v = node.at("v_texel").text(),
-                            .allowed = node.at("allowed").text(),
-                            .drawn = node.at("drawn").text(),
+                            .what = read_text(node.at("what")),
+                            .u = read_text(node.at("u_texel")),
+                            .v = read_text(node.at("v_texel")),
+                            .allowed = read_text(node.at("allowed")),
+                            .drawn = read_text(node.at("drawn")),
                             .shown = read_case(node.at("shown_case")),
                             .is_of_call = node.has("of_call") && node.at("of_call").boolean()};
   if (node.has("pixel_px")) read_pixel(node.at("pixel_px"), &violation);
@@ -105,7 +111,7 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
   const std::string& found_by = node.at("found_by").text();
   verdict->from_corpus = found_by == "corpus";
   found.hunted.found = found_by == "hunt";
-  if (node.has("picture")) verdict->picture = node.at("picture").text();
+  if (node.has("picture")) verdict->picture = read_text(node.at("picture"));
 }
 
 [[nodiscard]] Verdict read_law(const JsonNode& node) {
@@ -120,7 +126,8 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
   found.cases = whole(node.at("cases"));
   found.judged_px = whole(node.at("judged_px"));
   verdict.time_ns = whole<int64_t>(node.at("time_ns"));
-  verdict.lacked_time = node.at("verdict").text() == "not judged";
+  const JsonNode told = node.at("verdict");
+  verdict.lacked_time = told.text() == "not judged";
   if (node.has("nearest")) {
     const JsonNode margin = node.at("nearest");
     found.margin = {margin.at("measured").number(), margin.at("bound").number()};
@@ -132,6 +139,10 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
     verdict.known = {whole(known.at("tried")), read_counts(known.at("not_judged"))};
   }
   if (node.has("violation")) read_failure(node.at("violation"), &verdict);
+  if (told.text() != outcome(verdict)) {
+    told.fail("it is '" + read_text(told) + "', but what follows is of one that is '" +
+              std::string(outcome(verdict)) + "'");
+  }
   return verdict;
 }
 
@@ -142,16 +153,16 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
     version.fail("it is of version " + testbed::printable(version.text()) + ", this program of " +
                  selvage_version());
   }
-  if (!root.has("seed")) root.fail("it is of a replay, which is of no parts");
-  VerifyRun run{.subject = testbed::printable(root.at("subject").text()),
-                .profile = testbed::printable(root.at("profile").text()),
+  if (!root.has("seed")) root.fail("there is no 'seed': a replay has none, and is of no parts");
+  VerifyRun run{.subject = read_text(root.at("subject")),
+                .profile = read_text(root.at("profile")),
                 .seed = whole(root.at("seed")),
                 .verdicts = {}};
   run.cases = whole(root.at("cases"));
   run.hunted = whole(root.at("hunted"));
   run.known_cases = whole(root.at("known_cases"));
   run.known_of_others = read_counts(root.at("known_of_others"));
-  run.arguments = root.at("arguments").text();
+  run.arguments = read_text(root.at("arguments"));
   run.oracle_missing = root.at("oracle_missing").boolean();
   if (root.has("shard")) run.shard = read_shard(root.at("shard"));
   return run;
@@ -160,13 +171,22 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
 [[nodiscard]] VerifyRun read_run(const JsonNode& root) {
   VerifyRun run = read_beginning(root);
   const JsonNode laws = root.at("laws");
-  for (const JsonNode& law : laws.elements("law")) run.verdicts.push_back(read_law(law));
+  for (const JsonNode& law : laws.elements("law")) {
+    Verdict verdict = read_law(law);
+    const auto is_it = [&](const Verdict& other) { return other.found.law == verdict.found.law; };
+    if (std::ranges::any_of(run.verdicts, is_it)) law.fail("the law was told of before");
+    run.verdicts.push_back(std::move(verdict));
+  }
   if (run.verdicts.empty()) laws.fail("it has no verdict of any law, and so shows nothing");
   for (const JsonNode& law : root.at("not_promised").elements("law")) {
-    run.not_promised.push_back({law.at("law").text(), law.at("why").text()});
+    run.not_promised.push_back({read_text(law.at("law")), read_text(law.at("why"))});
   }
   for (const JsonNode& missing : root.at("not_exported").elements("function")) {
-    run.not_exported.push_back({missing.at("function").text(), missing.at("law").text()});
+    run.not_exported.push_back({read_text(missing.at("function")), read_text(missing.at("law"))});
+  }
+  if (const JsonNode told = root.at("passed"); told.boolean() != passed(run)) {
+    told.fail(std::string("it is ") + (passed(run) ? "false" : "true") +
+              ", but the verdicts of the laws say otherwise");
   }
   return run;
 }

@@ -142,8 +142,10 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
   if (!options.time.empty()) plan.time = parse_time(options.time);
   plan.hunted = parse_hunt(options.hunt, plan.time.has_value());
   if (!options.corpus.empty() && !plan.replayed) {
-    make_corpus(options.corpus, console);
-    plan.known = read_corpus(options.corpus);
+    check_corpus(options.corpus);
+    // Shards only read what there is; merge makes it, and adds what they find.
+    if (plan.shard.count == 1) make_corpus(options.corpus, console);
+    if (std::filesystem::exists(options.corpus)) plan.known = read_corpus(options.corpus);
   }
   return plan;
 }
@@ -218,11 +220,11 @@ int run_verify(const VerifyOptions& options, const spec::Subject& built_in,
   const std::optional<spec::Case> replayed = case_to_replay(options);
   ChosenSubject chosen = choose_subject(options.subject, options.profile, built_in);
   if (replayed) chosen.subject.profile = replayed->profile;
-  const VerifyPlan plan = plan_of(options, chosen.subject, replayed, console);
   if (!options.picture.empty()) check_picture(options.picture, PictureKinds::kFiles, console);
   for (const std::string& file : {options.junit, options.subject.output}) {
     if (!file.empty()) check_output(file);
   }
+  const VerifyPlan plan = plan_of(options, chosen.subject, replayed, console);
   VerifyRun run = begun(options, chosen, plan);
   const bool show = !options.json;
   if (show) show_beginning(options, run, plan, console);

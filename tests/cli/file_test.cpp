@@ -88,8 +88,8 @@ TEST_F(File, CannotBeWrittenOverTheOwnStandardOutput) {
     EXPECT_EQ(error_of([&] { check_output(name); }), error);
     return error;
   };
-  for (const auto& [stream, is] : {std::pair(STDOUT_FILENO, "output, to which - writes a picture"),
-                                   std::pair(STDERR_FILENO, "error, where messages go")}) {
+  for (const auto& [stream, is] :
+       {std::pair(STDOUT_FILENO, "output"), std::pair(STDERR_FILENO, "error, where messages go")}) {
     const int before = dup(stream), log = open("log.png", O_WRONLY | O_APPEND);
     dup2(log, stream);
     const std::string by_name = refused("log.png");

@@ -118,7 +118,7 @@ TEST_F(Merge, TakesShardsThatShareACorpus) {
   std::string all;
   for (const char* i : {"1", "2", "3", "4"}) all += shard(i) + " & ";
   ASSERT_EQ(std::system((all + "wait").c_str()), 0);
-  EXPECT_TRUE(std::filesystem::is_empty("known"));
+  EXPECT_FALSE(std::filesystem::exists("known"));
   const std::vector<std::string> files = {"1.json", "2.json", "3.json", "4.json"};
   const nlohmann::json whole = without_times(merge(files, kExitLawFailed));
   (void)std::system((verify + "--shard 1/1 >whole.json").c_str());
@@ -159,6 +159,7 @@ TEST_F(Merge, AddsWhatIsNewToACorpus) {
 TEST_F(Merge, TellsWhatAShardHadNoTimeFor) {
   const auto deny_time = [](const std::string& name) {
     auto values = nlohmann::json::parse(get(name));
+    values["passed"] = false;
     values["laws"][0]["verdict"] = "not judged";
     values["laws"][0]["cases"] = values["laws"][0]["judged_px"] = 0;
     put(name, values.dump());
@@ -239,6 +240,27 @@ TEST_F(Merge, RefusesDamagedNumbers) {
   expect_contains(refused("/laws/0/time_ns", "9223372036854775808"),
                   "time_ns: a whole number from -9223372036854775808 to 9223372036854775807 is");
   expect_contains(refused("/laws", "[]"), "it has no verdict of any law, and so shows nothing");
+}
+
+// One that has lost its violation is no law that holds.
+TEST_F(Merge, RefusesWhatContradictsItself) {
+  const auto right =
+      nlohmann::json::parse(verified(spec::built_in(), "1/1", "5", "exact", "4", "0"));
+  const auto wrong = nlohmann::json::parse(verified(blank(), "1/1", "5", "exact", "4", "0"));
+  const auto refused = [&](nlohmann::json from, const char* path, const nlohmann::json& value) {
+    const nlohmann::json::json_pointer at(path);
+    if (value.is_null()) from[at.parent_pointer()].erase(at.back());
+    if (!value.is_null()) from[at] = value;
+    put("contradiction.json", from.dump());
+    return error_of([&] { (void)merge({"contradiction.json"}, 2); });
+  };
+  expect_contains(refused(wrong, "/laws/0/violation", nullptr),
+                  "it is 'violated', but what follows is of one that is 'holds'");
+  expect_contains(refused(wrong, "/laws/0/verdict", "holds"),
+                  "it is 'holds', but what follows is of one that is 'violated'");
+  expect_contains(refused(right, "/laws/0/verdict", "fine\x1b"), "it is 'fine\xEF\xBF\xBD'");
+  expect_contains(refused(right, "/laws/1", right["laws"][0]), "the law was told of before");
+  expect_contains(refused(right, "/passed", false), "it is false, but the verdicts");
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST_F(Program, WritesAPictureToItsOutputAndOverNothing) {
   put("out.png", std::string("kept"));
   for (const char* name : {"/dev/stdout", "out.png"}) {
     EXPECT_EQ(run(draw + name, "/dev/null >> out.png"), 2);
-    expect_contains(get("err"), " - ");
+    expect_contains(get("err"), std::string("cannot write '") + name);
     EXPECT_EQ(get("out.png"), "kept");
   }
 }

@@ -61,9 +61,10 @@ TEST(Verdict, TellsOfACallOnceThatEndsAlikeInSeveralLaws) {
     violation.drawn = drawn;
     return verdict;
   };
-  const std::string text = explanations(run_of(
-      {crashed("COV", "it wrote at pixel (3, 4)"), crashed("MAP", "it wrote at pixel (7, 12)"),
-       crashed("CLIP", "it never ended"), violated("SPLIT"), violated("SHIFT")}));
+  const std::string text = explanations(
+      run_of({crashed("COV", "it wrote at 0x10b78f, at (3, 4)"),
+              crashed("MAP", "it wrote at 0x7cafe, at (7, 12)"), crashed("CLIP", "it never ended"),
+              violated("SPLIT"), violated("SHIFT")}));
   const auto count = [&](std::string_view part) {
     int found = 0;
     for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
@@ -72,7 +73,7 @@ TEST(Verdict, TellsOfACallOnceThatEndsAlikeInSeveralLaws) {
     return found;
   };
   EXPECT_EQ(count("is broken: a call ends\n"), 2) << text;
-  EXPECT_EQ(count("law MAP is broken as COV is: it wrote at pixel (7, 12)\n"), 1) << text;
+  EXPECT_EQ(count("law MAP is broken as COV is: it wrote at 0x7cafe, at (7, 12)\n"), 1) << text;
   EXPECT_EQ(count("is broken: it should have held\n"), 2) << text;
   EXPECT_EQ(count("replay: selvage verify"), 5) << text;
 }

@@ -85,7 +85,7 @@ TEST_F(MatrixRun, HasARowForEachSubjectAndAPageForEachViolation) {
     const auto drawn = cell["violation"]["drawn"].get<std::string>();
     EXPECT_NE(drawn.find("wrote through a null pointer"), std::string::npos) << drawn;
     EXPECT_NE(page.find(drawn), std::string::npos);
-    EXPECT_TRUE(fs::exists(out_ / "matrix" / cell["violation"].at("picture").get<std::string>()));
+    EXPECT_FALSE(cell["violation"].contains("picture")) << "of what has shrunk to nothing";
   }
   EXPECT_GT(violated, 10);
 }
@@ -102,6 +102,9 @@ TEST_F(MatrixRun, TriesOnEveryRowWhatIsNewOnAnother) {
     EXPECT_FALSE(is_broken) << "there is nothing left for the second pass";
   }
   const json matrix = json::parse(text_of(out_ / "matrix.json"));
+  const json* coverage = cell_of(matrix.at("subjects")[0], "COV");
+  EXPECT_TRUE(
+      fs::exists(out_ / "matrix" / coverage->at("violation").at("picture").get<fs::path>()));
   const json& misses = matrix.at("subjects")[1];
   const json* total = cell_of(misses, "TOTAL");
   ASSERT_EQ(total->at("verdict"), "violated");

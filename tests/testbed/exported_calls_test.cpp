@@ -80,8 +80,8 @@ TEST_P(WrongCall, IsNamedAndShrunk) {
 INSTANTIATE_TEST_SUITE_P(
     All, WrongCall,
     testing::Values(
-        Wrong{"draws_many_backward", "SAME", "polygons in one call, 1 thread\n"},
-        Wrong{"draws_many_threads", "SAME", "polygons in one call, 2 threads\n"},
+        Wrong{"draws_many_backward", "SAME", "polygons drawn in one call, by 1 thread, show what "},
+        Wrong{"draws_many_threads", "SAME", "polygons drawn in one call, by 2 threads, show what "},
         Wrong{"draws_many_past_scratch", "SAME",
               "it wrote just after the end of the scratch memory"},
         Wrong{"draws_many_polygons_back", "SAME", "it wrote in the list of polygons"},
