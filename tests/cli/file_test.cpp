@@ -82,7 +82,7 @@ TEST_F(File, CannotBeWrittenOverADevice) {
 // What a redirection points to would be replaced, and whatever it held before lost.
 TEST_F(File, CannotBeWrittenOverTheOwnStandardOutput) {
   put("log.png", "kept");
-  std::filesystem::create_symlink("/dev/stdout", "link.png");
+  std::filesystem::create_symlink("/proc/self/fd/1", "link.png");
   const auto refused = [](const char* name) {
     const std::string error = error_of([&] { write_file(name, Bytes{1}); });
     EXPECT_EQ(error_of([&] { check_output(name); }), error);
