@@ -157,8 +157,10 @@ Judgement compare(std::string_view law, std::string_view what, const Case& shown
     return describe(shown, other.shows_texels, of.at(violation.x_px, violation.y_px));
   };
   violation.drawn = told(violation.comparison->drawn);
-  const bool is_drawn = !other.judges_texels && violation.drawn == "nothing";
-  violation.allowed = is_drawn ? "a texel" : told(violation.comparison->wanted);
+  const bool is_any_texel =
+      !other.judges_texels &&
+      violation.comparison->wanted.at(violation.x_px, violation.y_px).has_value();
+  violation.allowed = is_any_texel ? "a texel" : told(violation.comparison->wanted);
   violation.allowed += ", as " + std::string(other.clause);
   if (other.shows_texels && is_valid(shown)) {
     const MaybePixel exact = expected_pixel(shown, violation.x_px, violation.y_px);

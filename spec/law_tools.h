@@ -90,7 +90,8 @@ using WantedAt = std::function<Wanted(int32_t x_px, int32_t y_px)>;
                                 const Picture& picture, const WantedAt& wanted_at);
 
 // The same where another drawing tells what is wanted: a clause that says so, "the whole polygon
-// shows it"; whether both show texels of the coordinate texture; whether coverage alone is judged.
+// shows it"; whether both show texels of the coordinate texture; whether these are judged, or
+// coverage alone.
 struct OtherDrawing {
   std::string_view clause;
   bool shows_texels = true;

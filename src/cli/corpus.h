@@ -24,8 +24,7 @@ void check_corpus(const std::filesystem::path& directory);
 void make_corpus(const std::filesystem::path& directory, const Console& console);
 
 // All of the directory's *.case files, which must be regular ones, in the order of their names.
-// Throws UserError, which names the file, where one holds
-// anything else.
+// Throws UserError, which names the file, where one holds anything else.
 [[nodiscard]] std::vector<KnownCase> read_corpus(const std::filesystem::path& directory);
 
 // "MAP-0123456789abcdef.case": the same for the same law and case.

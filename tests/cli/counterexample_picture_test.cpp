@@ -242,6 +242,27 @@ TEST(CounterexamplePicture, OfTwoDrawingsShowsThoseThatTheLawHeldAgainstEachOthe
   }
 }
 
+// Of a quad turned by a quarter, coverage alone is judged: no texel is called the allowed one.
+TEST(CounterexamplePicture, OfCoverageNamesNoTexelAsAllowed) {
+  const spec::Subject absent{
+      "absent at times",
+      [](const selvage_image* target, const selvage_rect* clip, const selvage_vertex* vertices,
+         size_t count, const selvage_texture* texture, const selvage_options* options) {
+        const bool is_absent = count > 3 && (vertices[0].x ^ vertices[1].y) % 2 != 0;
+        return is_absent ? selvage_status{SELVAGE_OK}
+                         : selvage_draw(target, clip, vertices, count, texture, options);
+      }};
+  int seen = 0;
+  for (uint64_t seed = 0; seed < 2000; ++seed) {
+    const auto found = spec::find_law("MIRROR")->check(absent, spec::generate(seed)).violation;
+    if (!found || found->what.find("turned by a quarter") == std::string::npos) continue;
+    if (found->shown.vertices.size() == 3 || found->drawn != "nothing") continue;
+    ++seen;
+    EXPECT_TRUE(found->allowed.starts_with("a texel, as the polygon")) << found->allowed;
+  }
+  EXPECT_GT(seen, 3);
+}
+
 // A pixel that is not drawn has no value, and the other drawing is named.
 TEST(CounterexamplePicture, OfTilesTellsWhatTheyDrewInstead) {
   const spec::Subject without_clip{
