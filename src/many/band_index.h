@@ -77,21 +77,40 @@ class BandIndex {
     std::array<uint64_t, kMostBands + 1> turns_{};  // bits in which a band differs from the last
   };
 
-  // Calls visit(polygon) for those that reach one of these bands, in order.
-  template <class Visit>
-  void for_each(BandRange bands, const Visit& visit) const {
-    for (size_t i = 0; i < groups_.size(); ++i) {
-      const Group& group = groups_[i];
-      const size_t end = std::min(bands.end, group.reached.end);
-      uint64_t bits = 0;
-      for (size_t band = std::max(bands.first, group.reached.first); band < end; ++band) {
-        bits |= group.words[band];
-      }
-      for (; bits != 0; bits &= bits - 1) {
-        visit(i * kPolygonsPerGroup + static_cast<size_t>(std::countr_zero(bits)));
-      }
+  // Those that reach one of these bands, in order, from one on.
+  class Walk {
+   public:
+    static constexpr size_t kEnd = SIZE_MAX;
+
+    Walk(const BandIndex& index, BandRange bands, size_t first)
+        : groups_(index.groups_), bands_(bands), group_(first / kPolygonsPerGroup) {
+      if (group_ < groups_.size()) bits_ = bits_of(group_) & ~uint64_t{0} << first % 64;
     }
-  }
+
+    [[nodiscard]] size_t next() {
+      while (bits_ == 0) {
+        if (group_ + 1 >= groups_.size()) return kEnd;
+        bits_ = bits_of(++group_);
+      }
+      const auto bit = static_cast<size_t>(std::countr_zero(bits_));
+      bits_ &= bits_ - 1;
+      return group_ * kPolygonsPerGroup + bit;
+    }
+
+   private:
+    [[nodiscard]] uint64_t bits_of(size_t at) const {
+      const Group& group = groups_[at];
+      const BandRange seen = bands_.within(group.reached);
+      uint64_t bits = 0;
+      for (size_t band = seen.first; band < seen.end; ++band) bits |= group.words[band];
+      return bits;
+    }
+
+    std::span<const Group> groups_;
+    BandRange bands_;
+    size_t group_;       // the one that bits_ are of
+    uint64_t bits_ = 0;  // of those that are still to be told
+  };
 
  private:
   Bands bands_;

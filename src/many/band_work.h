@@ -16,9 +16,6 @@ class BandWork {
     steps_px_[bands.first] += cost_px;
     steps_px_[bands.end] -= cost_px;
   }
-  void add(const BandWork& other) {
-    for (size_t band = 0; band < steps_px_.size(); ++band) steps_px_[band] += other.steps_px_[band];
-  }
 
   // Calls visit(band, cost_px) for each band below `end`.
   template <class Visit>
@@ -45,15 +42,15 @@ class BandShares {
     });
   }
 
-  // The parts [first, end) of `count`; some may be empty. All of them together are all bands, in
-  // order.
-  [[nodiscard]] BandRange parts(size_t first, size_t end, size_t count) const {
-    return {begin_of(first, count), end == count ? bands_.end : begin_of(end, count)};
+  [[nodiscard]] double all_px() const { return before_px_[bands_.end]; }
+  // One of `count` parts, which may be empty. All of them together are all bands, in order.
+  [[nodiscard]] BandRange part(size_t at, size_t count) const {
+    return {begin_of(at, count), at + 1 == count ? bands_.end : begin_of(at + 1, count)};
   }
 
  private:
   [[nodiscard]] size_t begin_of(size_t part, size_t count) const {
-    const double part_px = before_px_[bands_.end] / static_cast<double>(count);
+    const double part_px = all_px() / static_cast<double>(count);
     const auto first = before_px_.begin() + static_cast<ptrdiff_t>(bands_.first),
                end = before_px_.begin() + static_cast<ptrdiff_t>(bands_.end);
     const auto at = std::lower_bound(first, end, part_px * static_cast<double>(part));

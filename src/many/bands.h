@@ -27,6 +27,11 @@ struct BandRange {
   size_t first, end;
 
   [[nodiscard]] size_t count() const { return end - first; }
+  // Without bands where they have none in common.
+  [[nodiscard]] BandRange within(const BandRange& other) const {
+    const size_t from = std::max(first, other.first);
+    return {from, std::max(from, std::min(end, other.end))};
+  }
 };
 
 // Strips of 2^k rows, kLeastBandRows or more, the last one maybe lower: as many as can be, up to

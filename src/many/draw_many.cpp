@@ -1,19 +1,15 @@
-// The C interface to many polygons: all are checked, then bands of rows are drawn side by side. A
-// band is drawn as a clip rectangle would have it drawn, so that by law CLIP no band changes a
-// pixel, whatever their number and whoever draws them.
+// The C interface to many polygons: all are checked, then bands of rows are drawn side by side.
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <span>
 
 #include "draw_call.h"
+#include "many/band_draw.h"
 #include "many/band_index.h"
-#include "many/band_work.h"
 #include "many/bands.h"
 #include "many/painter.h"
 #include "many/prepare.h"
 #include "many/runs.h"
-#include "many/share_out.h"
 #include "many/workers.h"
 #include "mapper/image.h"
 #include "selvage.h"
@@ -32,10 +28,6 @@ static_assert(alignof(Prepared) % alignof(BandIndex::Group) == 0);
 }
 static_assert(bytes_of(kMostPolygons) / sizeof(Prepared) >= kMostPolygons, "no overflow");
 
-// A worker's share is two tasks, the first one three quarters of it: of a slower worker's, the rest
-// is done by one that has done all of its own. More tasks would balance them better, and cost more
-// set-up: a polygon's once in each.
-inline constexpr size_t kTasksPerWorker = 2, kQuarters = 4;
 // Below so many rows of polygons, waking another thread takes longer than drawing them.
 inline constexpr int64_t kLeastRowsToShare = 128;
 
@@ -61,35 +53,6 @@ inline constexpr int64_t kLeastRowsToShare = 128;
   return meet ? SELVAGE_ERROR_SCRATCH_OVERLAP : SELVAGE_OK;
 }
 
-[[nodiscard]] BandRange bands_of_task(const BandShares& shares, size_t task, size_t workers) {
-  const bool is_rest = task % kTasksPerWorker != 0;
-  const size_t first = task / kTasksPerWorker * kQuarters, rest = first + kQuarters - 1;
-  const size_t quarters = workers * kQuarters;
-  return is_rest ? shares.parts(rest, rest + 1, quarters) : shares.parts(first, rest, quarters);
-}
-
-[[nodiscard]] BandWork work_of_all_runs(const BandPlan& plan) {
-  BandWork work;
-  for (const std::optional<BandWork>& of_run : plan.work) {
-    if (of_run) work.add(*of_run);
-  }
-  return work;
-}
-
-void draw_in_bands(const Request& request, const BandPlan& plan, Rows reach, int32_t workers) {
-  const Bands& all = plan.index.bands();
-  const BandRange bands = all.reached_by(reach);
-  const BandShares shares(work_of_all_runs(plan), bands);
-  const size_t useful = std::min(bands.count(), static_cast<size_t>(workers));
-  share_out(useful * kTasksPerWorker, static_cast<int32_t>(useful), [&](size_t task) {
-    const BandRange part = bands_of_task(shares, task, useful);
-    const Rows rows = all.rows(part);
-    Painter painter(request, {request.visible.left, rows.first, request.visible.right, rows.end});
-    plan.index.for_each(part, [&](size_t i) { painter.draw(request.prepared[i]); });
-    painter.finish();
-  });
-}
-
 void draw_in_order(const Request& request) {
   Painter painter(request, request.visible);
   for (const Prepared& one : request.prepared) painter.draw(one);
@@ -101,13 +64,13 @@ void draw_in_order(const Request& request) {
   const size_t count = request.prepared.size();
   auto* const groups = reinterpret_cast<BandIndex::Group*>(request.prepared.data() + count);
   const Bands bands({request.visible.top, request.visible.bottom});
-  std::optional<BandPlan> plan;
-  if (workers > 1) plan.emplace(BandIndex(bands, {groups, BandIndex::groups(count)}));
+  const BandIndex index(bands, {groups, BandIndex::groups(count)});
 
-  const Preparation preparation = prepare(request, Runs(count, workers), plan ? &*plan : nullptr);
+  const Preparation preparation =
+      prepare(request, Runs(count, workers), workers > 1 ? &index : nullptr);
   if (preparation.status != SELVAGE_OK) return preparation;
-  if (plan && preparation.row_count >= kLeastRowsToShare) {
-    draw_in_bands(request, *plan, preparation.reach, workers);
+  if (workers > 1 && preparation.row_count >= kLeastRowsToShare) {
+    draw_in_bands(request, index, preparation.reach, workers);
   } else {
     draw_in_order(request);
   }

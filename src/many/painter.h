@@ -25,6 +25,8 @@ class Painter {
     change_to(request.prepared[0].texture);
   }
 
+  // What is drawn of those that come.
+  void show(const selvage_rect& visible) { visible_ = visible; }
   // All that came before is drawn, but maybe those that are kept.
   void draw(const Prepared& one) {
     if (one.texture != known_) {

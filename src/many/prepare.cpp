@@ -57,43 +57,14 @@ class Checks {
   const selvage_texture* known_ = nullptr;
 };
 
-// What drawing a polygon costs in a band of so many rows, about.
-[[nodiscard]] double cost_px(const mapper::Polygon& polygon, const selvage_rect& visible,
-                             int32_t rows) {
-  constexpr double kSetUp_px = 300;
-  const selvage_rect part = mapper::part_of(polygon, visible);
-  return kSetUp_px + 0.5 * rows * (std::max(part.left, part.right) - part.left);
-}
-
-// Puts down what a run has in which bands.
-class Planner {
- public:
-  Planner(const selvage_rect& visible, BandPlan* plan, size_t run, size_t first)
-      : visible_(visible),
-        bands_(plan->index.bands()),
-        writer_(plan->index, first),
-        work_(&plan->work[run].emplace()) {}
-
-  void add(const mapper::Polygon& polygon, Rows reach) {
-    const BandRange bands = bands_.reached_by(reach);
-    writer_.add(bands);
-    work_->add(bands, cost_px(polygon, visible_, bands_.height()));
-  }
-  void end() { writer_.end(); }
-
- private:
-  selvage_rect visible_;
-  Bands bands_;
-  BandIndex::Writer writer_;
-  BandWork* work_;
-};
-
 // The polygons are [first, end).
 [[nodiscard]] Preparation prepare_run(const Request& request, size_t first, size_t end,
-                                      Planner* planner) {
+                                      const BandIndex* index) {
   Preparation run;
   Checks checks(request);
   const Rows visible{request.visible.top, request.visible.bottom};
+  std::optional<BandIndex::Writer> writer;
+  if (index != nullptr) writer.emplace(*index, first);
   for (size_t i = first; i < end; ++i) {
     const selvage_polygon& given = request.polygons[i];
     // In its place: a copy would wait for what was just stored.
@@ -108,9 +79,9 @@ class Planner {
     const Rows reach = reach_of(polygon, request.options.profile);
     run.reach = {std::min(run.reach.first, reach.first), std::max(run.reach.end, reach.end)};
     run.row_count += reach.within(visible).count();
-    if (planner != nullptr) planner->add(polygon, reach);
+    if (writer) writer->add(index->bands().reached_by(reach));
   }
-  if (planner != nullptr) planner->end();
+  if (writer) writer->end();
   return run;
 }
 
@@ -121,12 +92,10 @@ Rows reach_of(const mapper::Polygon& polygon, selvage_profile profile) {
   return {polygon.top_row, polygon.bottom_row + last_row};
 }
 
-Preparation prepare(const Request& request, const Runs& runs, BandPlan* plan) {
+Preparation prepare(const Request& request, const Runs& runs, const BandIndex* index) {
   std::array<Preparation, kMostRuns> parts{};
   runs.for_each([&](size_t run, size_t first, size_t end) {
-    std::optional<Planner> planner;
-    if (plan != nullptr) planner.emplace(request.visible, plan, run, first);
-    parts[run] = prepare_run(request, first, end, planner ? &*planner : nullptr);
+    parts[run] = prepare_run(request, first, end, index);
   });
 
   Preparation all;

@@ -1,15 +1,12 @@
 // The first half of drawing many polygons: each is checked and examined, nothing is drawn.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <span>
 
 #include "many/band_index.h"
-#include "many/band_work.h"
 #include "many/bands.h"
 #include "many/runs.h"
 #include "mapper/image.h"
@@ -41,17 +38,10 @@ struct Preparation {
   int64_t row_count = 0;  // visible rows of all polygons together
 };
 
-// Where bands are drawn side by side: what reaches them, and how much of it is each run's, if there
-// is such a run.
-struct BandPlan {
-  BandIndex index;
-  std::array<std::optional<BandWork>, kMostRuns> work{};
-};
-
 // The rows that a polygon may write, visible or not.
 [[nodiscard]] Rows reach_of(const mapper::Polygon& polygon, selvage_profile profile);
 
-// Fills request.prepared and the plan, if there is one, as far as no polygon is refused.
-[[nodiscard]] Preparation prepare(const Request& request, const Runs& runs, BandPlan* plan);
+// Fills request.prepared and the index, if there is one, as far as no polygon is refused.
+[[nodiscard]] Preparation prepare(const Request& request, const Runs& runs, const BandIndex* index);
 
 }  // namespace selvage::many

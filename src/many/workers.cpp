@@ -8,6 +8,7 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
+#include <thread>
 
 #ifdef SELVAGE_TELL_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
@@ -57,6 +58,8 @@ void run_workers(int32_t workers, Work work, void* context) {
   comes_after_that(context);
 }
 
+void wait_a_little() { std::this_thread::yield(); }
+
 }  // namespace selvage::many
 
 #else
@@ -66,6 +69,8 @@ namespace selvage::many {
 int32_t worker_count(int32_t) { return 1; }
 
 void run_workers(int32_t, Work work, void* context) { work(context, 0); }
+
+void wait_a_little() {}
 
 }  // namespace selvage::many
 

@@ -19,4 +19,7 @@ using Work = void (*)(void* context, size_t worker);
 // Work must not throw.
 void run_workers(int32_t workers, Work work, void* context);
 
+// What a worker calls again and again while it waits for another one: the machine may run others.
+void wait_a_little();
+
 }  // namespace selvage::many
