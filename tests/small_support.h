@@ -1,4 +1,4 @@
-// Lists of small triangles, drawn together and one after another.
+// Lists of small polygons, drawn together and one after another.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -13,8 +13,8 @@
 
 namespace selvage::many {
 
-// What a texture decides is found when another one comes. Triangles may wait: of the two kinds that
-// do, one is drawn before one of the other is kept.
+// What a texture decides is found when another one comes. Small polygons and triangles may wait:
+// one of these is drawn before one of those is kept, and the other way round.
 class Painter {
  public:
   Painter(const Request& request, const selvage_rect& visible)
@@ -59,7 +59,7 @@ class Painter {
 
   selvage_options options_;
   selvage_rect visible_;
-  bool keeps_;  // whether any triangles may be kept
+  bool keeps_;  // whether any polygons may be kept
   mapper::Surface surface_;
   const selvage_texture* known_ = nullptr;
   std::optional<mapper::KernelChoice> kernels_;

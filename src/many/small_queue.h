@@ -1,9 +1,9 @@
-// Small triangles that wait until there are as many as one call draws.
+// Small polygons that wait until there are as many as one call draws.
 #pragma once
 
 #include "mapper/kernel.h"
 #include "mapper/polygon.h"
-#include "mapper/small_triangles.h"
+#include "mapper/small_polygons.h"
 #include "selvage.h"
 
 namespace selvage::many {
@@ -14,18 +14,18 @@ class SmallQueue {
   SmallQueue(const mapper::Kernels& kernels, const selvage_texture& texture,
              selvage_address address)
       : kernels_(&kernels),
-        takes_any_(mapper::SmallTriangles::take_from(texture, kernels.small)),
+        takes_any_(mapper::SmallPolygons::take_from(texture, kernels.small)),
         ends_(texture, address) {}
 
   [[nodiscard]] bool takes(const mapper::Polygon& polygon) const {
-    return takes_any_ && mapper::SmallTriangles::take(polygon, ends_, kernels_->small);
+    return takes_any_ && mapper::SmallPolygons::take(polygon, ends_, kernels_->small);
   }
   // Of a polygon that it takes, to which it refers. Draws those that wait where there is no room.
   void add(const mapper::Polygon& polygon, const selvage_rect& visible,
            const mapper::Surface& surface) {
     const selvage_rect part = mapper::part_of(polygon, visible);
     if (mapper::is_empty(part)) return;
-    if (waiting_.count() == mapper::SmallTriangles::kMost) finish(surface);
+    if (!waiting_.has_room_for(polygon)) finish(surface);
     waiting_.add(polygon, part);
   }
   void finish(const mapper::Surface& surface) {
@@ -38,7 +38,7 @@ class SmallQueue {
   const mapper::Kernels* kernels_;
   bool takes_any_;
   mapper::SmallEnds ends_;
-  mapper::SmallTriangles waiting_;
+  mapper::SmallPolygons waiting_;
 };
 
 }  // namespace selvage::many

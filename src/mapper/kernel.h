@@ -13,7 +13,7 @@
 #include "mapper/lanes.h"
 #include "mapper/plane_lanes.h"
 #include "mapper/polygon.h"
-#include "mapper/small_triangles.h"
+#include "mapper/small_polygons.h"
 #include "mapper/span_batch.h"
 #include "mapper/stepped.h"
 #include "selvage.h"
@@ -68,7 +68,7 @@ struct ProjectiveSpans {
 
 // Each draw_... writes all pixels of the spans by its filter, exactly; draw_stepped, which only
 // nearest has, shows the texels of its lanes. draw_small, which only nearest may have, draws
-// triangles within its limits in order. Without draw_ruled, rows are drawn one by one;
+// polygons within its limits in order. Without draw_ruled, rows are drawn one by one;
 // draw_near_plane, which only nearest has, too, draws those whose exact map is a RuledMap, where
 // pays_near_plane says that this costs less than draw_ruled. Those of the area filter draw boxes of
 // any sides, and its other two, which are the bilinear ones, the least boxes.
@@ -81,7 +81,7 @@ struct Kernels {
   void (*draw_ruled)(const RuledSpans& spans, const Surface& surface) = nullptr;
   bool (*pays_near_plane)(const AffineField& field, const Surface& surface) = nullptr;
   void (*draw_near_plane)(const AffineSpans& spans, const Surface& surface) = nullptr;
-  void (*draw_small)(const SmallTriangles& triangles, const Surface& surface) = nullptr;
+  void (*draw_small)(const SmallPolygons& polygons, const Surface& surface) = nullptr;
   SmallLimits small = {};
   void (*draw_stepped)(const SteppedSpans& spans, const Surface& surface) = nullptr;
   void (*draw_boxes_affine)(const AffineSpans& spans, BoxSides sides,

@@ -45,11 +45,11 @@ void find_lanes_of(const SmallSetUp<Kind>& set_up, size_t i, const SmallBegins& 
 }
 
 template <class Kind>
-void find_all(const SmallTriangles& triangles, const selvage_texture& texture,
+void find_all(const SmallPolygons& polygons, const selvage_texture& texture,
               std::span<const SmallBegins> begins, std::span<SmallLanes> lanes) {
-  for (size_t first = 0; first < triangles.count(); first += size_t{kRows}) {
-    const SmallSetUp<Kind> set_up(triangles, first, texture);
-    for (size_t i = 0; i < size_t{kRows} && first + i < triangles.count(); ++i) {
+  for (size_t first = 0; first < polygons.count(); first += size_t{kRows}) {
+    const SmallSetUp<Kind> set_up(polygons, first, texture);
+    for (size_t i = 0; i < size_t{kRows} && first + i < polygons.count(); ++i) {
       SmallLanes* const to = &lanes[first + i];
       to->has_lanes = set_up.maps.has_lanes(i);
       to->lack_fx24 = set_up.maps.lack_fx24(i);
@@ -62,10 +62,11 @@ void find_all(const SmallTriangles& triangles, const selvage_texture& texture,
 
 }  // namespace
 
-void find_small_lanes(const SmallTriangles& triangles, const selvage_texture& texture,
+void find_small_lanes(const SmallPolygons& polygons, const selvage_texture& texture,
                       std::span<const SmallBegins> begins, std::span<SmallLanes> lanes) {
-  if (triangles.affine()) return find_all<AffineKind>(triangles, texture, begins, lanes);
-  find_all<ProjectiveKind>(triangles, texture, begins, lanes);
+  if (!polygons.affine()) return find_all<ProjectiveKind>(polygons, texture, begins, lanes);
+  if (!polygons.have_four()) return find_all<AffineKind>(polygons, texture, begins, lanes);
+  find_all<AffineParallelogramKind>(polygons, texture, begins, lanes);
 }
 
 #endif

@@ -1,4 +1,4 @@
-// The lanes that vector kernels have for small triangles, which else only they see.
+// The lanes that vector kernels have for small polygons, which else only they see.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "mapper/small_triangles.h"
+#include "mapper/small_polygons.h"
 #include "mapper/vector/kernel.h"
 #include "selvage.h"
 
@@ -15,7 +15,7 @@ namespace selvage::mapper {
 
 inline constexpr size_t kMostSmall_px = size_t{kSmall.most_px};
 
-// Of each row of a triangle's part, its first pixel from the part's left on.
+// Of each row of a polygon's part, its first pixel from the part's left on.
 using SmallBegins = std::array<int32_t, kMostSmall_px>;
 
 struct SmallLanes {
@@ -26,8 +26,8 @@ struct SmallLanes {
   std::array<std::array<int32_t, kMostSmall_px>, kMostSmall_px> u_fx24, v_fx24;
 };
 
-// Of a list: all kinds of triangles that a kernel tells apart are drawn by the same.
-using FindSmallLanes = void (*)(const SmallTriangles& triangles, const selvage_texture& texture,
+// Of a list: all kinds of polygons that a kernel tells apart are drawn by the same.
+using FindSmallLanes = void (*)(const SmallPolygons& polygons, const selvage_texture& texture,
                                 std::span<const SmallBegins> begins, std::span<SmallLanes> lanes);
 
 struct SmallLanesOf {
@@ -35,7 +35,7 @@ struct SmallLanesOf {
   FindSmallLanes find;
 };
 
-// By the kernels that draw small triangles and that this machine can run.
+// By the kernels that draw small polygons and that this machine can run.
 [[nodiscard]] std::vector<SmallLanesOf> all_small_lanes();
 
 }  // namespace selvage::mapper

@@ -34,20 +34,29 @@ struct LineVectors {
 };
 inline constexpr double kUpToHalf = 0.5;
 
-// A triangle's need no walk along its edges: one line goes through all rows, another one changes
-// at the corner between its edges, which is so many rows below the first.
-struct TriangleLines {
-  LineVectors whole, upper, lower;
+// Two edges below each other, with a corner between them, which is so many rows below the first.
+struct BrokenLine {
+  LineVectors upper, lower;
   RowNumbers corner;
 
-  [[nodiscard]] HWY_INLINE Columns whole_columns(RowNumbers rows_below) const {
-    return whole.columns(rows_below);
-  }
-  [[nodiscard]] HWY_INLINE Columns broken_columns(RowNumbers rows_below) const {
+  [[nodiscard]] HWY_INLINE Columns columns(RowNumbers rows_below) const {
     const auto is_upper = hn::Lt(rows_below, corner);
     const LineVectors broken = {hn::IfThenElse(is_upper, upper.dividend, lower.dividend),
                                 hn::IfThenElse(is_upper, upper.step, lower.step),
                                 hn::IfThenElse(is_upper, upper.reciprocal, lower.reciprocal)};
+    return broken.columns(rows_below);
+  }
+};
+
+// A triangle's need no walk along its edges: one of its sides is one edge.
+struct TriangleLines {
+  LineVectors whole;
+  BrokenLine broken;
+
+  [[nodiscard]] HWY_INLINE Columns one_side(RowNumbers rows_below) const {
+    return whole.columns(rows_below);
+  }
+  [[nodiscard]] HWY_INLINE Columns other_side(RowNumbers rows_below) const {
     return broken.columns(rows_below);
   }
 };

@@ -27,7 +27,7 @@ void draw_ruled(const RuledSpans& spans, const Surface& surface);
 void draw_near_plane(const AffineSpans& spans, const Surface& surface);
 
 // vector/small.cpp
-void draw_small(const SmallTriangles& triangles, const Surface& surface);
+void draw_small(const SmallPolygons& polygons, const Surface& surface);
 
 // vector/projective.cpp
 void draw_projective(const ProjectiveSpans& spans, const Surface& surface);

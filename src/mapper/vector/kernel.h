@@ -11,7 +11,7 @@
 #include "mapper/layout.h"
 #include "mapper/number.h"
 #include "mapper/projective_box.h"
-#include "mapper/small_triangles.h"
+#include "mapper/small_polygons.h"
 #include "mapper/stepped.h"
 
 namespace selvage::mapper {
@@ -46,7 +46,7 @@ inline constexpr int32_t kVectorTruncations_fx24 = kVectorTruncations_fx16;
   return kVectorTruncations_fx24 + steps + static_cast<int32_t>(margin_fx32 >> kWindowShift) + 1;
 }
 
-// Small triangles of AVX-512 and AVX2. In double, all sums and products of their whole numbers are
+// Small polygons of AVX-512 and AVX2. In double, all sums and products of their whole numbers are
 // exact: those of changes in x, y, u and v from vertex to vertex, and of these by the way from a
 // vertex to a pixel, or to a lane of its vector that is none.
 inline constexpr SmallLimits kSmall = {kMostLanes, 64, 64, 4};

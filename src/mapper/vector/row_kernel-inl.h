@@ -98,12 +98,12 @@ HWY_INLINE void find_in_triangle(const TriangleCorners& corners, SpanMaker* span
   const RowTag d;
   const auto& [top, middle, bottom] = corners;
   const int32_t row = batch.first_row;
-  const TriangleLines lines = {lines_between(top, bottom, row), lines_between(top, middle, row),
-                               lines_between(middle, bottom, row),
-                               hn::Set(d, first_centre_px(middle.y) - row)};
+  const TriangleLines lines = {lines_between(top, bottom, row),
+                               {lines_between(top, middle, row), lines_between(middle, bottom, row),
+                                hn::Set(d, first_centre_px(middle.y) - row)}};
   RowNumbers below = hn::Iota(d, 0);
   for (int32_t i = 0; i < batch.rows; i += kRows) {
-    spans->make(i, lines.whole_columns(below), lines.broken_columns(below));
+    spans->make(i, lines.one_side(below), lines.other_side(below));
     below = hn::Add(below, hn::Set(d, kRows));
   }
 }

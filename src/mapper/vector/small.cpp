@@ -1,4 +1,4 @@
-// Small triangles from vertices to pixels: Highway includes this file again for each SIMD target.
+// Small polygons from vertices to pixels: Highway includes this file again for each SIMD target.
 #include "mapper/vector/targets.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -8,5 +8,5 @@
 #include <hwy/highway.h>
 
 #if HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
-#include "mapper/vector/small_triangles-inl.h"
+#include "mapper/vector/small_polygons-inl.h"
 #endif

@@ -1,4 +1,4 @@
-// Small triangles of one affine map each: their coordinates. Included once for each SIMD target.
+// Small polygons of one affine map each: their coordinates. Included once for each SIMD target.
 //
 // Maps are whole numbers in double, so few bits long that sums and products are exact, and their
 // quotients, as in plane_kernel, which finds the same for one polygon of any size. Lanes walk from
@@ -13,7 +13,7 @@
 
 #include <cstddef>
 
-#include "mapper/small_triangles.h"
+#include "mapper/small_polygons.h"
 #include "mapper/vector/affine_window-inl.h"
 #include "mapper/vector/kernel.h"
 #include "mapper/vector/lanes-inl.h"
@@ -49,7 +49,7 @@ class SumOfSquares {
   RowNumbers sum_;
 };
 
-// u or v of triangles, each to be picked: counted from the first texel of a window, at the part's
+// u or v of polygons, each to be picked: counted from the first texel of a window, at the part's
 // first pixel, and from there to the right and down.
 struct SmallAffine {
   // 1/65536 texel times the doubled area.
@@ -59,13 +59,13 @@ struct SmallAffine {
   HWY_ALIGN int32_t start_fx24[kRows], right_fx24[kRows], down_fx24[kRows];
 };
 
-// Of kRows triangles.
+// Of kRows polygons.
 class AffineSmalls {
  public:
   SmallAffine u, v;
   HWY_ALIGN double doubled_area[kRows];
 
-  HWY_INLINE void find(const SmallTriangles& /*triangles*/, size_t /*first*/,
+  HWY_INLINE void find(const SmallPolygons& /*polygons*/, size_t /*first*/,
                        const SmallVertices& vertices, const SmallFrame& frame,
                        const SmallWindows& windows) {
     const Finder finder(frame);

@@ -1,4 +1,4 @@
-// The coordinates of small triangles of one affine map each by quotients without error. Included
+// The coordinates of small polygons of one affine map each by quotients without error. Included
 // once for each SIMD target.
 #if defined(SELVAGE_VECTOR_SMALL_AFFINE_EXACT_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_SMALL_AFFINE_EXACT_INL_H
@@ -15,7 +15,7 @@ namespace {
 
 #if SELVAGE_DRAWS_SMALL
 
-// Texels' 16.16, counted from a triangle's origin: floors of numerators over one divisor, and where
+// Texels' 16.16, counted from a polygon's origin: floors of numerators over one divisor, and where
 // the texture ends, the last ones in it.
 class ExactSmallAffine {
  public:
@@ -37,7 +37,7 @@ class ExactSmallAffine {
   }
 
  private:
-  // So many texels from the origin the texture ends, or far beyond the triangle.
+  // So many texels from the origin the texture ends, or far beyond the polygon.
   static HWY_INLINE int32_t most_fx16(int32_t end_texel) {
     return (HWY_MIN(end_texel, 1 << 8) << kTexelFraction) - 1;
   }

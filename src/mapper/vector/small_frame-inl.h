@@ -1,4 +1,4 @@
-// What is affine over small triangles, several at once: a lane is a triangle. Included once for
+// What is affine over small polygons, several at once: a lane is a polygon. Included once for
 // each SIMD target.
 #if defined(SELVAGE_VECTOR_SMALL_FRAME_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_SMALL_FRAME_INL_H
@@ -76,7 +76,7 @@ struct PixelSteps {
   V32 right_px, down_px;
 };
 
-// A bit for each triangle.
+// A bit for each polygon.
 [[nodiscard]] HWY_INLINE uint32_t bits_of(hn::Mask<RowTag> mask) {
   uint8_t bits[8] = {};  // as many as are stored
   hn::StoreMaskBits(RowTag(), mask, bits);

@@ -1,8 +1,8 @@
-// Small triangles by lists of their pixels, for targets that cannot store a part of a vector.
+// Small polygons by lists of their pixels, for targets that cannot store a part of a vector.
 // Included once for each SIMD target.
 //
 // Rows are a few pixels wide, and how many no processor foresees. One behind the other in a list
-// they fill vectors, and no branch asks where they end. Lists of several triangles are written
+// they fill vectors, and no branch asks where they end. Lists of several polygons are written
 // before the first is read: what was stored in pieces and is loaded as a vector waits for the
 // stores.
 #if defined(SELVAGE_VECTOR_SMALL_LIST_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -24,12 +24,13 @@ namespace {
 
 #if SELVAGE_DRAWS_SMALL && HWY_TARGET != HWY_AVX3
 
-// The pixels of some rows of a triangle.
+// The pixels of some rows of a polygon.
 class SmallList {
  public:
   // Between two columns, in rows [first_row, end_row) below the part's first.
-  HWY_INLINE void find(const TriangleLines& lines, int32_t first_px, int32_t end_px,
-                       int32_t first_row, int32_t end_row) {
+  template <class Lines>
+  HWY_INLINE void find(const Lines& lines, int32_t first_px, int32_t end_px, int32_t first_row,
+                       int32_t end_row) {
     const CodeTag d;
     const Rows rows(lines, first_px, end_px, first_row, end_row);
     int32_t count = 0;
@@ -62,7 +63,8 @@ class SmallList {
   struct Rows {
     HWY_ALIGN int32_t left_code[kMostRow_px], count_px[kMostRow_px];
 
-    HWY_INLINE Rows(const TriangleLines& lines, int32_t first_px, int32_t end_px, int32_t first_row,
+    template <class Lines>
+    HWY_INLINE Rows(const Lines& lines, int32_t first_px, int32_t end_px, int32_t first_row,
                     int32_t end_row) {
       const D32 d;
       for (int32_t k = 0; k < end_row - first_row; k += kLanes) {
@@ -79,7 +81,7 @@ class SmallList {
   HWY_ALIGN uint16_t code_[kMost_px + kMostRow_px];
 };
 
-// Exact texels, out of the loop. What they are found by is set up for a triangle's first ones.
+// Exact texels, out of the loop. What they are found by is set up for a polygon's first ones.
 template <class Kind>
 class SmallExactTexels {
  public:
@@ -122,7 +124,7 @@ class SmallCopies {
   HWY_ALIGN int32_t from_texel_[kLanes], to_byte_[kLanes];
 };
 
-// Copies the texels of the i-th triangle that was set up. `first_pixel` is the part's first one, or
+// Copies the texels of the i-th polygon that was set up. `first_pixel` is the part's first one, or
 // the one so many rows below it.
 template <class Pixel, class Kind>
 HWY_INLINE void draw_list(const SmallList& list, const SmallSetUp<Kind>& set_up, size_t i,
@@ -156,36 +158,36 @@ HWY_INLINE void draw_list(const SmallList& list, const SmallSetUp<Kind>& set_up,
   }
 }
 
-// Whether the rows of a triangle are so near that 32 bits hold how far.
+// Whether the rows of a polygon are so near that 32 bits hold how far.
 [[nodiscard]] HWY_INLINE bool are_rows_near(const selvage_image& target) {
   constexpr ptrdiff_t kMost = INT32_MAX / (kSmall.most_px + 1);
   return target.pitch >= -kMost && target.pitch <= kMost;
 }
 
-// Of those that were set up, the lists of the triangles from an index on.
+// Of those that were set up, the lists of the polygons from an index on.
 template <class Pixel, class Kind>
 class SmallSet {
  public:
-  HWY_INLINE SmallSet(const SmallTriangles& triangles, const SmallSetUp<Kind>& set_up, size_t first,
+  HWY_INLINE SmallSet(const SmallPolygons& polygons, const SmallSetUp<Kind>& set_up, size_t first,
                       const Surface& surface)
-      : triangles_(triangles), set_up_(set_up), first_(first), surface_(surface) {}
+      : polygons_(polygons), set_up_(set_up), first_(first), surface_(surface) {}
 
   [[nodiscard]] HWY_INLINE int32_t rows(size_t index) const {
-    return triangles_.end_row()[index] - triangles_.first_row()[index];
+    return polygons_.end_row()[index] - polygons_.first_row()[index];
   }
   HWY_INLINE void find(size_t index, int32_t first_row, int32_t end_row, SmallList* list) const {
-    list->find(set_up_.edges.of(index - first_), triangles_.left_px()[index],
-               triangles_.right_px()[index], first_row, end_row);
+    list->find(set_up_.edges.of(index - first_), polygons_.left_px()[index],
+               polygons_.right_px()[index], first_row, end_row);
   }
   HWY_INLINE void draw(size_t index, int32_t first_row, const SmallList& list,
                        SmallExactTexels<Kind>* exact) const {
-    const Span row{triangles_.first_row()[index] + first_row, triangles_.left_px()[index], 0};
+    const Span row{polygons_.first_row()[index] + first_row, polygons_.left_px()[index], 0};
     draw_list<Pixel>(list, set_up_, index - first_, surface_, first_pixel(surface_, row), first_row,
                      exact);
   }
 
  private:
-  const SmallTriangles& triangles_;
+  const SmallPolygons& polygons_;
   const SmallSetUp<Kind>& set_up_;
   size_t first_;
   const Surface& surface_;
@@ -205,9 +207,9 @@ HWY_NOINLINE void draw_far_rows(const SmallSet<Pixel, Kind>& set, size_t first, 
 }
 
 template <class Pixel, class Kind>
-HWY_INLINE void draw_small_set(const SmallTriangles& triangles, const SmallSetUp<Kind>& set_up,
+HWY_INLINE void draw_small_set(const SmallPolygons& polygons, const SmallSetUp<Kind>& set_up,
                                size_t first, size_t end, const Surface& surface) {
-  const SmallSet<Pixel, Kind> set(triangles, set_up, first, surface);
+  const SmallSet<Pixel, Kind> set(polygons, set_up, first, surface);
   if (HWY_UNLIKELY(!are_rows_near(surface.target))) return draw_far_rows(set, first, end);
   SmallList lists[kRows];
   SmallExactTexels<Kind> exact;

@@ -15,7 +15,7 @@
 
 #include <cstddef>
 
-#include "mapper/small_triangles.h"
+#include "mapper/small_polygons.h"
 #include "mapper/vector/kernel.h"
 #include "mapper/vector/lanes-inl.h"
 #include "mapper/vector/small_frame-inl.h"
@@ -48,10 +48,10 @@ struct AtVertices {
 };
 
 // q of kRows triangles from an index on; of fewer, the last one's again.
-[[nodiscard]] HWY_INLINE AtVertices depths_of(const SmallTriangles& triangles, size_t first) {
+[[nodiscard]] HWY_INLINE AtVertices depths_of(const SmallPolygons& polygons, size_t first) {
   HWY_ALIGN int32_t q[3][kRows];
   for (size_t i = 0; i < size_t{kRows}; ++i) {
-    const Polygon& polygon = triangles.polygon(HWY_MIN(first + i, triangles.count() - 1));
+    const Polygon& polygon = polygons.polygon(HWY_MIN(first + i, polygons.count() - 1));
     for (size_t k = 0; k < 3; ++k) q[k][i] = polygon.vertices[k].q;
   }
   const ColumnTag d;
@@ -64,12 +64,12 @@ class ProjectiveSmalls {
   SmallForm u, v, q;
   HWY_ALIGN float lowered_fx24[kRows];  // by so much are lanes
 
-  HWY_INLINE void find(const SmallTriangles& triangles, size_t first, const SmallVertices& vertices,
+  HWY_INLINE void find(const SmallPolygons& polygons, size_t first, const SmallVertices& vertices,
                        const SmallFrame& frame, const SmallWindows& windows) {
     const RowTag d;
-    triangles_ = &triangles;
+    polygons_ = &polygons;
     first_ = first;
-    const AtVertices depths = depths_of(triangles, first);
+    const AtVertices depths = depths_of(polygons, first);
     const RowNumbers least = hn::Min(hn::Min(depths.a, depths.b), depths.c);
     const RowNumbers unit = hn::Div(hn::Set(d, 1.0), hn::Mul(frame.doubled_area(), least));
     const RowNumbers fx24 = hn::Mul(unit, hn::Set(d, 1 << (kWindowFraction - kTexelFraction)));
@@ -90,13 +90,13 @@ class ProjectiveSmalls {
 
   // What it was set up from.
   [[nodiscard]] HWY_INLINE const Polygon& polygon(size_t i) const {
-    return triangles_->polygon(first_ + i);
+    return polygons_->polygon(first_ + i);
   }
   [[nodiscard]] HWY_INLINE int32_t first_px(size_t i) const {
-    return triangles_->left_px()[first_ + i];
+    return polygons_->left_px()[first_ + i];
   }
   [[nodiscard]] HWY_INLINE int32_t first_row(size_t i) const {
-    return triangles_->first_row()[first_ + i];
+    return polygons_->first_row()[first_ + i];
   }
 
  private:
@@ -136,7 +136,7 @@ class ProjectiveSmalls {
 
   HWY_ALIGN int32_t lack_fx24_[kRows];
   uint32_t have_lanes_;  // a bit each
-  const SmallTriangles* triangles_;
+  const SmallPolygons* polygons_;
   size_t first_;
 };
 

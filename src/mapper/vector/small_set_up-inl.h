@@ -1,4 +1,4 @@
-// The set-up of small triangles, several at once: a lane is a triangle. Included once for each SIMD
+// The set-up of small polygons, several at once: a lane is a polygon. Included once for each SIMD
 // target.
 #if defined(SELVAGE_VECTOR_SMALL_SET_UP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_SMALL_SET_UP_INL_H
@@ -9,8 +9,9 @@
 
 #include <cstddef>
 
-#include "mapper/small_triangles.h"
+#include "mapper/small_polygons.h"
 #include "mapper/vector/small_affine_exact-inl.h"
+#include "mapper/vector/small_parallelograms-inl.h"
 #include "mapper/vector/small_projective_exact-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -19,33 +20,37 @@ namespace {
 
 #if SELVAGE_DRAWS_SMALL
 
-// What one kind of triangles is drawn by.
+// What one kind of polygons is drawn by.
 struct AffineKind {
+  using Edges = SmallTriangleEdges;
   using Maps = AffineSmalls;
   using Lanes = AffineSmallLanes;
   using Rows = AffineSmallRows;
   using Exact = ExactAffineSmall;
 };
+struct AffineParallelogramKind : AffineKind {
+  using Edges = SmallParallelogramEdges;
+};
 struct ProjectiveKind {
+  using Edges = SmallTriangleEdges;
   using Maps = ProjectiveSmalls;
   using Lanes = ProjectiveSmallLanes;
   using Rows = ProjectiveSmallRows;
   using Exact = ExactProjectiveSmall;
 };
 
-// Of kRows triangles.
+// Of kRows polygons.
 template <class Kind>
 struct SmallSetUp {
-  SmallEdges edges;
+  typename Kind::Edges edges;
   HWY_ALIGN int32_t s_texel[kRows], t_texel[kRows];  // where texels are counted from
   HWY_ALIGN int32_t shape[kRows];                    // of windows
   typename Kind::Maps maps;
 
-  HWY_INLINE SmallSetUp(const SmallTriangles& triangles, size_t first,
-                        const selvage_texture& texture)
-      : SmallSetUp({vertices_of(triangles, first, 0), vertices_of(triangles, first, 1),
-                    vertices_of(triangles, first, 2)},
-                   triangles, first, texture) {}
+  HWY_INLINE SmallSetUp(const SmallPolygons& polygons, size_t first, const selvage_texture& texture)
+      : SmallSetUp({vertices_of(polygons, first, 0), vertices_of(polygons, first, 1),
+                    vertices_of(polygons, first, 2)},
+                   polygons, first, texture) {}
 
   [[nodiscard]] HWY_INLINE typename Kind::Exact exact(size_t i,
                                                       const selvage_texture& texture) const {
@@ -54,17 +59,16 @@ struct SmallSetUp {
   }
 
  private:
-  HWY_INLINE SmallSetUp(const SmallVertices& vertices, const SmallTriangles& triangles,
-                        size_t first, const selvage_texture& texture)
-      : edges(edges_of(Corner(vertices.a), Corner(vertices.b), Corner(vertices.c),
-                       triangles.first_row() + first)) {
+  HWY_INLINE SmallSetUp(const SmallVertices& vertices, const SmallPolygons& polygons, size_t first,
+                        const selvage_texture& texture)
+      : edges(vertices, polygons, first) {
     const ColumnTag d;
-    const SmallWindows windows(vertices, texture);
+    const SmallWindows windows(Kind::Edges::ranges(vertices, polygons, first), texture);
     hn::Store(windows.s.texel, d, s_texel);
     hn::Store(windows.t.texel, d, t_texel);
     hn::Store(windows.shape, d, shape);
-    const SmallFrame frame(vertices, triangles.left_px() + first, triangles.first_row() + first);
-    maps.find(triangles, first, vertices, frame, windows);
+    const SmallFrame frame(vertices, polygons.left_px() + first, polygons.first_row() + first);
+    maps.find(polygons, first, vertices, frame, windows);
   }
 };
 

@@ -1,4 +1,4 @@
-// Where small triangles' texels lie, several triangles at once: a lane is a triangle. Included once
+// Where small polygons' texels lie, several polygons at once: a lane is a polygon. Included once
 // for each SIMD target.
 #if defined(SELVAGE_VECTOR_SMALL_SHAPES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_SMALL_SHAPES_INL_H
@@ -20,7 +20,7 @@ namespace {
 
 #if SELVAGE_DRAWS_SMALL
 
-// The windows that AVX-512 draws triangles from, the smaller ones first: what lies in none is
+// The windows that AVX-512 draws polygons from, the smaller ones first: what lies in none is
 // loaded texel by texel. In meshes, where nobody foresees how many pixels a row has, that was
 // measured to cost more than the largest of them. AVX2 has none: all its texels are loaded.
 struct SmallShape {
@@ -50,10 +50,9 @@ struct SmallWindows {
   SmallOrigin s, t;
   Columns shape;
 
-  HWY_INLINE SmallWindows(const SmallVertices& vertices, const selvage_texture& texture) {
+  HWY_INLINE SmallWindows(const SmallTexelRanges& ranges, const selvage_texture& texture) {
     const ColumnTag d;
-    const auto& [a, b, c] = vertices;
-    const TexelsOf u(a.u, b.u, c.u, texture.width), v(a.v, b.v, c.v, texture.height);
+    const TexelsOf u(ranges.u, texture.width), v(ranges.v, texture.height);
     s = {u.first, u.lowered_fx24};
     t = {v.first, v.lowered_fx24};
     shape = hn::Set(d, kSmallShapeCount);
@@ -71,24 +70,24 @@ struct SmallWindows {
   }
 
  private:
-  // Of triangles, the first and the last one that they show.
+  // Of polygons, the first and the last one that they show.
   struct TexelsOf {
     Columns first, last, lowered_fx24;
 
-    HWY_INLINE TexelsOf(Columns a, Columns b, Columns c, int32_t size_texel) {
+    HWY_INLINE TexelsOf(const SmallRange& range_fx16, int32_t size_texel) {
       const ColumnTag d;
       const Columns end = hn::Set(d, size_texel);
-      const Columns most = hn::ShiftRight<kTexelFraction>(hn::Max(hn::Max(a, b), c));
+      const Columns most = hn::ShiftRight<kTexelFraction>(range_fx16.most);
       const auto is_end = hn::Eq(most, end);
       lowered_fx24 = hn::IfThenElseZero(is_end, hn::Set(d, kLowered_fx24));
       last = hn::Min(most, hn::Sub(end, hn::Set(d, 1)));
-      // All three may be the end.
-      first = hn::Min(hn::ShiftRight<kTexelFraction>(hn::Min(hn::Min(a, b), c)), last);
+      // All of them may be the end.
+      first = hn::Min(hn::ShiftRight<kTexelFraction>(range_fx16.least), last);
     }
   };
 };
 
-// Where a triangle's texels are counted from, and how far from there the texture ends.
+// Where a polygon's texels are counted from, and how far from there the texture ends.
 struct SmallTexels {
   int32_t first_s, first_t, end_s, end_t;
 };

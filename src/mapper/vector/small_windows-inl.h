@@ -1,5 +1,5 @@
-// Small triangles row by row: each from one window, or by a load for each pixel. Where there is a
-// near-tie the triangle is drawn once more. Included once for each SIMD target.
+// Small polygons row by row: each from one window, or by a load for each pixel. Where there is a
+// near-tie the polygon is drawn once more. Included once for each SIMD target.
 #if defined(SELVAGE_VECTOR_SMALL_WINDOWS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef SELVAGE_VECTOR_SMALL_WINDOWS_INL_H
 #undef SELVAGE_VECTOR_SMALL_WINDOWS_INL_H
@@ -41,7 +41,7 @@ class SmallRows {
 
 // One of those that were set up.
 template <class Kind>
-struct SmallTriangle {
+struct SmallPolygon {
   const SmallSetUp<Kind>& set_up;
   size_t i;
   const SmallRows<Kind>& rows;
@@ -64,27 +64,27 @@ struct SmallTriangle {
 
 // Returns whether there is a near-tie among the pixels, of which all are drawn.
 template <class Pixel, class Kind, class Source>
-[[nodiscard]] HWY_INLINE bool draw_by_lanes(const SmallTriangle<Kind>& triangle,
-                                            const Source& source, const selvage_image& target) {
-  const LowFineLanes low(triangle.set_up.maps.lack_fx24(triangle.i));
-  const typename Kind::Rows::Walk walk(triangle.set_up.maps, triangle.i);
+[[nodiscard]] HWY_INLINE bool draw_by_lanes(const SmallPolygon<Kind>& polygon, const Source& source,
+                                            const selvage_image& target) {
+  const LowFineLanes low(polygon.set_up.maps.lack_fx24(polygon.i));
+  const typename Kind::Rows::Walk walk(polygon.set_up.maps, polygon.i);
   V32 changed = hn::Zero(D32());
-  triangle.template for_each_row<Pixel>(
+  polygon.template for_each_row<Pixel>(
       target, [&](int32_t k, int32_t count_px, Pixel* to) HWY_ATTR {
-        changed = source.draw(low, walk.along(triangle.rows.lanes, k), count_px, changed, to);
+        changed = source.draw(low, walk.along(polygon.rows.lanes, k), count_px, changed, to);
       });
   return changes_texels<kWindowFraction>(changed);
 }
 
 template <class Pixel, class Kind, class Source>
-HWY_NOINLINE void draw_exactly(const SmallTriangle<Kind>& triangle, const Source& source,
+HWY_NOINLINE void draw_exactly(const SmallPolygon<Kind>& polygon, const Source& source,
                                const Surface& surface) {
   const D32 d;
-  const auto exact = triangle.set_up.exact(triangle.i, surface.texture);
-  triangle.template for_each_row<Pixel>(
+  const auto exact = polygon.set_up.exact(polygon.i, surface.texture);
+  polygon.template for_each_row<Pixel>(
       surface.target, [&](int32_t k, int32_t count_px, Pixel* to) HWY_ATTR {
         if (count_px == 0) return;
-        const int32_t right_px = triangle.rows.left_px[k] - triangle.first_px;
+        const int32_t right_px = polygon.rows.left_px[k] - polygon.first_px;
         const PixelSteps steps{hn::Iota(d, right_px), hn::Set(d, k)};
         source.draw(exact.at(steps, count_px), count_px, to);
       });
@@ -146,37 +146,36 @@ class SmallSource<Pixel, kSmallShapeCount> {
 };
 
 template <class Pixel, int kShape, class Kind>
-HWY_INLINE void draw_small_triangle(const SmallTriangle<Kind>& triangle, const Surface& surface) {
-  const SmallSource<Pixel, kShape> source(surface.texture, triangle.set_up.s_texel[triangle.i],
-                                          triangle.set_up.t_texel[triangle.i]);
-  const bool has_lanes = triangle.set_up.maps.has_lanes(triangle.i);
-  if (HWY_LIKELY(has_lanes && !draw_by_lanes<Pixel>(triangle, source, surface.target))) return;
-  draw_exactly<Pixel>(triangle, source, surface);
+HWY_INLINE void draw_small_polygon(const SmallPolygon<Kind>& polygon, const Surface& surface) {
+  const SmallSource<Pixel, kShape> source(surface.texture, polygon.set_up.s_texel[polygon.i],
+                                          polygon.set_up.t_texel[polygon.i]);
+  const bool has_lanes = polygon.set_up.maps.has_lanes(polygon.i);
+  if (HWY_LIKELY(has_lanes && !draw_by_lanes<Pixel>(polygon, source, surface.target))) return;
+  draw_exactly<Pixel>(polygon, source, surface);
 }
 
 // By its shape, one of kShape or above.
 template <class Pixel, class Kind, int kShape = 0>
-HWY_INLINE void draw_by_shape(const SmallTriangle<Kind>& triangle, const Surface& surface) {
+HWY_INLINE void draw_by_shape(const SmallPolygon<Kind>& polygon, const Surface& surface) {
   if constexpr (kShape < kSmallShapeCount) {
-    if (triangle.set_up.shape[triangle.i] != kShape) {
-      return draw_by_shape<Pixel, Kind, kShape + 1>(triangle, surface);
+    if (polygon.set_up.shape[polygon.i] != kShape) {
+      return draw_by_shape<Pixel, Kind, kShape + 1>(polygon, surface);
     }
   }
-  draw_small_triangle<Pixel, kShape>(triangle, surface);
+  draw_small_polygon<Pixel, kShape>(polygon, surface);
 }
 
 // Of those that were set up, the one with an index.
 template <class Pixel, class Kind>
-HWY_INLINE void draw_small_set(const SmallTriangles& triangles, const SmallSetUp<Kind>& set_up,
+HWY_INLINE void draw_small_set(const SmallPolygons& polygons, const SmallSetUp<Kind>& set_up,
                                size_t first, size_t end, const Surface& surface) {
   for (size_t index = first; index < end; ++index) {
     const size_t i = index - first;
-    const int32_t first_px = triangles.left_px()[index];
-    const SmallRows<Kind> rows(set_up, i, first_px, triangles.right_px()[index]);
-    draw_by_shape<Pixel>(
-        SmallTriangle<Kind>{set_up, i, rows, first_px, triangles.first_row()[index],
-                            triangles.end_row()[index]},
-        surface);
+    const int32_t first_px = polygons.left_px()[index];
+    const SmallRows<Kind> rows(set_up, i, first_px, polygons.right_px()[index]);
+    draw_by_shape<Pixel>(SmallPolygon<Kind>{set_up, i, rows, first_px, polygons.first_row()[index],
+                                            polygons.end_row()[index]},
+                         surface);
   }
 }
 

@@ -11,5 +11,5 @@
 #define HWY_DISABLED_TARGETS \
   (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | SELVAGE_LEFT_OUT)
 
-// Whether a target draws small triangles: with four doubles or more to the vector, fused products.
+// Whether a target draws small polygons: with four doubles or more to the vector, fused products.
 #define SELVAGE_DRAWS_SMALL (HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3)

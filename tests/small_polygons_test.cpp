@@ -1,4 +1,4 @@
-// Small triangles, which kernels may draw several at a call: each kernel draws them as the scalar
+// Small polygons, which kernels may draw several at a call: each kernel draws them as the scalar
 // one does, one after another.
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@
 #include "mapper/image.h"
 #include "spec/random.h"
 #include "spec/vertex_units.h"
-#include "tests/any_small_triangles.h"
+#include "tests/any_small_polygons.h"
 #include "tests/fenced_bytes.h"
 #include "tests/small_support.h"
 
@@ -23,12 +23,12 @@ using spec::kPixel_fx8;
 using spec::kTexel_fx16;
 
 // A block of seeds.
-class SmallTrianglesOf : public testing::TestWithParam<uint64_t> {
+class SmallPolygonsOf : public testing::TestWithParam<uint64_t> {
  protected:
   static constexpr uint64_t kSeeds = 8000;
 };
 
-TEST_P(SmallTrianglesOf, EveryKernelDrawsAsTheScalarOneDoes) {
+TEST_P(SmallPolygonsOf, EveryKernelDrawsAsTheScalarOneDoes) {
   for (uint64_t seed = GetParam() * kSeeds + 1; seed <= (GetParam() + 1) * kSeeds; ++seed) {
     spec::Random random(seed);
     const spec::Case c = any_small_case(random);
@@ -36,10 +36,10 @@ TEST_P(SmallTrianglesOf, EveryKernelDrawsAsTheScalarOneDoes) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Block, SmallTrianglesOf, testing::Range(uint64_t{0}, uint64_t{5}));
+INSTANTIATE_TEST_SUITE_P(Block, SmallPolygonsOf, testing::Range(uint64_t{0}, uint64_t{5}));
 
-// Each triangle by the mapping that a call for itself would choose.
-TEST(SmallTriangles, AreMappedAsByACallEachWithinATolerance) {
+// Each by the mapping that a call for itself would choose.
+TEST(SmallPolygons, AreMappedAsByACallEachWithinATolerance) {
   for (uint64_t seed = 1; seed <= 3000; ++seed) {
     spec::Random random(seed);
     const spec::Case c = any_small_case(random);
@@ -56,7 +56,7 @@ TEST(SmallTriangles, AreMappedAsByACallEachWithinATolerance) {
 }
 
 // Its first byte lies behind a page that may not be read, or its last byte before one.
-TEST(SmallTriangles, ReadNoTexelBesideTheTexture) {
+TEST(SmallPolygons, ReadNoTexelBesideTheTexture) {
   for (uint64_t seed = 1; seed <= 4000; ++seed) {
     SCOPED_TRACE(seed);
     spec::Random random(seed);
@@ -137,7 +137,7 @@ void expect_far_rows_alike(selvage_format format) {
   }
 }
 
-TEST(SmallTriangles, RowsMayBeFarApart) {
+TEST(SmallPolygons, RowsMayBeFarApart) {
   expect_far_rows_alike<uint8_t>(SELVAGE_INDEX8);
   expect_far_rows_alike<uint16_t>(SELVAGE_RGB565);
   expect_far_rows_alike<uint32_t>(SELVAGE_RGBA8888);

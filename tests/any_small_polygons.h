@@ -1,4 +1,5 @@
-// Lists of triangles that are small, or hardly larger: needles, ties, and depths at their limits.
+// Lists of triangles and parallelograms that are small, or hardly larger: needles, ties, and depths
+// at their limits.
 #pragma once
 
 #include <algorithm>
@@ -149,7 +150,7 @@ inline void set_inverse_texels(spec::Random& random, int32_t size_texel,
                      &outline);
       set_any_texels(random, c.texture_height_texel, &selvage_vertex::y, &selvage_vertex::v,
                      &outline);
-      if (random.percent(10)) add_fourth(&outline);
+      if (random.percent(25)) add_fourth(&outline);
     } while (!is_small_drawable(outline));
     set_any_depths(random, &outline);
     if (random.percent(10)) {
