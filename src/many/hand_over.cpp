@@ -15,8 +15,8 @@ std::optional<Part> HandOver::take(size_t worker) {
 
 std::optional<Part> HandOver::wait_for_one(size_t worker) {
   Slot& slot = slots_[worker];
-  slot.state.store(State::kWaits, std::memory_order_release);
   waiting_.fetch_add(1, std::memory_order_relaxed);
+  slot.state.store(State::kWaits, std::memory_order_release);
   while (undone_.load(std::memory_order_acquire) != 0) {
     if (slot.state.load(std::memory_order_acquire) == State::kHas) {
       slot.state.store(State::kWorks, std::memory_order_relaxed);
@@ -27,7 +27,7 @@ std::optional<Part> HandOver::wait_for_one(size_t worker) {
   return std::nullopt;
 }
 
-bool HandOver::give(const Part& part) {
+size_t HandOver::give(const Part& part) {
   for (size_t worker = 0; worker < parts_.size(); ++worker) {
     Slot& slot = slots_[worker];
     State waits = State::kWaits;
@@ -38,9 +38,9 @@ bool HandOver::give(const Part& part) {
     undone_.fetch_add(1, std::memory_order_relaxed);
     slot.part = part;
     slot.state.store(State::kHas, std::memory_order_release);
-    return true;
+    return part.bands.first;
   }
-  return false;
+  return part.bands.end;
 }
 
 }  // namespace selvage::many

@@ -33,8 +33,9 @@ class HandOver {
   // How many wait. Costs no more than to read a word that rarely changes.
   [[nodiscard]] size_t waiting() const { return waiting_.load(std::memory_order_relaxed); }
   // Gives a part to one that waits: who gives has drawn all that comes before in its bands, and
-  // draws nothing there any more. False where no one waits: the part is the caller's as before.
-  [[nodiscard]] bool give(const Part& part);
+  // draws nothing there any more. Returns where the giver's bands end now: at the part, or behind
+  // it, where no one waits any longer.
+  [[nodiscard]] size_t give(const Part& part);
 
  private:
   enum class State : uint8_t { kWorks, kWaits, kIsGiven, kHas };

@@ -11,7 +11,9 @@ namespace {
 
 // Less than this is drawn sooner than another worker would notice.
 constexpr double kLeastPiece_px = 32768, kLeastToGive_px = 8192;
-constexpr size_t kPause = 64;  // polygons, after which what could not be halved is judged again
+// Polygons, after which what could not be halved is judged again; then twice as many, and so on: in
+// a list that never can be, judging must not take longer than drawing.
+constexpr size_t kFirstPause = 64;
 
 [[nodiscard]] bool is_large(const mapper::Polygon& polygon) {
   const double width_px = polygon.right_px - polygon.left_px,
@@ -55,15 +57,18 @@ BandRange PartDraw::piece_of(size_t polygon, BandRange left) const {
 }
 
 void PartDraw::give_half(size_t polygon, BandRange left) {
+  if (bands_.count() == 1) return;
   const BandWork work = work_left(request_, index_.bands(), {polygon, bands_}, left);
   const BandShares shares(work, bands_);
   const size_t cut = std::max(shares.part(0, 2).end, left.first);
-  next_answer_ = polygon + kPause;
-  if (shares.all_px() < kLeastToGive_px || cut == bands_.first || cut == bands_.end) return;
+  if (shares.all_px() < kLeastToGive_px || cut == bands_.end) {
+    pause_ = std::max(2 * pause_, kFirstPause);
+    next_answer_ = polygon + pause_;
+    return;
+  }
   painter_.finish();
-  if (!others_.give({polygon, {cut, bands_.end}})) return;
-  next_answer_ = polygon;
-  bands_.end = cut;
+  pause_ = 0;
+  bands_.end = others_.give({polygon, {cut, bands_.end}});
   painter_.show(visible(bands_));
   walk_ = {index_, bands_, polygon + 1};
 }

@@ -1,5 +1,6 @@
 // Draws a part of what was prepared, and gives half of what is left away when another worker wants
-// it. Each cut sets polygons up twice: so there is none that nobody asked for.
+// it. Each cut between workers sets polygons up twice: so there is none that nobody asked for.
+// Large polygons alone are drawn in pieces, between which it listens.
 #pragma once
 
 #include <cstddef>
@@ -52,7 +53,7 @@ class PartDraw {
   BandRange bands_;
   BandIndex::Walk walk_;
   Painter painter_;
-  size_t next_answer_ = 0;  // the polygon at which it listens again
+  size_t next_answer_ = 0, pause_ = 0;  // the polygon at which it listens again, since so many
 };
 
 }  // namespace selvage::many

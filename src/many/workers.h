@@ -1,4 +1,4 @@
-// Workers: the only room that knows of threads. share_out.h is what the others call.
+// Workers: the only room that knows of threads. share_out.h and band_draw.cpp build on it.
 #pragma once
 
 #include <cstddef>

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -119,6 +120,44 @@ TEST(PartDraw, DrawsWhatItKeepsBeforeItGives) {
     const int given = draw_with(1, prepared, Others::kComeLater);
     EXPECT_TRUE(target == expected) << given << " parts given";
   }
+}
+
+TEST(PartDraw, KeepsASingleBand) {
+  const List list(300, /*seed=*/3);
+  const Target expected = in_order(list.polygons, {});
+  Target target;
+  selvage_image strip = target.image();
+  strip.height = kLeastBandRows;
+  const PreparedList prepared(list.polygons, strip);
+  EXPECT_EQ(draw_with(1, prepared), 0);
+  EXPECT_TRUE(std::equal(target.pixels.begin(), target.pixels.begin() + kWidth_px * kLeastBandRows,
+                         expected.pixels.begin()));
+}
+
+// Something small behind a large polygon, which is drawn in pieces.
+TEST(PartDraw, DrawsInAllOfItsBandsAfterALargePolygon) {
+  constexpr int32_t kSide_px = 600, kSide = kSide_px * 256;
+  const List list(1, /*seed=*/1);
+  const std::array<selvage_vertex, 7> vertices{{{0, 0, 0, 0, 1},
+                                                {kSide, 0, 31 << 16, 0, 1},
+                                                {kSide, kSide, 31 << 16, 31 << 16, 1},
+                                                {0, kSide, 0, 31 << 16, 1},
+                                                {0, 0, 0, 0, 1},
+                                                {9 * 256, 256, 9 << 16, 0, 1},
+                                                {256, 9 * 256, 0, 9 << 16, 1}}};
+  const std::array<selvage_polygon, 2> polygons{
+      {{vertices.data(), 4, &list.textures[0]}, {vertices.data() + 4, 3, &list.textures[1]}}};
+  std::vector<uint32_t> pixels(kSide_px * kSide_px), expected = pixels;
+  const auto image = [](std::vector<uint32_t>& of) {
+    return selvage_image{of.data(), kSide_px, kSide_px, kSide_px * 4, SELVAGE_RGBA8888};
+  };
+  const selvage_image whole = image(expected);
+  for (const auto& [corners, count, texture] : polygons) {
+    ASSERT_EQ(selvage_draw(&whole, nullptr, corners, count, texture, nullptr), SELVAGE_OK);
+  }
+  const PreparedList prepared(polygons, image(pixels));
+  static_cast<void>(draw_with(0, prepared));
+  EXPECT_EQ(pixels, expected);
 }
 
 // Half of what a polygon has left is given away, too.
