@@ -84,7 +84,8 @@ class BandIndex {
 
     Walk(const BandIndex& index, BandRange bands, size_t first)
         : groups_(index.groups_), bands_(bands), group_(first / kPolygonsPerGroup) {
-      if (group_ < groups_.size()) bits_ = bits_of(group_) & ~uint64_t{0} << first % 64;
+      if (group_ < groups_.size())
+        bits_ = bits_of(group_) & ~uint64_t{0} << first % kPolygonsPerGroup;
     }
 
     [[nodiscard]] size_t next() {

@@ -18,10 +18,7 @@ std::optional<Part> HandOver::wait_for_one(size_t worker) {
   waiting_.fetch_add(1, std::memory_order_relaxed);
   slot.state.store(State::kWaits, std::memory_order_release);
   while (undone_.load(std::memory_order_acquire) != 0) {
-    if (slot.state.load(std::memory_order_acquire) == State::kHas) {
-      slot.state.store(State::kWorks, std::memory_order_relaxed);
-      return slot.part;
-    }
+    if (slot.state.load(std::memory_order_acquire) == State::kHas) return slot.part;
     wait_a_little();
   }
   return std::nullopt;
@@ -31,7 +28,7 @@ size_t HandOver::give(const Part& part) {
   for (size_t worker = 0; worker < parts_.size(); ++worker) {
     Slot& slot = slots_[worker];
     State waits = State::kWaits;
-    if (!slot.state.compare_exchange_strong(waits, State::kIsGiven, std::memory_order_acquire)) {
+    if (!slot.state.compare_exchange_strong(waits, State::kWorks, std::memory_order_acquire)) {
       continue;
     }
     waiting_.fetch_sub(1, std::memory_order_relaxed);

@@ -38,7 +38,7 @@ class HandOver {
   [[nodiscard]] size_t give(const Part& part);
 
  private:
-  enum class State : uint8_t { kWorks, kWaits, kIsGiven, kHas };
+  enum class State : uint8_t { kWorks, kWaits, kHas };
 
   static constexpr size_t kCacheLine_bytes = 64;
   // Two workers that look at one line would wait for each other.

@@ -134,52 +134,59 @@ TEST(PartDraw, KeepsASingleBand) {
                          expected.pixels.begin()));
 }
 
-// Something small behind a large polygon, which is drawn in pieces.
-TEST(PartDraw, DrawsInAllOfItsBandsAfterALargePolygon) {
-  constexpr int32_t kSide_px = 600, kSide = kSide_px * 256;
-  const List list(1, /*seed=*/1);
-  const std::array<selvage_vertex, 7> vertices{{{0, 0, 0, 0, 1},
-                                                {kSide, 0, 31 << 16, 0, 1},
-                                                {kSide, kSide, 31 << 16, 31 << 16, 1},
-                                                {0, kSide, 0, 31 << 16, 1},
-                                                {0, 0, 0, 0, 1},
-                                                {9 * 256, 256, 9 << 16, 0, 1},
-                                                {256, 9 * 256, 0, 9 << 16, 1}}};
-  const std::array<selvage_polygon, 2> polygons{
-      {{vertices.data(), 4, &list.textures[0]}, {vertices.data() + 4, 3, &list.textures[1]}}};
-  std::vector<uint32_t> pixels(kSide_px * kSide_px), expected = pixels;
-  const auto image = [](std::vector<uint32_t>& of) {
-    return selvage_image{of.data(), kSide_px, kSide_px, kSide_px * 4, SELVAGE_RGBA8888};
-  };
-  const selvage_image whole = image(expected);
-  for (const auto& [corners, count, texture] : polygons) {
-    ASSERT_EQ(selvage_draw(&whole, nullptr, corners, count, texture, nullptr), SELVAGE_OK);
+// Polygons that are drawn in pieces, on a target of a thousand pixels a side.
+class LargePolygons : public testing::Test {
+ protected:
+  static constexpr int32_t kSide_px = 1000, kSide = kSide_px * 256;
+  static inline const std::array<selvage_vertex, 4> kWhole{{{0, 0, 0, 0, 1},
+                                                            {kSide, 0, 31 << 16, 0, 1},
+                                                            {kSide, kSide, 31 << 16, 31 << 16, 1},
+                                                            {0, kSide, 0, 31 << 16, 1}}};
+
+  const List list{1, /*seed=*/1};
+  std::vector<selvage_polygon> polygons{{kWhole.data(), 4, &list.textures[0]}};
+  std::vector<uint32_t> pixels = std::vector<uint32_t>(kSide_px * kSide_px);
+
+  [[nodiscard]] static selvage_image image(std::vector<uint32_t>& of) {
+    return {of.data(), kSide_px, kSide_px, kSide_px * 4, SELVAGE_RGBA8888};
   }
-  const PreparedList prepared(polygons, image(pixels));
-  static_cast<void>(draw_with(0, prepared));
-  EXPECT_EQ(pixels, expected);
+  [[nodiscard]] std::vector<uint32_t> expected() const {
+    std::vector<uint32_t> drawn(pixels.size());
+    const selvage_image target = image(drawn);
+    for (const auto& [vertices, count, texture] : polygons) {
+      EXPECT_EQ(selvage_draw(&target, nullptr, vertices, count, texture, nullptr), SELVAGE_OK);
+    }
+    return drawn;
+  }
+};
+
+TEST_F(LargePolygons, HaveOthersBehindThemInAllBands) {
+  const std::array<selvage_vertex, 3> small{
+      {{0, 0, 0, 0, 1}, {9 * 256, 256, 9 << 16, 0, 1}, {256, 9 * 256, 0, 9 << 16, 1}}};
+  polygons.push_back({small.data(), 3, &list.textures[1]});
+  static_cast<void>(draw_with(0, PreparedList(polygons, image(pixels))));
+  EXPECT_EQ(pixels, expected());
 }
 
-// Half of what a polygon has left is given away, too.
-TEST(PartDraw, GivesAwayBandsOfAPolygonThatIsHalfDrawn) {
-  constexpr int32_t kSide_px = 1000, kSide = kSide_px * 256;
-  const List list(1, /*seed=*/1);
-  const std::array<selvage_vertex, 4> square{{{0, 0, 0, 0, 1},
-                                              {kSide, 0, 31 << 16, 0, 1},
-                                              {kSide, kSide, 31 << 16, 31 << 16, 1},
-                                              {0, kSide, 0, 31 << 16, 1}}};
-  const std::array<selvage_polygon, 2> twice{
-      {{square.data(), 4, &list.textures[0]}, {square.data(), 4, &list.textures[1]}}};
-  std::vector<uint32_t> pixels(kSide_px * kSide_px), expected = pixels;
-  const auto image = [](std::vector<uint32_t>& of) {
-    return selvage_image{of.data(), kSide_px, kSide_px, kSide_px * 4, SELVAGE_RGBA8888};
-  };
-  const selvage_image whole = image(expected);
-  ASSERT_EQ(selvage_draw(&whole, nullptr, square.data(), 4, &list.textures[1], nullptr),
-            SELVAGE_OK);
-  const PreparedList prepared(twice, image(pixels));
-  EXPECT_GT(draw_with(2, prepared), 1);
-  EXPECT_EQ(pixels, expected);
+TEST_F(LargePolygons, AreGivenAway) {
+  polygons.push_back({kWhole.data(), 4, &list.textures[1]});
+  EXPECT_GT(draw_with(2, PreparedList(polygons, image(pixels))), 1);
+  EXPECT_EQ(pixels, expected());
+}
+
+// Who takes the last rows of one that is half drawn draws something else over it there: nobody else
+// draws it once more.
+TEST_F(LargePolygons, AreNotDrawnInWhatWasGivenAway) {
+  constexpr int32_t kLast = kSide - 10 * 256;
+  const std::array<selvage_vertex, 3> small{
+      {{0, kLast, 0, 0, 1}, {9 * 256, kLast, 9 << 16, 0, 1}, {0, kSide - 256, 0, 9 << 16, 1}}};
+  polygons.push_back({small.data(), 3, &list.textures[1]});
+  const std::vector<uint32_t> whole = expected();
+  for (int round = 0; round < 20; ++round) {
+    std::fill(pixels.begin(), pixels.end(), 0);
+    const int given = draw_with(1, PreparedList(polygons, image(pixels)), Others::kComeLater);
+    ASSERT_EQ(pixels, whole) << given << " parts given";
+  }
 }
 
 }  // namespace
