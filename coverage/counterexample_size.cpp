@@ -7,6 +7,9 @@ namespace selvage::coverage {
 namespace {
 
 constexpr std::array kLarge = {
+    LargeCounterexample{"rgb565_row_of_eight_bits",
+                        {.texture_texel = 258},
+                        "it takes 257 rows to have one whose number has more than 8 bits"},
     LargeCounterexample{"abrash57_untransformed_not_copied",
                         {.target_px = 330},
                         "the last of n pixels lies 1/(2 n) texel from the next texel, and n steps, "

@@ -1,7 +1,9 @@
 // Wrong mappers: which texel they show, and what the call returns.
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
 #include <utility>
+#include <vector>
 
 #include "coverage/catalogue.h"
 #include "coverage/recipe.h"
@@ -164,6 +166,71 @@ void spoil_address(Catalogue* catalogue) {
   });
 }
 
+// Texels of a narrow format tell their whole place only digit by digit.
+void spoil_narrow_formats(Catalogue* catalogue) {
+  const auto with_place = [](selvage_format format, spec::Texel (*of)(spec::Texel)) {
+    return [=](Recipe& r) {
+      r.prepare = [=](Job& job) {
+        if (job.texture.format != format) return;
+        job.place = [of](const selvage_texture& texture, spec::Texel texel) {
+          return place_of(texture, of(texel));
+        };
+      };
+    };
+  };
+  catalogue->add("index8_column_of_four_bits", "MAP", "of INDEX8 the column keeps 4 bits",
+                 with_place(SELVAGE_INDEX8, [](spec::Texel texel) {
+                   return spec::Texel{texel.s & 15, texel.t};
+                 }));
+  catalogue->add("rgb565_row_of_eight_bits", "MAP", "of RGB565 the row keeps 8 bits",
+                 with_place(SELVAGE_RGB565, [](spec::Texel texel) {
+                   return spec::Texel{texel.s, texel.t & 255};
+                 }));
+}
+
+// A copy of the texture that was drawn last.
+class TextureCache {
+ public:
+  // The texture's copy: made anew only where its description is another than the last one's.
+  [[nodiscard]] selvage_texture copy_of(const selvage_texture& texture) {
+    const ptrdiff_t bytes = bytes_per_texel(texture.format);
+    if (!is_same(texture)) {
+      seen_ = texture;
+      texels_.resize(static_cast<size_t>(bytes * texture.width * texture.height));
+      for (int32_t t = 0; t < texture.height; ++t) {
+        std::memcpy(texels_.data() + t * texture.width * bytes,
+                    static_cast<const char*>(texture.texels) + t * texture.pitch,
+                    static_cast<size_t>(texture.width * bytes));
+      }
+    }
+    selvage_texture copy = texture;
+    copy.texels = texels_.data();
+    copy.pitch = texture.width * bytes;
+    return copy;
+  }
+
+ private:
+  [[nodiscard]] bool is_same(const selvage_texture& texture) const {
+    return texture.texels == seen_.texels && texture.width == seen_.width &&
+           texture.height == seen_.height && texture.pitch == seen_.pitch &&
+           texture.format == seen_.format;
+  }
+
+  selvage_texture seen_{};
+  std::vector<char> texels_;
+};
+
+void spoil_memory(Catalogue* catalogue) {
+  catalogue->add("knows_textures_by_address", "SAME",
+                 "a texture is not read again where the one before lay there and was as large",
+                 [](Recipe& r) {
+                   r.prepare = [](Job& job) {
+                     thread_local TextureCache cache;  // mappers are tried by several threads
+                     job.texture = cache.copy_of(job.texture);
+                   };
+                 });
+}
+
 void spoil_errors(Catalogue* catalogue) {
   catalogue->add("hides_errors", "TOTAL", "errors are reported as success",
                  [](Recipe& r) { r.status = [](selvage_status) { return SELVAGE_OK; }; });
@@ -183,6 +250,8 @@ void add_wrong_mapping(Catalogue* catalogue) {
   spoil_perspective(catalogue);
   spoil_rounding(catalogue);
   spoil_address(catalogue);
+  spoil_narrow_formats(catalogue);
+  spoil_memory(catalogue);
   spoil_errors(catalogue);
 }
 

@@ -32,6 +32,13 @@ struct Size {
   return {random.in(1, 25), random.in(1, 25)};
 }
 
+// Sides that narrow formats, and numbers of 8 to 15 bits, have no room for; few texels all the
+// same.
+[[nodiscard]] Size random_large_texture(Random& random) {
+  const Size size = random.pick({Size{300, 70}, Size{1025, 16}, Size{4097, 4}, Size{20000, 1}});
+  return random.percent(50) ? size : Size{size.height, size.width};
+}
+
 [[nodiscard]] Size random_texture(Random& random) {
   const int kind = random.in(0, 200);
   if (kind < 1)
@@ -129,6 +136,28 @@ void set_filter(Random& random, Case* c) {
   if (random.percent(25)) tie_on_grid(random, c);
 }
 
+// The same part of a larger texture.
+void enlarge_texture(Random& random, Case* c) {
+  const Size size = random_large_texture(random);
+  for (selvage_vertex& v : c->vertices) {
+    v.u = clamped_coordinate(int64_t{v.u} * size.width / c->texture_width_texel);
+    v.v = clamped_coordinate(int64_t{v.v} * size.height / c->texture_height_texel);
+  }
+  c->texture_width_texel = size.width;
+  c->texture_height_texel = size.height;
+}
+
+// The polygon grows with it; a clip rectangle stays.
+void enlarge_target(Random& random, Case* c) {
+  const Size size = random.pick({Size{140, 40}, Size{40, 140}, Size{75, 75}});
+  for (selvage_vertex& v : c->vertices) {
+    v.x = clamped_position(int64_t{v.x} * size.width / c->target_width_px);
+    v.y = clamped_position(int64_t{v.y} * size.height / c->target_height_px);
+  }
+  c->target_width_px = size.width;
+  c->target_height_px = size.height;
+}
+
 }  // namespace
 
 Case generate(uint64_t seed) {
@@ -146,6 +175,8 @@ Case generate(uint64_t seed) {
   c.choice = static_cast<uint32_t>(random.bits() >> 32);
   set_filter(random, &c);
   if (random.percent(50)) c.layout = random.pick({Layout::kPadded, Layout::kTiled, Layout::kTiled});
+  if (random.percent(6)) enlarge_texture(random, &c);
+  if (random.percent(1) && c.filter != SELVAGE_FILTER_AREA) enlarge_target(random, &c);  // slow
   return c;
 }
 

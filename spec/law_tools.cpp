@@ -54,14 +54,6 @@ std::optional<std::vector<selvage_vertex>> moved(std::span<const selvage_vertex>
   return result;
 }
 
-std::optional<Texel> read_texel(const Case& c, uint32_t value) {
-  const int bits = c.format == SELVAGE_INDEX8 ? 4 : c.format == SELVAGE_RGB565 ? 8 : 16;
-  const int32_t sides = 1 << bits;
-  if (c.texture_width_texel > sides || c.texture_height_texel > sides) return std::nullopt;
-  const uint32_t mask = static_cast<uint32_t>(sides) - 1;
-  return Texel{static_cast<int32_t>(value & mask), static_cast<int32_t>(value >> bits & mask)};
-}
-
 void tell_coordinates(Violation* violation, const Case& shown, int32_t x_px, int32_t y_px) {
   if (!is_valid(shown)) return;
   const std::optional<Sample> point = ModelRow(shown, y_px).coordinates(x_px);
@@ -79,10 +71,9 @@ std::string describe_colour(uint32_t pixel) {
 std::string describe_pixel(const Case& c, const std::optional<uint32_t>& pixel) {
   if (!pixel) return "nothing";
   if (c.filter != SELVAGE_FILTER_NEAREST) return describe_colour(*pixel);
-  const std::optional<Texel> texel = read_texel(c, *pixel);
-  const bool is_outside =
-      texel && (texel->s >= c.texture_width_texel || texel->t >= c.texture_height_texel);
-  return describe_texel(c.format, *pixel) + (is_outside ? ", which the texture does not have" : "");
+  const Texel texel = texel_of(*pixel);
+  const bool is_outside = texel.s >= c.texture_width_texel || texel.t >= c.texture_height_texel;
+  return describe_texel(*pixel) + (is_outside ? ", which the texture does not have" : "");
 }
 
 Violation violation_at(std::string_view law, std::string what, const Case& shown, int32_t x_px,
@@ -177,13 +168,6 @@ bool TexelRange::holds(int32_t texel) const {
   const int32_t from_first =
       address_texel(texel - address_texel(first, size, address), size, SELVAGE_ADDRESS_WRAP);
   return from_first <= last - first;
-}
-
-bool TexelRange::holds_bits(int32_t bits, int32_t mask) const {
-  for (int32_t texel = bits; texel < size; texel += mask + 1) {
-    if (holds(texel)) return true;
-  }
-  return false;
 }
 
 std::string TexelRange::text() const {

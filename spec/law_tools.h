@@ -58,9 +58,6 @@ class Choices {
 [[nodiscard]] std::optional<std::vector<selvage_vertex>> moved(
     std::span<const selvage_vertex> vertices, int64_t dx_fx8, int64_t dy_fx8);
 
-// Reads a coordinate texel back; empty where the format cannot tell the texel of such a texture.
-[[nodiscard]] std::optional<Texel> read_texel(const Case& c, uint32_t value);
-
 // The exact coordinates at a pixel as text, for a violation; empty if it is not covered.
 void tell_coordinates(Violation* violation, const Case& shown, int32_t x_px, int32_t y_px);
 
@@ -108,8 +105,6 @@ struct TexelRange {
 
   // The addressed texel is one of them.
   [[nodiscard]] bool holds(int32_t texel) const;
-  // One of them, addressed, has these bits under the mask: all that a format may tell.
-  [[nodiscard]] bool holds_bits(int32_t bits, int32_t mask) const;
   [[nodiscard]] std::string text() const;
 };
 

@@ -89,7 +89,9 @@ constexpr std::array kLaws = {
     Law{"MEM", "nothing but the target's visible pixels is written", held<check_mem>},
     Law{"TOTAL", "every input gets a picture or a named error, and an error draws nothing",
         held<check_total>},
-    Law{"SAME", "every order of tiles, number of threads, kernel and layout draws the same bytes",
+    Law{"SAME",
+        "every order of tiles, number of threads, kernel, layout and reuse of memory draws the "
+        "same",
         held<check_same>},
 #ifdef SELVAGE_WITH_OPENCV
     Law{"ORACLE", "the mapper agrees with OpenCV wherever OpenCV is decided", held<check_oracle>},

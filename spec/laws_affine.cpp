@@ -60,11 +60,10 @@ struct Interval {
   std::array<int32_t, 4> at_px{}, s{}, t{};
   for (size_t i = 0; i < 4; ++i) {
     const Pixel p = line[(line.size() - 1) * i / 3];
-    const std::optional<Texel> texel = read_texel(shown, *picture.at(p.x_px, p.y_px));
-    if (!texel) return {};
+    const Texel texel = texel_of(*picture.at(p.x_px, p.y_px));
     at_px[i] = p.x_px + p.y_px;  // one of them is constant along the line
-    s[i] = texel->s;
-    t[i] = texel->t;
+    s[i] = texel.s;
+    t[i] = texel.t;
   }
   Judgement judgement = {.judged_px = 4};
   if (can_keep_cross_ratio(at_px, s) && can_keep_cross_ratio(at_px, t)) return judgement;

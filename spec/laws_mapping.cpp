@@ -147,15 +147,14 @@ namespace {
       const std::optional<uint32_t>& pixel = drawn.at(x, y);
       const std::optional<Reach> point = pixel ? reach(*line, x) : std::nullopt;
       if (!point) continue;
-      const Texel texel = texel_bits(c.format, *pixel);
+      const Texel texel = texel_of(*pixel);
       ++judgement.judged_px;
       const TexelRange s =
           range_of(point->u, point->u_below, point->u_above, c, c.texture_width_texel);
       const TexelRange t =
           range_of(point->v, point->v_below, point->v_above, c, c.texture_height_texel);
-      const int32_t mask = texel_mask(c.format);
-      if (s.holds_bits(texel.s, mask) && t.holds_bits(texel.t, mask)) {
-        if (read_texel(c, *pixel)) add(&judgement.margin, margin_of(*point, texel, c));
+      if (s.holds(texel.s) && t.holds(texel.t)) {
+        add(&judgement.margin, margin_of(*point, texel, c));
         continue;
       }
       judgement.violation =
@@ -205,10 +204,10 @@ Judgement check_gamut(const Subject& subject, const Case& any) {
   for (int32_t y = 0; y < c.target_height_px; ++y) {
     for (int32_t x = 0; x < c.target_width_px; ++x) {
       const std::optional<uint32_t>& pixel = drawn.at(x, y);
-      const std::optional<Texel> texel = pixel ? read_texel(c, *pixel) : std::nullopt;
-      if (!texel) continue;
+      if (!pixel) continue;
+      const Texel texel = texel_of(*pixel);
       ++judgement.judged_px;
-      if (s.holds(texel->s) && t.holds(texel->t)) continue;
+      if (s.holds(texel.s) && t.holds(texel.t)) continue;
       judgement.violation =
           violation_at("GAMUT", "a texel lies within the range of the polygon's own coordinates", c,
                        x, y, "columns " + s.text() + ", rows " + t.text() + ", addressed", pixel);

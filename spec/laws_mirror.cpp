@@ -99,12 +99,12 @@ struct Motion {
   return compare("MIRROR", "flipped (u, v) show flipped texels", flipped, draw(subject, flipped),
                  {"the unflipped (u, v) show it, flipped"}, [&](int32_t x, int32_t y) {
                    const MaybePixel& pixel = before.at(x, y);
-                   const std::optional<Texel> texel = pixel ? read_texel(c, *pixel) : std::nullopt;
                    const std::optional<Sample> point = ModelRow(c, y).coordinates(x);
-                   if (!texel || !point) return unjudged();
+                   if (!pixel || !point) return unjudged();
                    if (point->u.get_den() == 1 || point->v.get_den() == 1) return unjudged();
-                   return must_be(coordinate_texel(c.format, c.texture_width_texel - 1 - texel->s,
-                                                   c.texture_height_texel - 1 - texel->t));
+                   const Texel texel = texel_of(*pixel);
+                   return must_be(coordinate_texel(c.texture_width_texel - 1 - texel.s,
+                                                   c.texture_height_texel - 1 - texel.t));
                  });
 }
 

@@ -1,4 +1,5 @@
-// Law SAME: neither layouts nor tiles nor threads nor kernels show in the picture.
+// Law SAME: neither layouts nor tiles nor threads nor kernels show in the picture, nor what the
+// memory has held before.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -8,6 +9,7 @@
 #include "spec/canvas.h"
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
+#include "spec/polygon_scene.h"
 #include "spec/refusal.h"
 #include "spec/status_name.h"
 #include "spec/texture_memory.h"
@@ -19,99 +21,14 @@ inline constexpr std::array<int32_t, 4> kThreads = {1, 2, 3, 8};
 inline constexpr std::array kKernels = {SELVAGE_KERNEL_SCALAR, SELVAGE_KERNEL_SSE4,
                                         SELVAGE_KERNEL_AVX2, SELVAGE_KERNEL_AVX512,
                                         SELVAGE_KERNEL_NEON};
-inline constexpr int32_t kMostRowsAdded = 100;
-inline constexpr int32_t kMostPolygons = 8;
-inline constexpr uint8_t kBackground = 0x5A;
-
-// Polygons over each other, of two textures that differ in every texel, in the order of drawing.
-class Scene {
- public:
-  Scene(const Subject& subject, const Case& c);
-
-  [[nodiscard]] const Case& shown() const { return case_; }
-  [[nodiscard]] size_t count() const { return outlines_.size(); }
-  [[nodiscard]] Canvas blank() const {
-    return {case_.format,     case_.target_width_px, case_.target_height_px,
-            case_.padding_px, case_.flip_target,     kBackground};
-  }
-  [[nodiscard]] const selvage_rect* clip() const { return case_.has_clip ? &case_.clip : nullptr; }
-  [[nodiscard]] selvage_options options(selvage_kernel kernel = SELVAGE_KERNEL_FASTEST) const {
-    return {case_.profile, case_.filter, case_.address, 0, kernel};
-  }
-  // Views of the scene.
-  [[nodiscard]] std::vector<selvage_texture> textures() const {
-    return {textures_[0].view(), textures_[1].view()};
-  }
-  [[nodiscard]] std::vector<selvage_polygon> polygons(
-      const std::vector<selvage_texture>& textures) const;
-
- private:
-  Case case_;
-  std::array<TextureMemory, 2> textures_;
-  std::vector<std::vector<selvage_vertex>> outlines_;
-};
-
-// The case over more rows, so that there are tiles and bands to be cut.
-[[nodiscard]] Case heightened(const Case& c, int32_t longest_side_px, Choices& choices) {
-  Case high = c;
-  const int32_t most_px = std::min({kMaxTargetPx / c.target_width_px, 32000, longest_side_px});
-  high.target_height_px = std::clamp(c.target_height_px + choices.pick(0, kMostRowsAdded),
-                                     c.target_height_px, std::max(c.target_height_px, most_px));
-  if (choices.pick(0, 2) == 0) high.clip.bottom = high.target_height_px;
-  return high;
-}
-
-// The texels of the one are the complement of the other's.
-[[nodiscard]] TexelAt texture_of(const Case& c, bool complement) {
-  return [format = c.format, complement](Texel texel) {
-    const uint32_t value = coordinate_texel(format, texel.s, texel.t);
-    return complement ? ~value : value;
-  };
-}
-
-// Copies of the case's outline all over the target and beyond, in whole pixels.
-[[nodiscard]] std::vector<std::vector<selvage_vertex>> copies(const Case& c, Choices& choices) {
-  std::vector<std::vector<selvage_vertex>> outlines{c.vertices};
-  const int32_t count = choices.pick(2, kMostPolygons + 1);
-  while (outlines.size() < static_cast<size_t>(count)) {
-    const int32_t dx_px = choices.pick(-c.target_width_px, c.target_width_px + 1) / 2;
-    const int32_t dy_px = choices.pick(-c.target_height_px, c.target_height_px + 1);
-    const auto copy =
-        moved(c.vertices, dx_px * SELVAGE_SUBPIXELS, int64_t{dy_px} * SELVAGE_SUBPIXELS);
-    outlines.push_back(copy ? *copy : c.vertices);
-  }
-  return outlines;
-}
-
-[[nodiscard]] Case scene_case(const Subject& subject, const Case& c) {
-  Choices choices(c.choice);
-  return heightened(c, subject.claims.longest_side_px, choices);
-}
-
-Scene::Scene(const Subject& subject, const Case& c)
-    : case_(scene_case(subject, c)),
-      textures_{TextureMemory(subject, c, texture_of(c, false), kBackground),
-                TextureMemory(subject, c, texture_of(c, true), kBackground)} {
-  Choices choices(c.choice + 1);
-  outlines_ = copies(case_, choices);
-}
-
-std::vector<selvage_polygon> Scene::polygons(const std::vector<selvage_texture>& textures) const {
-  std::vector<selvage_polygon> all;
-  for (const auto& outline : outlines_) {
-    all.push_back({outline.data(), outline.size(), &textures[all.size() % 2]});
-  }
-  return all;
-}
-
 struct Drawn {
   Canvas canvas;
   selvage_status status = SELVAGE_OK;
 };
 
 // One polygon after another; the first error ends it.
-[[nodiscard]] selvage_status draw_each(const Subject& subject, const Scene& scene, Canvas* canvas,
-                                       const selvage_rect* clip,
+[[nodiscard]] selvage_status draw_each(const Subject& subject, const PolygonScene& scene,
+                                       Canvas* canvas, const selvage_rect* clip,
                                        selvage_kernel kernel = SELVAGE_KERNEL_FASTEST) {
   const selvage_image image = canvas->image();
   const selvage_options options = scene.options(kernel);
@@ -125,7 +42,7 @@ struct Drawn {
   return SELVAGE_OK;
 }
 
-[[nodiscard]] Drawn draw_in_turn(const Subject& subject, const Scene& scene,
+[[nodiscard]] Drawn draw_in_turn(const Subject& subject, const PolygonScene& scene,
                                  selvage_kernel kernel = SELVAGE_KERNEL_FASTEST) {
   Drawn drawn{scene.blank()};
   drawn.status = draw_each(subject, scene, &drawn.canvas, scene.clip(), kernel);
@@ -133,7 +50,7 @@ struct Drawn {
 }
 
 // Through clip rectangles that tile what is visible, in any order.
-[[nodiscard]] Drawn draw_in_tiles(const Subject& subject, const Scene& scene) {
+[[nodiscard]] Drawn draw_in_tiles(const Subject& subject, const PolygonScene& scene) {
   const Case& c = scene.shown();
   Choices choices(c.choice + 2);
   selvage_rect whole = {0, 0, c.target_width_px, c.target_height_px};
@@ -160,7 +77,27 @@ struct Drawn {
   return drawn;
 }
 
-[[nodiscard]] Drawn draw_together(const Subject& subject, const Scene& scene, int32_t threads) {
+// Each from the memory of the one before, whose vertices and texels it held.
+[[nodiscard]] Drawn draw_in_one_memory(const Subject& subject, const PolygonScene& scene) {
+  Drawn drawn{scene.blank()};
+  const selvage_image image = drawn.canvas.image();
+  const selvage_options options = scene.options();
+  std::optional<TextureMemory> texture;
+  std::vector<selvage_vertex> vertices;
+  for (size_t i = 0; i < scene.count() && drawn.status == SELVAGE_OK; ++i) {
+    if (subject.begin_case) subject.begin_case();  // else it would be given memory in turn
+    drawn.status = with_shown(scene.shown(), [&] {
+      scene.put_texture(subject, i, &texture);
+      vertices = scene.outline(i);
+      return subject.draw(&image, scene.clip(), vertices.data(), vertices.size(), &texture->view(),
+                          &options);
+    });
+  }
+  return drawn;
+}
+
+[[nodiscard]] Drawn draw_together(const Subject& subject, const PolygonScene& scene,
+                                  int32_t threads) {
   Drawn drawn{scene.blank()};
   const selvage_image image = drawn.canvas.image();
   const selvage_options options = scene.options();
@@ -174,7 +111,7 @@ struct Drawn {
 }
 
 // What is left of the background counts as not drawn: no other way to tell it from a texel.
-[[nodiscard]] Picture picture_of(const Scene& scene, const Drawn& drawn) {
+[[nodiscard]] Picture picture_of(const PolygonScene& scene, const Drawn& drawn) {
   const Case& c = scene.shown();
   const uint32_t background = scene.blank().pixel(0, 0);
   Picture picture{c.target_width_px, c.target_height_px};
@@ -192,10 +129,9 @@ struct Drawn {
   if (!pixel) return "nothing";
   if (c.filter != SELVAGE_FILTER_NEAREST) return describe_colour(*pixel);
   const auto told = [&](uint32_t value) -> std::optional<std::string> {
-    const std::optional<Texel> texel = read_texel(c, value);
-    if (!texel || texel->s >= c.texture_width_texel || texel->t >= c.texture_height_texel)
-      return {};
-    return describe_texel(c.format, value);
+    const std::optional<Texel> texel = texel_of_folded(c, value);
+    if (!texel) return {};
+    return describe_texel(coordinate_texel(texel->s, texel->t));
   };
   const uint32_t bits = c.format == SELVAGE_RGBA8888 ? UINT32_MAX
                         : c.format == SELVAGE_RGB565 ? UINT16_MAX
@@ -205,7 +141,7 @@ struct Drawn {
   return "value " + std::to_string(*pixel);
 }
 
-[[nodiscard]] Violation difference(const Scene& scene, const std::string& what,
+[[nodiscard]] Violation difference(const PolygonScene& scene, const std::string& what,
                                    const Drawn& in_turn, const Drawn& other) {
   const Picture wanted = picture_of(scene, in_turn), drawn = picture_of(scene, other);
   Violation violation{.law = "SAME", .what = what, .shown = scene.shown()};
@@ -225,7 +161,7 @@ struct Drawn {
 }
 
 // Every byte, those beside the pixels included.
-[[nodiscard]] Judgement judge_other(const Scene& scene, const std::string& what,
+[[nodiscard]] Judgement judge_other(const PolygonScene& scene, const std::string& what,
                                     const Drawn& in_turn, const Drawn& other) {
   const Case& c = scene.shown();
   Judgement judgement = {.judged_px = static_cast<uint64_t>(c.target_width_px) *
@@ -247,7 +183,7 @@ Judgement check_same(const Subject& subject, const Case& c) {
   Judgement judgement = check_same_layouts(subject, c);
   if (judgement.violation) return judgement;
   demand_claimed(subject, c);
-  const Scene scene(subject, c);
+  const PolygonScene scene(subject, c);
   const Drawn in_turn = draw_in_turn(subject, scene);
   demand_drawn(in_turn.status, scene.shown());
   const std::string polygons = std::to_string(scene.count()) + " polygons drawn ";
@@ -255,6 +191,10 @@ Judgement check_same(const Subject& subject, const Case& c) {
   const std::string tiles = polygons + "tile by tile" + alike;
   if (subject.claims.clip &&
       add(&judgement, judge_other(scene, tiles, in_turn, draw_in_tiles(subject, scene)))) {
+    return judgement;
+  }
+  const std::string again = polygons + "each from the memory that held the one before" + alike;
+  if (add(&judgement, judge_other(scene, again, in_turn, draw_in_one_memory(subject, scene)))) {
     return judgement;
   }
   for (const selvage_kernel kernel : kKernels) {

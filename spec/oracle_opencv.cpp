@@ -94,15 +94,11 @@ inline constexpr int32_t kSideLimit = 32767;
   return u_magnitude < kLargestTexel && distance_to_integer(u) > margin;
 }
 
-[[nodiscard]] int channels(selvage_format format) {
-  return format == SELVAGE_INDEX8 ? 1 : format == SELVAGE_RGB565 ? 2 : 4;
-}
-
 [[nodiscard]] cv::Mat coordinate_image(const Case& c) {
-  cv::Mat image(c.texture_height_texel, c.texture_width_texel, CV_8UC(channels(c.format)));
+  cv::Mat image(c.texture_height_texel, c.texture_width_texel, CV_8UC4);
   for (int32_t t = 0; t < image.rows; ++t) {
     for (int32_t s = 0; s < image.cols; ++s) {
-      const uint32_t value = coordinate_texel(c.format, s, t);
+      const uint32_t value = coordinate_texel(s, t);
       std::memcpy(image.ptr(t, s), &value, image.elemSize());
     }
   }
@@ -168,7 +164,7 @@ inline constexpr int32_t kSideLimit = 32767;
       if (theirs == *picture.at(x, y)) continue;
       tally.violation =
           violation_at("ORACLE", "the mapper agrees with OpenCV where OpenCV is decided", shown, x,
-                       y, describe_texel(shown.format, theirs) + " (OpenCV)", picture.at(x, y));
+                       y, describe_texel(theirs) + " (OpenCV)", picture.at(x, y));
       return tally;
     }
   }

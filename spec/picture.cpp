@@ -1,7 +1,9 @@
 #include "spec/picture.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
+#include <utility>
 
 #include "spec/canvas.h"
 #include "spec/drawings.h"
@@ -17,9 +19,43 @@ namespace {
 inline constexpr std::array<uint8_t, 2> kBackgrounds = {0x5A, 0xA5};
 inline constexpr std::array<uint8_t, 2> kOutsideTexture = {0xEE, 0x11};
 
-// How many bits of s and of t a format's coordinate texel holds.
+// How many bits of s and of t a format's texel holds.
 [[nodiscard]] int coordinate_bits(selvage_format format) {
   return format == SELVAGE_INDEX8 ? 4 : format == SELVAGE_RGB565 ? 8 : 16;
+}
+
+// How many texels of the format it takes to tell a place in the case's texture.
+[[nodiscard]] int digits(const Case& c) {
+  const int32_t last_texel = std::max(c.texture_width_texel, c.texture_height_texel) - 1;
+  const int bits = coordinate_bits(c.format);
+  int count = 1;
+  while (last_texel >> bits * count != 0) ++count;
+  return count;
+}
+
+[[nodiscard]] uint32_t digit_value(selvage_format format, int32_t s, int32_t t) {
+  const int bits = coordinate_bits(format);
+  const uint32_t mask = (1U << bits) - 1;
+  return (static_cast<uint32_t>(s) & mask) | (static_cast<uint32_t>(t) & mask) << bits;
+}
+
+[[nodiscard]] TexelAt digit_texture(selvage_format format, int digit) {
+  const int shift = coordinate_bits(format) * digit;
+  return [=](Texel texel) { return digit_value(format, texel.s >> shift, texel.t >> shift); };
+}
+
+// The part of a coordinate value that a pixel of digit_texture() tells.
+[[nodiscard]] uint32_t coordinate_part(selvage_format format, int digit, uint32_t value) {
+  const int bits = coordinate_bits(format);
+  const uint32_t mask = (1U << bits) - 1;
+  return (value & mask) << bits * digit | (value >> bits & mask) << (16 + bits * digit);
+}
+
+// A coordinate with its higher digits mixed into the lowest.
+[[nodiscard]] int32_t folded(int32_t coordinate, int bits) {
+  constexpr int32_t kFactor = 5;
+  return coordinate >> bits == 0 ? coordinate
+                                 : coordinate + kFactor * folded(coordinate >> bits, bits);
 }
 
 template <class T>
@@ -96,38 +132,39 @@ void read_pixels(const Case& c, const std::array<Canvas, 2>& canvases, Picture* 
 
 }  // namespace
 
-uint32_t coordinate_texel(selvage_format format, int32_t s, int32_t t) {
-  const int bits = coordinate_bits(format);
-  const uint32_t mask = (1U << bits) - 1;
-  return (static_cast<uint32_t>(s) & mask) | (static_cast<uint32_t>(t) & mask) << bits;
+uint32_t coordinate_texel(int32_t s, int32_t t) { return digit_value(SELVAGE_RGBA8888, s, t); }
+
+TexelAt coordinate_texture() {
+  return [](Texel texel) { return coordinate_texel(texel.s, texel.t); };
 }
 
-TexelAt coordinate_texture(selvage_format format) {
-  return [format](Texel texel) { return coordinate_texel(format, texel.s, texel.t); };
-}
-
-int32_t texel_mask(selvage_format format) { return (1 << coordinate_bits(format)) - 1; }
-
-Texel texel_bits(selvage_format format, uint32_t value) {
-  const auto mask = static_cast<uint32_t>(texel_mask(format));
-  return {static_cast<int32_t>(value & mask),
-          static_cast<int32_t>(value >> coordinate_bits(format) & mask)};
+Texel texel_of(uint32_t coordinate_value) {
+  return {static_cast<int32_t>(coordinate_value & 0xFFFF),
+          static_cast<int32_t>(coordinate_value >> 16)};
 }
 
 uint32_t addressed_value(const Case& c, Texel texel) {
-  return coordinate_texel(c.format, address_texel(texel.s, c.texture_width_texel, c.address),
+  return coordinate_texel(address_texel(texel.s, c.texture_width_texel, c.address),
                           address_texel(texel.t, c.texture_height_texel, c.address));
 }
 
-std::string describe_texel(selvage_format format, uint32_t value) {
-  const int bits = coordinate_bits(format);
-  const uint32_t mask = (1U << bits) - 1;
-  return "texel (" + std::to_string(value & mask) + ", " + std::to_string(value >> bits & mask) +
-         ")" + (bits == 16 ? "" : " mod " + std::to_string(mask + 1));
+std::string describe_texel(uint32_t coordinate_value) {
+  const Texel texel = texel_of(coordinate_value);
+  return "texel (" + std::to_string(texel.s) + ", " + std::to_string(texel.t) + ")";
 }
 
-Picture draw(const Subject& subject, const Case& c) {
-  return draw(subject, c, coordinate_texture(c.format));
+TexelAt folded_texture(selvage_format format) {
+  const int bits = coordinate_bits(format);
+  return [=](Texel texel) {
+    return digit_value(format, folded(texel.s, bits), folded(texel.t, bits));
+  };
+}
+
+std::optional<Texel> texel_of_folded(const Case& c, uint32_t value) {
+  if (digits(c) > 1) return std::nullopt;
+  const Texel texel = texel_of(coordinate_part(c.format, 0, value));
+  const bool is_inside = texel.s < c.texture_width_texel && texel.t < c.texture_height_texel;
+  return is_inside ? std::optional(texel) : std::nullopt;
 }
 
 namespace {
@@ -135,30 +172,97 @@ namespace {
 // The answers of the drawings over the two backgrounds.
 using Answers = std::array<selvage_status, 2>;
 
-[[nodiscard]] Picture draw_twice(const Subject& subject, const Case& c, const TexelAt& texel_at,
-                                 Answers* answers) {
-  demand_claimed(subject, c);
-  Picture picture = blank(c);
+// Does the one, and then the other, whether or not a call has failed.
+template <class First, class Then>
+void whatever_fails(First first, Then then) {
+  try {
+    first();
+  } catch (const SubjectFailure&) {
+    then();
+    throw;
+  }
+  then();
+}
+
+// Where a call fails, what was drawn until then is in *picture.
+[[nodiscard]] Answers draw_twice(const Subject& subject, const Case& c, const TexelAt& texel_at,
+                                 Picture* picture) {
+  Answers answers{};
+  *picture = blank(c);
   std::array<Canvas, 2> canvases = {canvas_of(c, kBackgrounds[0]), canvas_of(c, kBackgrounds[1])};
-  const auto finish = [&] {
-    read_pixels(c, canvases, &picture);
-    if (subject.noted_in != nullptr) subject.noted_in->note(c, texel_at, picture);
-  };
   const auto draw_with = [&](size_t i) {
     return with_shown(c, [&] {
       const TextureMemory texture(subject, c, texel_at, kOutsideTexture[i]);
-      return draw_over(subject, c, texture, canvases[i], &picture.memory_fault);
+      return draw_over(subject, c, texture, canvases[i], &picture->memory_fault);
     });
   };
-  try {
-    for (size_t i = 0; i < canvases.size(); ++i) (*answers)[i] = draw_with(i);
-  } catch (const SubjectFailure&) {
-    finish();  // what was drawn until then
-    throw;
+  whatever_fails(
+      [&] {
+        for (size_t i = 0; i < canvases.size(); ++i) answers[i] = draw_with(i);
+      },
+      [&] { read_pixels(c, canvases, picture); });
+  picture->status = answers.front();
+  if (answers.back() != picture->status) {
+    picture->memory_fault = "the status depends on the target";
   }
-  picture.status = answers->front();
-  if (answers->back() != picture.status) picture.memory_fault = "the status depends on the target";
-  finish();
+  return answers;
+}
+
+// Of the first digit there is a picture already, of the others there are the lower ones.
+void add_digit(const Case& c, int digit, const Picture& drawn, Picture* whole) {
+  if (digit == 0) *whole = drawn;
+  if (!drawn.memory_fault.empty()) whole->memory_fault = drawn.memory_fault;
+  if (drawn.status != whole->status) whole->memory_fault = "the status depends on the texels";
+  for (size_t i = 0; i < whole->pixels.size(); ++i) {
+    std::optional<uint32_t>& pixel = whole->pixels[i];
+    if (pixel.has_value() != drawn.pixels[i].has_value()) {
+      whole->memory_fault = "whether a pixel is drawn depends on the texels";
+      pixel.reset();
+    }
+    if (!pixel) continue;
+    const uint32_t part = coordinate_part(c.format, digit, *drawn.pixels[i]);
+    pixel = digit == 0 ? part : *pixel | part;
+  }
+}
+
+[[nodiscard]] Answers draw_digits(const Subject& subject, const Case& c, Picture* whole) {
+  Answers answers{};
+  for (int digit = 0; digit < digits(c); ++digit) {
+    Picture drawn;
+    whatever_fails(
+        [&] { answers = draw_twice(subject, c, digit_texture(c.format, digit), &drawn); },
+        [&] { add_digit(c, digit, drawn, whole); });
+    if (answers != Answers{}) break;
+  }
+  return answers;
+}
+
+// Notes the picture that `draw` fills in, as one of the texture `texel_at`.
+template <class Draw>
+[[nodiscard]] Picture noted(const Subject& subject, const Case& c, const TexelAt& texel_at,
+                            Draw draw) {
+  demand_claimed(subject, c);
+  Picture picture = blank(c);
+  whatever_fails([&] { draw(&picture); },
+                 [&] {
+                   if (subject.noted_in != nullptr) subject.noted_in->note(c, texel_at, picture);
+                 });
+  return picture;
+}
+
+[[nodiscard]] Picture draw_coordinates(const Subject& subject, const Case& c, Answers* answers) {
+  return noted(subject, c, coordinate_texture(),
+               [&](Picture* picture) { *answers = draw_digits(subject, c, picture); });
+}
+
+[[nodiscard]] Picture draw_texture(const Subject& subject, const Case& c, const TexelAt& texel_at,
+                                   Answers* answers) {
+  return noted(subject, c, texel_at,
+               [&](Picture* picture) { *answers = draw_twice(subject, c, texel_at, picture); });
+}
+
+[[nodiscard]] Picture demanded(const Case& c, const Answers& answers, Picture picture) {
+  for (const selvage_status answer : answers) demand_drawn(answer, c);
   return picture;
 }
 
@@ -168,16 +272,26 @@ void demand_drawn(selvage_status status, const Case& c) {
   if (status != SELVAGE_OK && is_valid(c)) throw Refusal{status, c};
 }
 
+Picture draw(const Subject& subject, const Case& c) {
+  Answers answers{};
+  Picture picture = draw_coordinates(subject, c, &answers);
+  return demanded(c, answers, std::move(picture));
+}
+
 Picture draw(const Subject& subject, const Case& c, const TexelAt& texel_at) {
   Answers answers{};
-  Picture picture = draw_twice(subject, c, texel_at, &answers);
-  for (const selvage_status answer : answers) demand_drawn(answer, c);
-  return picture;
+  Picture picture = draw_texture(subject, c, texel_at, &answers);
+  return demanded(c, answers, std::move(picture));
+}
+
+Picture draw_whatever_answered(const Subject& subject, const Case& c) {
+  Answers answers{};
+  return draw_coordinates(subject, c, &answers);
 }
 
 Picture draw_whatever_answered(const Subject& subject, const Case& c, const TexelAt& texel_at) {
   Answers answers{};
-  return draw_twice(subject, c, texel_at, &answers);
+  return draw_texture(subject, c, texel_at, &answers);
 }
 
 Weights filter_weights(const Case& c, int32_t x_px, int32_t y_px, const Sample& point) {
@@ -207,7 +321,7 @@ namespace {
 
 }  // namespace
 
-Picture expected(const Case& c) { return expected(c, coordinate_texture(c.format)); }
+Picture expected(const Case& c) { return expected(c, coordinate_texture()); }
 
 Picture expected(const Case& c, const TexelAt& texel_at) {
   Picture picture = blank(c);
@@ -224,7 +338,7 @@ Picture expected(const Case& c, const TexelAt& texel_at) {
 }
 
 std::optional<uint32_t> expected_pixel(const Case& c, int32_t x_px, int32_t y_px) {
-  return pixel_of(c, ModelRow(c, y_px), x_px, y_px, coordinate_texture(c.format));
+  return pixel_of(c, ModelRow(c, y_px), x_px, y_px, coordinate_texture());
 }
 
 }  // namespace selvage::spec

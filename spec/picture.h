@@ -25,24 +25,30 @@ struct Picture {
   }
 };
 
-// The value of texel (s, t) of the coordinate texture: it tells its own place, exactly for textures
-// up to 65536 (RGBA8888), 256 (RGB565) and 16 (INDEX8) texels a side, modulo that beyond.
-[[nodiscard]] uint32_t coordinate_texel(selvage_format format, int32_t s, int32_t t);
-[[nodiscard]] TexelAt coordinate_texture(selvage_format format);
-// The bits of s and of t that the format's coordinate texels hold, and those of a value.
-[[nodiscard]] int32_t texel_mask(selvage_format format);
-[[nodiscard]] Texel texel_bits(selvage_format format, uint32_t value);
+// The value of texel (s, t) of the coordinate texture: its own place, s in the lower 16 bits.
+[[nodiscard]] uint32_t coordinate_texel(int32_t s, int32_t t);
+[[nodiscard]] TexelAt coordinate_texture();
+[[nodiscard]] Texel texel_of(uint32_t coordinate_value);
 // The same for a texel that is first addressed into the case's texture.
 [[nodiscard]] uint32_t addressed_value(const Case& c, Texel texel);
-// "texel (s, t)", or the bare value where the format cannot tell the place.
-[[nodiscard]] std::string describe_texel(selvage_format format, uint32_t value);
+// "texel (s, t)".
+[[nodiscard]] std::string describe_texel(uint32_t coordinate_value);
+
+// A texture whose values the format holds: coordinates, of 8 bits each in RGB565 and of 4 in
+// INDEX8, and what is above these mixed in, so that neighbours and texels a power of two away
+// differ.
+[[nodiscard]] TexelAt folded_texture(selvage_format format);
+// The texel of the case's texture that has this value; empty where none has, or several may.
+[[nodiscard]] std::optional<Texel> texel_of_folded(const Case& c, uint32_t value);
 
 // Draws the case with the coordinate texture, over two complementary backgrounds and between guard
 // bytes. A pixel counts as drawn unless it holds its background both times; one that was drawn and
-// differs between the two is a memory fault.
+// differs between the two is a memory fault. Where the format cannot hold the coordinates of the
+// case's texture it is drawn with their digits, one after the other, and they are put together;
+// which pixels are drawn must not depend on the digit, or it is a memory fault.
 [[nodiscard]] Picture draw(const Subject& subject, const Case& c);
 
-// The same with another texture.
+// The same with another texture, whose values are the pixels.
 [[nodiscard]] Picture draw(const Subject& subject, const Case& c, const TexelAt& texel_at);
 
 // The same by the model of the case's profile.

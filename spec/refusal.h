@@ -16,7 +16,8 @@ struct Refusal {
 // of spec/picture.h demand it.
 void demand_drawn(selvage_status status, const Case& c);
 
-// The draw call of spec/picture.h without a look at the answer.
+// The draw calls of spec/picture.h without a look at the answer.
+[[nodiscard]] Picture draw_whatever_answered(const Subject& subject, const Case& c);
 [[nodiscard]] Picture draw_whatever_answered(const Subject& subject, const Case& c,
                                              const TexelAt& texel_at);
 

@@ -7,13 +7,10 @@ namespace {
 
 inline constexpr size_t kGuardBytes = SELVAGE_PREPARED_ALIGNMENT;
 
-[[nodiscard]] Canvas given_rows(const Case& c, const TexelAt& texel_at, uint8_t outside) {
-  Canvas rows(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px, c.flip_texture,
-              outside);
+void fill(const Case& c, const TexelAt& texel_at, Canvas* rows) {
   for (int32_t t = 0; t < c.texture_height_texel; ++t) {
-    for (int32_t s = 0; s < c.texture_width_texel; ++s) rows.set_pixel(s, t, texel_at({s, t}));
+    for (int32_t s = 0; s < c.texture_width_texel; ++s) rows->set_pixel(s, t, texel_at({s, t}));
   }
-  return rows;
 }
 
 }  // namespace
@@ -26,26 +23,37 @@ Layout layout_of(const Subject& subject, const Case& c) {
 
 TextureMemory::TextureMemory(const Subject& subject, const Case& c, const TexelAt& texel_at,
                              uint8_t outside)
-    : given_(given_rows(c, texel_at, outside)), view_(given_.texture()) {
+    : outside_(outside),
+      given_(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px, c.flip_texture,
+             outside) {
+  change(subject, c, texel_at);
+}
+
+void TextureMemory::change(const Subject& subject, const Case& c, const TexelAt& texel_at) {
+  fill(c, texel_at, &given_);
+  view_ = given_.texture();
+  lay_out(subject, c);
+}
+
+void TextureMemory::lay_out(const Subject& subject, const Case& c) {
   const Layout layout = layout_of(subject, c);
   if (layout == Layout::kGiven) return;
   prepare(*subject.prepare, layout == Layout::kTiled ? SELVAGE_LAYOUT_TILES : SELVAGE_LAYOUT_ROWS,
-          c.filter == SELVAGE_FILTER_AREA && can_be_filtered(c), outside);
+          c.filter == SELVAGE_FILTER_AREA && can_be_filtered(c));
 }
 
 TextureMemory::~TextureMemory() {
   if (release_) release_();
 }
 
-void TextureMemory::prepare(const Prepare& prepare, selvage_layout layout, bool with_sums,
-                            uint8_t outside) {
+void TextureMemory::prepare(const Prepare& prepare, selvage_layout layout, bool with_sums) {
   const selvage_texture source = view_;
   const size_t bytes = prepare.bytes(&source, layout, with_sums ? 1 : 0);
   if (bytes == SIZE_MAX) {
     status_ = prepare.prepare(&source, layout, with_sums ? 1 : 0, nullptr, 0, &view_);
     return;
   }
-  memory_.assign(bytes + 2 * kGuardBytes + SELVAGE_PREPARED_ALIGNMENT, outside);
+  memory_.assign(bytes + 2 * kGuardBytes + SELVAGE_PREPARED_ALIGNMENT, outside_);
   const size_t misaligned =
       reinterpret_cast<uintptr_t>(memory_.data()) % SELVAGE_PREPARED_ALIGNMENT;
   const size_t start = kGuardBytes + SELVAGE_PREPARED_ALIGNMENT - misaligned;
@@ -53,7 +61,7 @@ void TextureMemory::prepare(const Prepare& prepare, selvage_layout layout, bool 
   uint8_t* const given = memory_.data() + start;
   status_ = prepare.prepare(&source, layout, with_sums ? 1 : 0, given, bytes, &view_);
   if (prepare.release) release_ = [release = prepare.release, given] { release(given); };
-  const auto is_outside = [&](uint8_t byte) { return byte == outside; };
+  const auto is_outside = [&](uint8_t byte) { return byte == outside_; };
   const auto first = memory_.begin() + static_cast<ptrdiff_t>(start);
   if (!std::all_of(memory_.begin(), first, is_outside) ||
       !std::all_of(first + static_cast<ptrdiff_t>(bytes), memory_.end(), is_outside)) {

@@ -26,6 +26,9 @@ class TextureMemory {
   TextureMemory& operator=(const TextureMemory&) = delete;
   ~TextureMemory();
 
+  // Other texels in the same memory, prepared there anew where they were.
+  void change(const Subject& subject, const Case& c, const TexelAt& texel_at);
+
   // Of preparing it, and what that has written and may not; nothing if it is fine.
   [[nodiscard]] selvage_status status() const { return status_; }
   [[nodiscard]] const std::string& fault() const { return fault_; }
@@ -41,11 +44,13 @@ class TextureMemory {
   [[nodiscard]] Bytes bytes() const { return {given_, memory_}; }
 
  private:
-  void prepare(const Prepare& prepare, selvage_layout layout, bool with_sums, uint8_t outside);
+  void lay_out(const Subject& subject, const Case& c);
+  void prepare(const Prepare& prepare, selvage_layout layout, bool with_sums);
 
+  uint8_t outside_;
   Canvas given_;
   std::vector<uint8_t> memory_;  // with guards on both sides
-  selvage_texture view_;
+  selvage_texture view_{};
   std::function<void()> release_;  // what was prepared in it
   selvage_status status_ = SELVAGE_OK;
   std::string fault_;

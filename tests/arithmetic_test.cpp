@@ -196,7 +196,7 @@ INSTANTIATE_TEST_SUITE_P(All, Arithmetics,
   std::vector<std::string> texels;
   for (int32_t x = 0; x < picture.width_px; ++x) {
     const auto& pixel = picture.at(x, 0);
-    texels.push_back(pixel ? spec::describe_texel(c.format, *pixel) : "nothing");
+    texels.push_back(pixel ? spec::describe_texel(*pixel) : "nothing");
   }
   return texels;
 }

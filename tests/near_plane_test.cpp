@@ -214,12 +214,12 @@ TEST(NearPlane, KernelsDrawWhatTheModelDoes) {
     spec::Random random(seed);
     const spec::Case c = any_near_tied(random);
     if (c.target_width_px * c.target_height_px > 2000) continue;
-    ASSERT_NO_FATAL_FAILURE(expect_drawn_as_modelled(c, spec::coordinate_texture(c.format)));
+    ASSERT_NO_FATAL_FAILURE(expect_drawn_as_modelled(c, spec::folded_texture(c.format)));
   }
   for (uint64_t seed = 1; seed <= 60; ++seed) {
     spec::Random random(seed);
     const spec::Case c = any_rounded(random, 40);
-    ASSERT_NO_FATAL_FAILURE(expect_drawn_as_modelled(c, spec::coordinate_texture(c.format)));
+    ASSERT_NO_FATAL_FAILURE(expect_drawn_as_modelled(c, spec::folded_texture(c.format)));
   }
 }
 

@@ -117,7 +117,7 @@ TEST(RuledStrips, AreDrawnAsModelled) {
   for (uint64_t seed = 1; drawn < 80; ++seed) {
     const spec::Case c = any_case(seed);
     if (c.target_width_px * c.target_height_px > 3000) continue;
-    ASSERT_NO_FATAL_FAILURE(expect_drawn_as_modelled(c, spec::coordinate_texture(c.format)));
+    ASSERT_NO_FATAL_FAILURE(expect_drawn_as_modelled(c, spec::folded_texture(c.format)));
     ++drawn;
   }
 }

@@ -40,8 +40,8 @@ void judge_by_own_conventions(const spec::Case& drawn_case, const spec::Picture&
       const bool covered = line && line->covers(x) && is_visible(drawn_case, x, y);
       if (covered != pixel.has_value()) ++errors.own_coverage_px;
       if (!covered || !pixel) continue;
-      const std::optional<spec::Texel> drawn = spec::read_texel(drawn_case, *pixel);
-      largest = std::max(largest, part_of_bound(drawn_case, *spec::reach(*line, x), *drawn));
+      const spec::Texel drawn = spec::texel_of(*pixel);
+      largest = std::max(largest, part_of_bound(drawn_case, *spec::reach(*line, x), drawn));
     }
   }
   errors.part_of_bound = largest;
@@ -109,8 +109,7 @@ bool is_worse(const Errors& a, const Errors& b, Promise promise) {
 
 spec::Picture drawing_of(const Contender& contender, const Reference& model) {
   const spec::Case scene = in_its_way(contender, model.scene);
-  return spec::draw_whatever_answered(contender.subject, scene,
-                                      spec::coordinate_texture(scene.format));
+  return spec::draw_whatever_answered(contender.subject, scene);
 }
 
 Errors errors_of(const Contender& contender, const Reference& model) {
@@ -121,7 +120,7 @@ Errors errors_of(const Contender& contender, const Reference& model) {
   for (size_t i = 0; i < model.texels.size(); ++i) {
     const std::optional<spec::Texel>& exact = model.texels[i];
     if (exact && picture.pixels[i]) {
-      count_pixel(errors, model.scene, *exact, *spec::read_texel(model.scene, *picture.pixels[i]));
+      count_pixel(errors, model.scene, *exact, spec::texel_of(*picture.pixels[i]));
     }
     errors.missing_px += exact && !picture.pixels[i];
     errors.extra_px += !exact && picture.pixels[i];

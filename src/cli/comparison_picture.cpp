@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <unordered_map>
 
 #include "cli/bitmap_font.h"
 
@@ -27,21 +26,10 @@ using Pixel = std::optional<uint32_t>;
 // The colours of the coordinate texture's texels.
 class Palette {
  public:
-  Palette(const spec::Case& c, bool colours) : shows_colours_(colours) {
-    if (colours) return;
-    const int32_t width = c.texture_width_texel;
-    const int32_t height = c.texture_height_texel;
-    for (int32_t t = 0; t < height; ++t) {
-      for (int32_t s = 0; s < width; ++s) {
-        const auto ramp = [](int32_t at, int32_t size) {
-          return static_cast<uint8_t>(size > 1 ? 40 + 215 * int64_t{at} / (size - 1) : 147);
-        };
-        const uint8_t blue = (s + t) % 2 == 0 ? 120 : 40;  // so that neighbours differ
-        colours_.try_emplace(spec::coordinate_texel(c.format, s, t),
-                             Colour{ramp(s, width), ramp(t, height), blue});
-      }
-    }
-  }
+  Palette(const spec::Case& c, bool colours)
+      : width_texel_(c.texture_width_texel),
+        height_texel_(c.texture_height_texel),
+        shows_colours_(colours) {}
 
   [[nodiscard]] Colour of(const Pixel& pixel, int32_t x_px, int32_t y_px) const {
     if (!pixel) {
@@ -52,13 +40,19 @@ class Palette {
       const auto channel = [&](int i) { return static_cast<uint8_t>(spec::channel(*pixel, i)); };
       return {channel(0), channel(1), channel(2)};
     }
-    const auto found = colours_.find(*pixel);
-    return found == colours_.end() ? kUnknown : found->second;
+    const auto [s, t] = spec::texel_of(*pixel);
+    if (s >= width_texel_ || t >= height_texel_) return kUnknown;
+    const uint8_t blue = (s + t) % 2 == 0 ? 120 : 40;  // so that neighbours differ
+    return {ramp(s, width_texel_), ramp(t, height_texel_), blue};
   }
 
  private:
+  [[nodiscard]] static uint8_t ramp(int32_t at, int32_t size) {
+    return static_cast<uint8_t>(size > 1 ? 40 + 215 * int64_t{at} / (size - 1) : 147);
+  }
+
+  int32_t width_texel_, height_texel_;
   bool shows_colours_;
-  std::unordered_map<uint32_t, Colour> colours_;
 };
 
 // The part of the target that is shown, how large, and where its panels lie.

@@ -53,11 +53,11 @@ struct FanPictures {
 [[nodiscard]] FanPictures fan_pictures(const spec::Subject& subject, const spec::Case& region,
                                        const selvage_vertex& centre,
                                        const spec::Drawings* drawings) {
-  const spec::TexelAt texture = spec::coordinate_texture(region.format);
+  const spec::TexelAt texture = spec::coordinate_texture();
   const spec::Subject calm = unfailing(subject);
   const spec::Fan fan = spec::draw_fan(region, centre, subject.claims, [&](const spec::Case& tile) {
     const spec::Picture* noted = drawings != nullptr ? drawings->find(tile, texture) : nullptr;
-    return noted != nullptr ? *noted : spec::draw_whatever_answered(calm, tile, texture);
+    return noted != nullptr ? *noted : spec::draw_whatever_answered(calm, tile);
   });
   FanPictures pictures;
   for (spec::Picture* picture : {&pictures.drawn, &pictures.expected}) {
@@ -106,12 +106,11 @@ PictureComparison counterexample(const spec::Subject& judged, const spec::Violat
   }
   // A mixed pixel tells no texel: these are shown with a texture of colours, that of law FILTER.
   const bool colours = shown.filter != SELVAGE_FILTER_NEAREST || violation.law == "FILTER";
-  spec::TexelAt texture =
-      colours ? spec::filter_texture(shown) : spec::coordinate_texture(shown.format);
+  spec::TexelAt texture = colours ? spec::filter_texture(shown) : spec::coordinate_texture();
   const spec::Picture* noted = drawings != nullptr ? drawings->find(shown, texture) : nullptr;
   if (noted == nullptr && drawings != nullptr && colours) {
     // A law that does not judge colours was broken by a call that did not end as calls do.
-    const spec::TexelAt places = spec::coordinate_texture(shown.format);
+    const spec::TexelAt places = spec::coordinate_texture();
     noted = drawings->find(shown, places);
     if (noted != nullptr) texture = places;
   }

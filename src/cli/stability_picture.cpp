@@ -17,16 +17,14 @@ constexpr Colour kExtra{60, 200, 90};
   spec::Picture picture{.width_px = model.scene.target_width_px,
                         .height_px = model.scene.target_height_px};
   for (const auto& texel : model.texels) {
-    picture.pixels.push_back(
-        texel ? std::optional(spec::coordinate_texel(model.scene.format, texel->s, texel->t))
-              : std::nullopt);
+    picture.pixels.push_back(texel ? std::optional(spec::coordinate_texel(texel->s, texel->t))
+                                   : std::nullopt);
   }
   return picture;
 }
 
 [[nodiscard]] int32_t error_texel(const spec::Case& scene, uint32_t drawn, uint32_t expected) {
-  return stability::texel_error(scene, *spec::read_texel(scene, drawn),
-                                *spec::read_texel(scene, expected));
+  return stability::texel_error(scene, spec::texel_of(drawn), spec::texel_of(expected));
 }
 
 // From 0 to 1 in the logarithm: 1 is an error of the whole texture.

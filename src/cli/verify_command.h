@@ -14,7 +14,7 @@ namespace selvage::cli {
 struct VerifyOptions {
   std::vector<std::string> laws;  // empty: all that the subject promises
   std::string profile;            // of generated cases; a replayed one names its own
-  std::string cases = "200";
+  std::string cases = "1000";
   std::string hunt;       // hunted cases; empty: none, or by turns with the others in a time
   std::string seed;       // empty: a fresh one
   std::string shard;      // "2/8"; empty: all

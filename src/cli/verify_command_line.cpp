@@ -9,7 +9,7 @@ namespace selvage::cli {
 namespace {
 
 constexpr const char* kVerifyExamples = R"(Examples:
-  selvage verify                               every law on 200 cases of a fresh seed
+  selvage verify                               every law on 1000 cases of a fresh seed
   selvage verify --subject ./theirs.so         any library that exports selvage_draw
   selvage verify --subject ./theirs.so --filters nearest --formats rgba8888 --no-perspective
   selvage verify --law MAP --law CLIP --cases 5000 --seed 7

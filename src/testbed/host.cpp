@@ -138,7 +138,7 @@ Answer Host::call(const Call& call) {
     have_worker(call, placement);  // which tells how it has ended
     if (!keeper_->hand_over()) throw failure(call, "ended while it waited for a call");
   }
-  State state = keeper_->next(State::kCall, call_limit_);
+  const State state = keeper_->next_after_call(call_limit_);
   const bool is_held = keeper_->is_alive();
   const bool hung = is_held && state == State::kCall;
   if (hung) keeper_->end_worker();

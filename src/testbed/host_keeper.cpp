@@ -14,6 +14,7 @@
 #include "testbed/ending.h"
 #include "testbed/host_state.h"
 #include "testbed/keeper.h"
+#include "testbed/patience.h"
 #include "testbed/reaper.h"
 
 namespace selvage::testbed {
@@ -113,6 +114,17 @@ State Host::Keeper::next(State state, std::chrono::nanoseconds most) {
   }
 }
 
+State Host::Keeper::next_after_call(std::chrono::nanoseconds limit) {
+  State state = State::kCall;
+  Patience patience(limit);
+  while (state == State::kCall && is_alive()) {
+    const std::chrono::nanoseconds most = patience.next(control.worker);
+    if (most.count() <= 0) break;
+    state = next(State::kCall, most);
+  }
+  return state;
+}
+
 // A subject can write there: no number must become a group of all processes.
 void Host::Keeper::kill_worker() const {
   const pid_t worker = control.worker;
@@ -126,7 +138,7 @@ void Host::Keeper::end_worker() {
   for (State now = state(); now == State::kCall || now == State::kIdle;) {
     kill_worker();
     const std::chrono::nanoseconds left = end - std::chrono::steady_clock::now();
-    now = next(now, left);
+    now = next(now, std::min<std::chrono::nanoseconds>(left, kLookAfterKeeper));
     if (left.count() <= 0 || process <= 0) return this->end();
   }
 }

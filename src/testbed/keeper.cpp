@@ -34,12 +34,14 @@ void copy_text(std::span<char> to, const char* from) {
   to[text.size()] = '\0';
 }
 
-// Nothing of the program's files is within reach, and what is printed goes to `output`.
+// Nothing of the program's files is within reach, and what is printed goes to `output` at once: a
+// subject mostly ends by a signal, which flushes nothing.
 void seal_off(int output) {
   const int nothing = open("/dev/null", O_RDONLY);
   dup2(nothing, STDIN_FILENO);
   dup2(output, STDOUT_FILENO);
   dup2(output, STDERR_FILENO);
+  std::setvbuf(stdout, nullptr, _IONBF, 0);
   close_range(STDERR_FILENO + 1, ~0U, 0);
 }
 
@@ -157,11 +159,11 @@ void fork_worker(Control& control, const Functions& functions, const Signals& si
   if (worker == 0) {
     die_with(keeper);
     setpgid(0, 0);
+    control.worker = getpid();  // before the host can be told of it, and want it to end
     put_back(signals);
     work(control, functions, keeper, to_prepare_in);
   }
   control.end.fork_error = worker < 0 ? errno : 0;
-  control.worker = std::max(worker, 0);
   int status = 0;
   rusage use{};
   while (worker > 0 && wait4(worker, &status, 0, &use) < 0 && errno == EINTR) {

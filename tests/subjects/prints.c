@@ -8,6 +8,5 @@ selvage_status selvage_draw(DRAW_ARGUMENTS) {
   if (status != SELVAGE_OK) return status;
   printf("drew %d vertices\n", (int)count);
   fprintf(stderr, "and says so\n");
-  fflush(stdout);
   return status;
 }

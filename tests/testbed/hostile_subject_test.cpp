@@ -96,6 +96,17 @@ TEST(HostileSubjectThatWritesBetweenRows, BreaksMem) {
   EXPECT_EQ(verdict.violation->drawn, "a byte outside the target's pixels was written");
 }
 
+// Calls get their memory in turn; only SAME has one texture lie where another one lay.
+TEST(SubjectThatRemembersATextureByItsAddress, BreaksSame) {
+  const spec::Subject subject = Host::subject(host_of("remembers"));
+  const spec::LawVerdict verdict = spec::verify(*spec::find_law("SAME"), subject, 1, 50);
+  ASSERT_TRUE(verdict.violation);
+  EXPECT_NE(verdict.violation->what.find("from the memory that held the one before"),
+            std::string::npos)
+      << verdict.violation->what;
+  EXPECT_EQ(verdict.replays.failed, verdict.replays.tried);
+}
+
 TEST(SubjectOfOneWinding, HoldsIfItSaysSo) {
   const spec::Law &cov = *spec::find_law("COV"), &order = *spec::find_law("ORDER");
   const spec::Subject claims = Host::subject(host_of("clockwise"));
