@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
@@ -17,12 +18,13 @@ namespace selvage::spec {
 namespace {
 
 [[nodiscard]] Judgement refused(const Refusal& refusal, std::string_view law) {
-  return {.judged_px = 1,
-          .violation = violation_of_call(law, "a valid polygon is drawn, and the call answers so",
-                                         refusal.shown, status_name(SELVAGE_OK),
-                                         "it returned " + status_name(refusal.status) +
-                                             " for a valid polygon; " + status_name(SELVAGE_OK) +
-                                             " is right")};
+  Violation violation =
+      violation_of_call(law, "a valid polygon is drawn, and the call answers so", refusal.shown,
+                        status_name(SELVAGE_OK),
+                        "it returned " + status_name(refusal.status) + " for a valid polygon; " +
+                            status_name(SELVAGE_OK) + " is right");
+  violation.is_of_call = true;
+  return {.judged_px = 1, .violation = std::move(violation)};
 }
 
 [[nodiscard]] std::string_view name_of(Judgement (*check)(const Subject&, const Case&)) {
@@ -114,14 +116,18 @@ std::string explain(const Violation& violation) {
   if (violation.x_px >= 0) {
     text += "  pixel    (" + std::to_string(violation.x_px) + ", " +
             std::to_string(violation.y_px) + ")\n";
-    text += "  sample   " + describe_sample(violation.shown, violation.x_px, violation.y_px) + "\n";
+    if (violation.scene.empty()) {
+      text +=
+          "  sample   " + describe_sample(violation.shown, violation.x_px, violation.y_px) + "\n";
+    }
   }
   if (!violation.u.empty()) {
     text += "  exact u  " + with_decimals(violation.u) + "\n";
     text += "  exact v  " + with_decimals(violation.v) + "\n";
   }
   text += "  allowed  " + violation.allowed + "\n  drawn    " + violation.drawn + "\n";
-  return text + print(violation.shown);
+  text += print(violation.shown);
+  return violation.scene.empty() ? text : text + violation.scene + "\n";
 }
 
 }  // namespace selvage::spec

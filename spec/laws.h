@@ -31,6 +31,7 @@ struct Violation {
   int32_t x_px = -1, y_px = -1;  // the pixel, or -1, -1 where no single pixel is to blame
   std::string u{}, v{};          // exact coordinates there, texels, as fractions; may be empty
   std::string allowed{};         // what the law allows there
+  std::string scene{};           // what else was drawn besides the shown case; empty: nothing
   std::string drawn{};           // what the subject drew
   Case shown{};                  // the drawing in which it was seen, derived from the law's case
   bool is_of_call = false;  // a call did not end as calls do: whatever the law, it says the same

@@ -145,6 +145,7 @@ struct Drawn {
                                    const Drawn& in_turn, const Drawn& other) {
   const Picture wanted = picture_of(scene, in_turn), drawn = picture_of(scene, other);
   Violation violation{.law = "SAME", .what = what, .shown = scene.shown()};
+  violation.scene = scene.copies();
   const auto at = std::ranges::mismatch(wanted.pixels, drawn.pixels);
   if (at.in1 == wanted.pixels.end()) {
     violation.allowed = "the bytes beside the pixels as they were";

@@ -70,17 +70,13 @@ struct Outcome {
           std::move(outcome.drawings)};
 }
 
-// How simpler cases are tried.
-struct Shrinking {
-  Verification::IsOver is_over{};
-  bool anew = false;  // each in a subject that has drawn nothing before
-};
-
 // Steps to a simpler case that fails as well, until there is none or the checks are used up. After
 // a step it goes on where that step was found: what was tried before it is likely to pass again.
+// `anew`: each is tried in a subject that has drawn nothing before.
 [[nodiscard]] Failure descend(const Law& law, const Subject& subject, Failure failure,
-                              const Shrinking& shrinking) {
-  int checks_left = kMaxShrinkingChecks, hangs_left = kMaxShrinkingHangs;
+                              const Effort& effort, bool anew = false) {
+  const bool shrinks = effort.shrinks && (!failure.hung || effort.shrinks_hangs);
+  int checks_left = shrinks ? kMaxShrinkingChecks : 0, hangs_left = kMaxShrinkingHangs;
   size_t place = 0;
   failure.is_smallest = false;
   for (bool found = true; found;) {
@@ -88,8 +84,8 @@ struct Shrinking {
     std::vector<Case> candidates = simpler(failure.on);
     for (size_t tried = 0; tried < candidates.size(); ++tried, ++place) {
       if (checks_left-- == 0 || hangs_left == 0) return failure;
-      if (shrinking.is_over && shrinking.is_over()) return failure;
-      if (shrinking.anew) subject.start_anew();
+      if (effort.is_over && effort.is_over()) return failure;
+      if (anew) subject.start_anew();
       Case& candidate = candidates[place % candidates.size()];
       Outcome outcome = try_out(law, subject, candidate);
       if (outcome.hung) --hangs_left;
@@ -106,10 +102,10 @@ struct Shrinking {
 
 // What hangs takes all the time that a call has: once is enough.
 [[nodiscard]] Replays replay(const Law& law, const Subject& subject, const Failure& failure,
-                             const Verification::IsOver& is_over) {
+                             const Effort& effort) {
   Replays replays;
   while (replays.tried < (failure.hung ? 1 : kReplays)) {
-    if (is_over && is_over()) return replays;
+    if (effort.is_over && effort.is_over()) return replays;
     if (subject.start_anew) subject.start_anew();
     ++replays.tried;
     if (try_out(law, subject, failure.on).judgement.violation) ++replays.failed;
@@ -164,13 +160,14 @@ std::optional<Margin> Verification::add_up(const Case& c, uint64_t number) {
 // started anew for each is shrunk on, if the case fails there at all.
 void Verification::shrink_and_replay(Failure first) {
   const Law& law = *verdict_.law;
-  Failure least = descend(law, subject_, first, {is_over_});
-  Replays replays = replay(law, subject_, least, is_over_);
-  if (replays.failed < replays.tried && subject_.start_anew) {
-    const Replays of_first = replay(law, subject_, first, is_over_);
+  verdict_.found_case = first.on;
+  Failure least = descend(law, subject_, first, effort_);
+  Replays replays = replay(law, subject_, least, effort_);
+  if (replays.failed < replays.tried && subject_.start_anew && effort_.shrinks) {
+    const Replays of_first = replay(law, subject_, first, effort_);
     if (of_first.tried > 0 && of_first.failed == of_first.tried) {
-      least = descend(law, subject_, std::move(first), {is_over_, /*anew=*/true});
-      replays = replay(law, subject_, least, is_over_);
+      least = descend(law, subject_, std::move(first), effort_, /*anew=*/true);
+      replays = replay(law, subject_, least, effort_);
     }
   }
   verdict_.violation = std::move(least.violation);

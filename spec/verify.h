@@ -47,8 +47,9 @@ struct LawVerdict {
   uint64_t judged_px = 0;
   std::optional<Violation> violation{};  // of the smallest case found
   std::optional<Case> counterexample{};  // the shrunk case that replays it
+  std::optional<Case> found_case{};      // that case as it was found; if violated
   uint64_t failed_case = 0;              // the number of the case that was shrunk; if violated
-  bool is_smallest = true;               // shrinking came to its end; if violated
+  bool is_smallest = true;               // there is no smaller one; if violated
   bool hung = false;                     // what violates it is a call that took all its time
   Replays replays{};                     // if violated; fewer failed: it depends on more
   std::shared_ptr<const Drawings> drawings{};     // of the counterexample when it failed
@@ -60,14 +61,19 @@ struct LawVerdict {
 // Checks a law on a case. What the subject fails by is a violation, what it does not claim is told.
 [[nodiscard]] Judgement judge(const Law& law, const Subject& subject, const Case& c);
 
+// What is done about a violation once it is found.
+struct Effort {
+  bool shrinks = true;
+  bool shrinks_hangs = true;  // each that is tried takes all the time that a call has
+  // Asked before each case that is tried: where the time is over, no more are. Empty: it never is.
+  std::function<bool()> is_over{};
+};
+
 // One law being held against a subject, case by case. Nothing happens once it is violated.
 class Verification {
  public:
-  // Where the time is over, nothing is shrunk any more; empty: it never is.
-  using IsOver = std::function<bool()>;
-
-  Verification(const Law& law, const Subject& subject, IsOver is_over = {})
-      : subject_(subject), is_over_(std::move(is_over)) {
+  Verification(const Law& law, const Subject& subject, Effort effort = {})
+      : subject_(subject), effort_(std::move(effort)) {
     verdict_.law = &law;
   }
 
@@ -88,7 +94,7 @@ class Verification {
   void shrink_and_replay(Failure first);
 
   const Subject& subject_;
-  IsOver is_over_;
+  Effort effort_;
   LawVerdict verdict_;
 };
 

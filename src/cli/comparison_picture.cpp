@@ -31,16 +31,12 @@ class Palette {
         height_texel_(c.texture_height_texel),
         shows_colours_(colours) {}
 
-  [[nodiscard]] Colour of(const Pixel& pixel, int32_t x_px, int32_t y_px) const {
-    if (!pixel) {
-      const uint8_t grey = (x_px + y_px) % 2 == 0 ? 96 : 128;
-      return {grey, grey, grey};
-    }
+  [[nodiscard]] Colour of(uint32_t pixel) const {
     if (shows_colours_) {
-      const auto channel = [&](int i) { return static_cast<uint8_t>(spec::channel(*pixel, i)); };
+      const auto channel = [&](int i) { return static_cast<uint8_t>(spec::channel(pixel, i)); };
       return {channel(0), channel(1), channel(2)};
     }
-    const auto [s, t] = spec::texel_of(*pixel);
+    const auto [s, t] = spec::texel_of(pixel);
     if (s >= width_texel_ || t >= height_texel_) return kUnknown;
     const uint8_t blue = (s + t) % 2 == 0 ? 120 : 40;  // so that neighbours differ
     return {ramp(s, width_texel_), ramp(t, height_texel_), blue};
@@ -119,6 +115,20 @@ void fill(Raster& raster, int32_t left_px, int32_t top_px, int32_t side_px, cons
   }
 }
 
+// A square of chequerboard, four of its squares if they fit: one pixel alone shows what it is.
+void fill_undrawn(Raster& raster, int32_t left_px, int32_t top_px, int32_t side_px, bool is_dim) {
+  const int32_t square_px = std::max(side_px / 2, 1);
+  for (int32_t y = 0; y < side_px; ++y) {
+    for (int32_t x = 0; x < side_px; ++x) {
+      const int32_t at_x = left_px + x, at_y = top_px + y;
+      const int32_t squares = side_px > 1 ? x / square_px + y / square_px : at_x + at_y;
+      const uint8_t grey = squares % 2 == 0 ? 96 : 128;
+      const Colour colour{grey, grey, grey};
+      raster.set(at_x, at_y, is_dim ? dim(colour) : colour);
+    }
+  }
+}
+
 void frame(Raster& raster, int32_t left_px, int32_t top_px, int32_t side_px) {
   for (int32_t i = 0; i < side_px; ++i) {
     raster.set(left_px + i, top_px, kFrame);
@@ -126,6 +136,24 @@ void frame(Raster& raster, int32_t left_px, int32_t top_px, int32_t side_px) {
     raster.set(left_px, top_px + i, kFrame);
     raster.set(left_px + side_px - 1, top_px + i, kFrame);
   }
+}
+
+// One pixel in one panel, at `left_px`, `top_px` of the picture.
+void paint(Raster& raster, const PictureComparison& c, const Palette& palette, Point at,
+           int32_t panel, int32_t left_px, int32_t top_px, int32_t side_px) {
+  const Pixel& got = c.drawn.at(at.x_px, at.y_px);
+  const Pixel& wanted = c.expected.at(at.x_px, at.y_px);
+  const bool is_difference = panel == kPanels - 1;
+  const Pixel& pixel = panel == 0 ? got : wanted;
+  if (is_difference && got != wanted) {
+    fill(raster, left_px, top_px, side_px, c.difference(got, wanted));
+  } else if (!pixel) {
+    fill_undrawn(raster, left_px, top_px, side_px, is_difference);
+  } else {
+    const Colour colour = palette.of(*pixel);
+    fill(raster, left_px, top_px, side_px, is_difference ? dim(colour) : colour);
+  }
+  if (at.x_px == c.x_px && at.y_px == c.y_px) frame(raster, left_px, top_px, side_px);
 }
 
 }  // namespace
@@ -139,20 +167,11 @@ Raster comparison_picture(const PictureComparison& c) {
   for (int32_t panel = 0; panel < kPanels; ++panel) {
     draw_text(raster, view.panel_left_px(panel), view.panel_top_px(panel) - kCaptionPx, kDot_px,
               kCaptions[panel], kInk);
-  }
-  for (int32_t y = view.top_px; y < view.top_px + view.height_px; ++y) {
-    for (int32_t x = view.left_px; x < view.left_px + view.width_px; ++x) {
-      const Pixel& got = c.drawn.at(x, y);
-      const Pixel& wanted = c.expected.at(x, y);
-      const Colour wanted_colour = palette.of(wanted, x, y);
-      const Colour panels[kPanels] = {
-          palette.of(got, x, y), wanted_colour,
-          got == wanted ? dim(wanted_colour) : c.difference(got, wanted)};
-      for (int32_t panel = 0; panel < kPanels; ++panel) {
-        const int32_t left = view.panel_left_px(panel) + (x - view.left_px) * view.scale;
-        const int32_t top = view.panel_top_px(panel) + (y - view.top_px) * view.scale;
-        fill(raster, left, top, view.scale, panels[panel]);
-        if (x == c.x_px && y == c.y_px) frame(raster, left, top, view.scale);
+    for (int32_t y = 0; y < view.height_px; ++y) {
+      for (int32_t x = 0; x < view.width_px; ++x) {
+        paint(raster, c, palette, {view.left_px + x, view.top_px + y}, panel,
+              view.panel_left_px(panel) + x * view.scale, view.panel_top_px(panel) + y * view.scale,
+              view.scale);
       }
     }
   }

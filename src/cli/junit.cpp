@@ -1,7 +1,9 @@
 #include "cli/junit.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <string_view>
+#include <vector>
 
 #include "selvage.h"
 #include "testbed/printable.h"
@@ -86,6 +88,10 @@ namespace {
   if (outcome(verdict) == "not judged") {
     xml += "      <skipped" + attribute("message", "not judged: the time was over") + "/>\n";
   }
+  if (outcome(verdict) == "not promised") {
+    xml +=
+        "      <skipped" + attribute("message", "not promised: " + verdict.not_promised) + "/>\n";
+  }
   xml += "      <system-out>" + xml_escaped(found.law->statement) + ": " +
          std::to_string(found.cases) + " cases, " + std::to_string(found.judged_px) +
          " pixels judged" + (margin_text(verdict).empty() ? "" : ", " + margin_text(verdict)) +
@@ -104,24 +110,31 @@ namespace {
 std::string junit_xml(const VerifyRun& run) {
   int64_t time_ns = 0;
   size_t failures = 0;
-  size_t skips = run.not_promised.size();
+  std::vector<NotPromised> left_out = run.not_promised;
+  std::erase_if(left_out, [&](const NotPromised& law) {
+    return std::ranges::any_of(
+        run.verdicts, [&](const Verdict& verdict) { return verdict.found.law->name == law.law; });
+  });
+  size_t skips = left_out.size();
   std::string cases;
   for (const Verdict& verdict : run.verdicts) {
     time_ns += verdict.time_ns;
     failures += is_failure(run, verdict) ? 1 : 0;
-    skips += outcome(verdict) == "not judged" ? 1 : 0;
+    skips += outcome(verdict) == "not judged" || outcome(verdict) == "not promised" ? 1 : 0;
     cases += test_case(run, verdict);
   }
-  for (const NotPromised& law : run.not_promised) cases += skipped(run, law);
+  for (const NotPromised& law : left_out) cases += skipped(run, law);
   const std::string counts =
-      attribute("tests", std::to_string(run.verdicts.size() + run.not_promised.size())) +
+      attribute("tests", std::to_string(run.verdicts.size() + left_out.size())) +
       attribute("failures", std::to_string(failures)) + attribute("errors", "0") +
       attribute("skipped", std::to_string(skips)) + attribute("time", seconds_text(time_ns));
   std::string properties = property("selvage", selvage_version()) +
                            property("profile", run.profile) + property("arguments", run.arguments);
+  std::string missing;
   for (const auto& [function, law] : run.not_exported) {
-    properties += property("not exported", function);
+    missing += (missing.empty() ? "" : ", ") + function;
   }
+  if (!missing.empty()) properties += property("not exported", missing);
   if (!run.replay) {
     properties += property("seed", std::to_string(run.seed));
     properties += property("cases", std::to_string(run.cases));

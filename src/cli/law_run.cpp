@@ -11,7 +11,7 @@ void LawRun::try_known(const std::vector<KnownCase>& known) {
   const spec::Law& law = *verification_.verdict().law;
   for (const KnownCase& one : known) {
     if (is_violated() || one.law != law.name) continue;
-    if (is_over_ && is_over_()) return;
+    if (effort_.is_over && effort_.is_over()) return;
     const spec::Case c = within(subject_.claims, spec::to_profile(one.found, subject_.profile));
     const spec::Judgement judgement = spec::judge(law, subject_, c);
     ++known_.tried;

@@ -14,10 +14,9 @@ namespace selvage::cli {
 
 class LawRun {
  public:
-  // Where the time is over, what is left to do is cut short; empty: it never is.
-  LawRun(const spec::Law& law, const spec::Subject& subject,
-         const spec::Verification::IsOver& is_over = {})
-      : subject_(subject), is_over_(is_over), verification_(law, subject, is_over) {}
+  // Where the effort's time is over, what is left to do is cut short.
+  LawRun(const spec::Law& law, const spec::Subject& subject, const spec::Effort& effort = {})
+      : subject_(subject), effort_(effort), verification_(law, subject, effort) {}
 
   // Adds the time that the work takes to the law's.
   template <typename Work>
@@ -50,7 +49,7 @@ class LawRun {
   using Clock = std::chrono::steady_clock;
 
   const spec::Subject& subject_;
-  spec::Verification::IsOver is_over_;
+  spec::Effort effort_;
   spec::Verification verification_;
   std::optional<spec::LawVerdict> replayed_;
   Known known_;

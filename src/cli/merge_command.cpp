@@ -87,6 +87,7 @@ void add(spec::Hunted* total, const spec::Hunted& part) {
     time_ns += static_cast<uint64_t>(part.time_ns);
     if (is_before(part, total)) total = part;
     total.lacked_time |= part.lacked_time;
+    if (total.not_promised.empty()) total.not_promised = part.not_promised;
     if (total.found.violation) continue;
     total.found.cases += part.found.cases;
     total.found.judged_px += part.found.judged_px;
@@ -112,6 +113,7 @@ VerifyRun merged(const std::vector<VerifyRun>& runs, const std::vector<std::stri
   whole.known_cases = last.known_cases;
   whole.known_of_others = last.known_of_others;
   for (size_t law = 0; law < whole.verdicts.size(); ++law) whole.verdicts[law] = sum(runs, law);
+  note_not_promised(&whole);
   return whole;
 }
 

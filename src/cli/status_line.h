@@ -12,12 +12,14 @@ namespace selvage::cli {
 class StatusLine {
  public:
   explicit StatusLine(const Console& console) : console_(console) {}
-  ~StatusLine();  // wipes the line
+  ~StatusLine() { wipe(); }
   StatusLine(const StatusLine&) = delete;
   StatusLine& operator=(const StatusLine&) = delete;
 
   void show(std::string_view text);
-  // "what 20 of 200", at most ten times a second.
+  void wipe();
+  // The same, at most ten times a second, and "what 20 of 200".
+  void show_now_and_then(std::string_view text);
   void count(std::string_view what, uint64_t done, uint64_t total);
 
  private:

@@ -68,6 +68,11 @@ void read_number(const char* option, const std::string& text, int32_t least, int
   *number = *value;
 }
 
+void read_side(const char* option, const std::string& text, int32_t* side) {
+  read_number(option, text, 0, side);
+  if (*side == 0) *side = spec::kAnyNumber;  // as in selvage_subject.h
+}
+
 void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
   if (!options.winding.empty()) claims->winding = parse_winding(options.winding);
   read_set("--formats", options.formats, parse_format, &claims->formats);
@@ -83,9 +88,8 @@ void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
   claims->named_errors = options.named_errors.value_or(claims->named_errors);
   claims->any_texture_side = options.any_texture_side.value_or(claims->any_texture_side);
   claims->outside_texels = options.outside_texels.value_or(claims->outside_texels);
-  read_number("--longest-side", options.longest_side, 1, &claims->longest_side_px);
-  read_number("--longest-texture-side", options.longest_texture_side, 1,
-              &claims->longest_side_texel);
+  read_side("--longest-side", options.longest_side, &claims->longest_side_px);
+  read_side("--longest-texture-side", options.longest_texture_side, &claims->longest_side_texel);
   read_number("--most-vertices", options.most_vertices, 3, &claims->most_vertices);
 }
 
@@ -120,7 +124,7 @@ void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
   tell("--longest-side", options.longest_side);
   tell("--longest-texture-side", options.longest_texture_side);
   tell("--most-vertices", options.most_vertices);
-  return text;
+  return text.empty() ? text : text.substr(1);
 }
 
 // In the dollar quotes of POSIX.1-2024: a replay must find a file whose name cannot be shown.

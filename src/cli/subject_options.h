@@ -22,13 +22,13 @@ struct SubjectOptions {
   std::vector<std::string> formats, filters, addresses;
   std::optional<bool> perspective, clip, negative_pitch, concave, named_errors, any_texture_side,
       outside_texels;
-  std::string longest_side, longest_texture_side, most_vertices;
+  std::string longest_side, longest_texture_side, most_vertices;  // 0 of sides: any
 };
 
 struct ChosenSubject {
   spec::Subject subject;
   std::shared_ptr<testbed::Host> host;  // empty: the built-in mapper
-  std::string arguments;  // " --subject ./theirs.so ...": what a replay has to be given again
+  std::string arguments;  // "--subject ./theirs.so ...": what a replay has to be given again
 };
 
 // Loads the library, if there is one. Throws UserError. An empty profile is that of the subject.

@@ -107,7 +107,8 @@ namespace {
 std::string_view outcome(const Verdict& verdict) {
   if (verdict.found.violation) return "violated";
   if (verdict.lacked_time) return "not judged";
-  return verdict.found.judged_px > 0 ? "holds" : "judged nothing";
+  if (verdict.found.judged_px > 0) return "holds";
+  return verdict.not_promised.empty() ? "judged nothing" : "not promised";
 }
 
 std::string_view found_by(const Verdict& verdict) {
@@ -123,36 +124,59 @@ bool passed(const VerifyRun& run) {
   if (std::any_of(run.verdicts.begin(), run.verdicts.end(), is("violated"))) return false;
   if (std::any_of(run.verdicts.begin(), run.verdicts.end(), is("not judged"))) return false;
   if (run.shard.count > 1) return true;
-  return run.replay ? std::any_of(run.verdicts.begin(), run.verdicts.end(), is("holds"))
-                    : std::all_of(run.verdicts.begin(), run.verdicts.end(), is("holds"));
+  if (!run.replay && std::any_of(run.verdicts.begin(), run.verdicts.end(), is("judged nothing")))
+    return false;
+  return std::any_of(run.verdicts.begin(), run.verdicts.end(), is("holds"));
+}
+
+void note_not_promised(VerifyRun* run) {
+  for (const Verdict& verdict : run->verdicts) {
+    const std::string_view law = verdict.found.law->name;
+    std::erase_if(run->not_promised, [&](const NotPromised& other) { return other.law == law; });
+    if (outcome(verdict) == "not promised") {
+      run->not_promised.push_back({std::string(law), verdict.not_promised});
+    }
+  }
 }
 
 int exit_code(const VerifyRun& run) {
   if (passed(run)) return kExitFine;
   const auto may_hold = [&](const Verdict& verdict) {
     const std::string_view is = outcome(verdict);
-    return is == "holds" || is == "not judged" || (is == "judged nothing" && run.shard.count > 1);
+    return is == "holds" || is == "not judged" || is == "not promised" ||
+           (is == "judged nothing" && run.shard.count > 1);
   };
-  const bool lacked_time = std::ranges::all_of(run.verdicts, may_hold);
-  return lacked_time && !run.verdicts.empty() && !run.replay ? kExitNoTime : kExitLawFailed;
+  const auto lacked_time = [](const Verdict& verdict) { return outcome(verdict) == "not judged"; };
+  const bool is_unfinished =
+      std::ranges::any_of(run.verdicts, lacked_time) && std::ranges::all_of(run.verdicts, may_hold);
+  return is_unfinished && !run.replay ? kExitNoTime : kExitLawFailed;
 }
 
 std::string replay_line(const VerifyRun& run, const Verdict& verdict) {
-  return "selvage verify" + run.arguments + " --law " + std::string(verdict.found.law->name) +
-         " --case " + spec::to_hex(*verdict.found.counterexample);
+  return replay_line(run, verdict, *verdict.found.counterexample);
+}
+
+std::string replay_line(const VerifyRun& run, const Verdict& verdict, const spec::Case& c) {
+  return "selvage verify " + run.arguments + (run.arguments.empty() ? "" : " ") + "--law " +
+         std::string(verdict.found.law->name) + " --case " + spec::to_hex(c);
 }
 
 std::vector<std::string> notes_on(const Verdict& verdict) {
   std::vector<std::string> notes;
   if (!verdict.found.violation) return notes;
   if (!verdict.found.is_smallest) {
-    notes.emplace_back("shrinking was cut short: this is not the smallest counterexample");
+    notes.emplace_back(verdict.found.counterexample == verdict.found.found_case
+                           ? "it was not shrunk: this is the counterexample as it was found"
+                           : "shrinking was cut short: this is not the smallest counterexample");
   }
   const auto& [tried, failed] = verdict.found.replays;
   if (failed < tried) {
     notes.push_back("it depends on earlier calls or on chance: tried again by itself it failed " +
                     std::to_string(failed) + " of " + std::to_string(tried) +
                     " times, so that the replay may show nothing");
+    if (verdict.found.hung) {
+      notes.emplace_back("where the machine was the cause, --call-limit gives calls more time");
+    }
   }
   return notes;
 }
@@ -191,6 +215,7 @@ std::string table_summary(const VerifyRun& run) {
             : run.shard.count > 1 ? " in this shard"
                                   : ", which shows nothing and counts as a failure";
   }
+  if (const auto n = count("not promised")) text += ", " + std::to_string(n) + " not promised";
   if (const auto n = count("not judged")) {
     text += ", " + std::to_string(n) + " not judged: the time was over (more --time is needed)";
   }
@@ -207,7 +232,10 @@ std::string table_summary(const VerifyRun& run) {
     text += "not promised: " + law.law + ": " + law.why + "\n";
   }
   for (const auto& [function, law] : run.not_exported) {
-    text += "not exported: " + function + ": " + law + " says nothing of it\n";
+    text += "not exported: " + function + ": " +
+            (law.empty() ? "what it claims is told by the command line, or is all of its profile"
+                         : law + " says nothing of it") +
+            "\n";
   }
   return text;
 }

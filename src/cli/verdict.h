@@ -23,7 +23,8 @@ struct Verdict {
   std::string picture{};     // where the counterexample was drawn; empty if it was not
   bool from_corpus = false;  // it was known before
   Known known{};
-  bool lacked_time = false;  // the time was over before anything was judged, here or in a shard
+  bool lacked_time = false;    // the time was over before anything was judged, here or in a shard
+  std::string not_promised{};  // why it is not, of a law that was asked for all the same
 };
 
 // "corpus", "random" or "hunt": what the violation was found by.
@@ -33,7 +34,8 @@ struct NotPromised {
   std::string law, why;
 };
 
-// A function that a library does not export, and the law that is held against it where one does.
+// A function that a library does not export, and the law that is held against it where one does;
+// no law of selvage_subject, which tells what is claimed.
 struct NotExported {
   std::string function, law;
 };
@@ -53,7 +55,7 @@ struct VerifyRun {
   std::vector<NotPromised> not_promised{};  // the laws that were left out for it
   std::vector<NotExported> not_exported{};  // no failure: there is nothing to be held to it
   bool oracle_missing = false;              // this build has no ORACLE law
-  std::string arguments{};   // " --subject ./theirs.so ...": how the subject is told again
+  std::string arguments{};   // "--subject ./theirs.so ...": how the subject is told again
   uint64_t cases = 0;        // asked for; 0 where a replay or a time was
   uint64_t hunted = 0;       // asked for besides these, of each law
   uint64_t known_cases = 0;  // of the corpus, tried before any other
@@ -61,19 +63,24 @@ struct VerifyRun {
   Shard shard{};
 };
 
-// "holds", "violated", "judged nothing": a law without a say has shown nothing, or "not judged":
-// there was no time for it.
+// "holds", "violated", "judged nothing": a law without a say has shown nothing, "not judged": there
+// was no time for it, or "not promised": it judged nothing because there is nothing.
 [[nodiscard]] std::string_view outcome(const Verdict& verdict);
 
-// Every law must hold. In a replay a law may find nothing to judge in the one case, but not all; in
-// a shard it may, for other shards have the other cases.
+// Every law must hold that is promised, and one at least. In a replay a law may find nothing to
+// judge in the one case, but not all; in a shard it may, for other shards have the other cases.
 [[nodiscard]] bool passed(const VerifyRun& run);
+
+// Tells of the laws that were asked for in vain, which are not promised and judged nothing.
+void note_not_promised(VerifyRun* run);
 
 // 0: passed; 1: not; 3: nothing was found wrong, but for some laws there was no time.
 [[nodiscard]] int exit_code(const VerifyRun& run);
 
 // The command that shows the counterexample again.
 [[nodiscard]] std::string replay_line(const VerifyRun& run, const Verdict& verdict);
+[[nodiscard]] std::string replay_line(const VerifyRun& run, const Verdict& verdict,
+                                      const spec::Case& c);
 
 // What else is to be known of a counterexample, a sentence each: that it is not the smallest, or
 // that by itself it does not always fail.

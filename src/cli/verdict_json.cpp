@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/case_json.h"
 #include "cli/json_text.h"
 #include "selvage.h"
 #include "spec/sample_place.h"
@@ -13,13 +14,21 @@ using nlohmann::ordered_json;
 
 [[nodiscard]] ordered_json violation_json(const VerifyRun& run, const Verdict& verdict) {
   const spec::Violation& violation = *verdict.found.violation;
-  ordered_json values = {{"what", violation.what},   {"u_texel", violation.u},
-                         {"v_texel", violation.v},   {"allowed", violation.allowed},
-                         {"drawn", violation.drawn}, {"shown_case", spec::to_hex(violation.shown)}};
+  ordered_json values = {{"what", violation.what},
+                         {"allowed", violation.allowed},
+                         {"drawn", violation.drawn},
+                         {"shown", case_json(violation.shown)},
+                         {"shown_case", spec::to_hex(violation.shown)}};
+  if (!violation.u.empty()) {
+    values["u_texel"] = violation.u;
+    values["v_texel"] = violation.v;
+  }
   if (violation.x_px >= 0) {
     values["pixel_px"] = {violation.x_px, violation.y_px};
-    values["sample"] = spec::describe_sample(violation.shown, violation.x_px, violation.y_px);
+    if (violation.scene.empty())
+      values["sample"] = spec::describe_sample(violation.shown, violation.x_px, violation.y_px);
   }
+  if (!violation.scene.empty()) values["scene"] = violation.scene;
   if (violation.is_of_call) values["of_call"] = true;
   if (!run.replay) values["case_number"] = verdict.found.failed_case;
   if (!run.replay) values["found_by"] = found_by(verdict);
@@ -32,6 +41,10 @@ using nlohmann::ordered_json;
   if (verdict.found.counterexample) {
     values["case"] = spec::to_hex(*verdict.found.counterexample);
     values["replay"] = replay_line(run, verdict);
+  }
+  if (const auto& found = verdict.found.found_case; found && !run.replay) {
+    values["found_case"] = spec::to_hex(*found);
+    values["found_replay"] = replay_line(run, verdict, *found);
   }
   if (!verdict.picture.empty()) values["picture"] = verdict.picture;
   return values;
@@ -89,7 +102,9 @@ std::string verdict_json(const VerifyRun& run) {
   }
   values["not_exported"] = ordered_json::array();
   for (const auto& [function, law] : run.not_exported) {
-    values["not_exported"].push_back({{"function", function}, {"law", law}});
+    ordered_json& missing = values["not_exported"].emplace_back();
+    missing["function"] = function;
+    if (!law.empty()) missing["law"] = law;
   }
   return json_text(values);
 }

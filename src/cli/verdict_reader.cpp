@@ -90,12 +90,15 @@ void read_pixel(const JsonNode& node, spec::Violation* violation) {
 [[nodiscard]] spec::Violation read_violation(const JsonNode& node, std::string law) {
   spec::Violation violation{.law = std::move(law),
                             .what = read_text(node.at("what")),
-                            .u = read_text(node.at("u_texel")),
-                            .v = read_text(node.at("v_texel")),
                             .allowed = read_text(node.at("allowed")),
                             .drawn = read_text(node.at("drawn")),
                             .shown = read_case(node.at("shown_case")),
                             .is_of_call = node.has("of_call") && node.at("of_call").boolean()};
+  if (node.has("u_texel")) {
+    violation.u = read_text(node.at("u_texel"));
+    violation.v = read_text(node.at("v_texel"));
+  }
+  if (node.has("scene")) violation.scene = read_text(node.at("scene"));
   if (node.has("pixel_px")) read_pixel(node.at("pixel_px"), &violation);
   return violation;
 }
@@ -104,6 +107,7 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
   spec::LawVerdict& found = verdict->found;
   found.violation = read_violation(node, std::string(found.law->name));
   found.counterexample = read_case(node.at("case"));
+  if (node.has("found_case")) found.found_case = read_case(node.at("found_case"));
   found.failed_case = whole(node.at("case_number"));
   found.is_smallest = node.at("smallest").boolean();
   const JsonNode replays = node.at("replays");
@@ -114,7 +118,14 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
   if (node.has("picture")) verdict->picture = read_text(node.at("picture"));
 }
 
-[[nodiscard]] Verdict read_law(const JsonNode& node) {
+// Why the law is not promised, where it is among those that are not.
+[[nodiscard]] std::string why_not_promised(const std::vector<NotPromised>& laws,
+                                           std::string_view law) {
+  const auto found = std::ranges::find(laws, law, &NotPromised::law);
+  return found != laws.end() ? found->why : "";
+}
+
+[[nodiscard]] Verdict read_law(const JsonNode& node, const std::vector<NotPromised>& not_promised) {
   const JsonNode name = node.at("law");
   Verdict verdict;
   spec::LawVerdict& found = verdict.found;
@@ -139,6 +150,7 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
     verdict.known = {whole(known.at("tried")), read_counts(known.at("not_judged"))};
   }
   if (node.has("violation")) read_failure(node.at("violation"), &verdict);
+  verdict.not_promised = why_not_promised(not_promised, found.law->name);
   if (told.text() != outcome(verdict)) {
     told.fail("it is '" + read_text(told) + "', but what follows is of one that is '" +
               std::string(outcome(verdict)) + "'");
@@ -170,19 +182,20 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
 
 [[nodiscard]] VerifyRun read_run(const JsonNode& root) {
   VerifyRun run = read_beginning(root);
+  for (const JsonNode& law : root.at("not_promised").elements("law")) {
+    run.not_promised.push_back({read_text(law.at("law")), read_text(law.at("why"))});
+  }
   const JsonNode laws = root.at("laws");
   for (const JsonNode& law : laws.elements("law")) {
-    Verdict verdict = read_law(law);
+    Verdict verdict = read_law(law, run.not_promised);
     const auto is_it = [&](const Verdict& other) { return other.found.law == verdict.found.law; };
     if (std::ranges::any_of(run.verdicts, is_it)) law.fail("the law was told of before");
     run.verdicts.push_back(std::move(verdict));
   }
   if (run.verdicts.empty()) laws.fail("it has no verdict of any law, and so shows nothing");
-  for (const JsonNode& law : root.at("not_promised").elements("law")) {
-    run.not_promised.push_back({read_text(law.at("law")), read_text(law.at("why"))});
-  }
   for (const JsonNode& missing : root.at("not_exported").elements("function")) {
-    run.not_exported.push_back({read_text(missing.at("function")), read_text(missing.at("law"))});
+    run.not_exported.push_back({read_text(missing.at("function")),
+                                missing.has("law") ? read_text(missing.at("law")) : ""});
   }
   if (const JsonNode told = root.at("passed"); told.boolean() != passed(run)) {
     told.fail(std::string("it is ") + (passed(run) ? "false" : "true") +

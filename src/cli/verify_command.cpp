@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -49,6 +50,17 @@ constexpr size_t kMaxCaseBytes = size_t{1} << 20;
     if (promise.standing == spec::Standing::kPromised) chosen.push_back(&law);
   }
   return chosen;
+}
+
+// Of the laws that were named those that are not promised, and why.
+[[nodiscard]] std::map<const spec::Law*, std::string> named_in_vain(
+    const std::vector<const spec::Law*>& laws, const spec::Subject& subject) {
+  std::map<const spec::Law*, std::string> unpromised;
+  for (const spec::Law* law : laws) {
+    const spec::Promise promise = spec::promise(subject.profile, subject.claims, law->name);
+    if (promise.standing != spec::Standing::kPromised) unpromised[law] = promise.note;
+  }
+  return unpromised;
 }
 
 [[nodiscard]] std::vector<NotPromised> unpromised_laws(const spec::Subject& subject) {
@@ -135,7 +147,9 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
                                  std::optional<spec::Case> replayed, const Console& console) {
   VerifyPlan plan;
   plan.laws = chosen_laws(options.laws, subject);
+  plan.not_promised = named_in_vain(plan.laws, subject);
   plan.replayed = std::move(replayed);
+  plan.shrinks = options.shrinks;
   plan.seed = first_seed(options.seed);
   plan.cases = case_count(options.cases);
   plan.shard = parse_shard(options.shard, plan.cases);
@@ -150,10 +164,13 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
   return plan;
 }
 
-// Calls that laws which are checked would be held against, if the library had them.
-[[nodiscard]] std::vector<NotExported> not_exported(const spec::Subject& subject,
+// Calls that laws which are checked would be held against, if the library had them, and the one
+// that tells its claims.
+[[nodiscard]] std::vector<NotExported> not_exported(const ChosenSubject& chosen,
                                                     const VerifyPlan& plan) {
+  const spec::Subject& subject = chosen.subject;
   std::vector<NotExported> missing;
+  if (!chosen.host->tells_claims()) missing.push_back({"selvage_subject", ""});
   const auto note = [&](bool has, const char* function, const char* law) {
     const auto is_it = [law](const spec::Law* one) { return one->name == law; };
     if (!has && std::ranges::any_of(plan.laws, is_it)) missing.push_back({function, law});
@@ -172,7 +189,7 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
                 .seed = plan.seed,
                 .verdicts = {}};
   if (options.laws.empty()) run.not_promised = unpromised_laws(chosen.subject);
-  if (chosen.host) run.not_exported = not_exported(chosen.subject, plan);
+  if (chosen.host) run.not_exported = not_exported(chosen, plan);
   run.oracle_missing = options.laws.empty() && spec::find_law("ORACLE") == nullptr;
   run.arguments = chosen.arguments;
   run.cases = plan.replayed || plan.time ? 0 : plan.cases;
@@ -231,6 +248,7 @@ int run_verify(const VerifyOptions& options, const spec::Subject& built_in,
   run.verdicts = carry_out(plan, chosen.subject, console, [&](const Verdict& verdict) {
     if (show) console.out << table_row(verdict) << std::flush;
   });
+  note_not_promised(&run);
   if (show) console.out << table_summary(run);
   const bool hangs =
       std::ranges::any_of(run.verdicts, [](const Verdict& verdict) { return verdict.found.hung; });

@@ -24,6 +24,7 @@ struct VerifyOptions {
   std::string case_file;  // or the same from raw bytes
   std::string picture;    // empty: selvage-<law>.png
   std::string junit;      // a file for JUnit XML
+  bool shrinks = true;    // the counterexamples
   bool json = false;
   SubjectOptions subject;
 };

@@ -20,8 +20,9 @@ constexpr const char* kVerifyExamples = R"(Examples:
   selvage verify --law MAP --case 0200...      one case again, as a failure prints it
   selvage verify --case-file crash-1f3a        the same from a fuzzer's raw bytes
 
-A law that found no pixel to judge has shown nothing and counts as failed; in a replay, only if no
-law found any; in a shard never, for the other shards have the other cases.
+A law that found no pixel to judge has shown nothing and counts as failed, unless it was named and
+is not promised; in a replay, only if no law found any; in a shard never, for the other shards have
+the other cases.
 A corpus may be shared: what breaks a law on one subject is tried on all others, as their profile and
 claims take it. New violations are added to it, shrunk, a file each, MAP-0123456789abcdef.case; a shard only reads it,
 and 'selvage merge --corpus' adds what the shards have found.
@@ -99,8 +100,8 @@ void add_claims(CLI::App& verify, VerifyOptions& options) {
   add_flag("any-texture-side", subject.any_texture_side,
            "Whether texture sides need not be powers of two");
   add_flag("outside-texels", subject.outside_texels, "Whether u, v may lie beyond the texture");
-  add("--longest-side", subject.longest_side, "PX", "Of the target");
-  add("--longest-texture-side", subject.longest_texture_side, "TEXELS", "Of the texture");
+  add("--longest-side", subject.longest_side, "PX", "Of the target; 0: any");
+  add("--longest-texture-side", subject.longest_texture_side, "TEXELS", "Of the texture; 0: any");
   add("--most-vertices", subject.most_vertices, "N", "3: it draws triangles alone");
 }
 
@@ -171,6 +172,9 @@ CLI::App* add_verify(CLI::App& program, VerifyOptions& options) {
                    "PNG for the counterexample (drawn | expected | difference); "
                    "selvage-<law>.png if left out")
       ->type_name("FILE");
+  verify->add_flag_callback(
+      "--no-shrink", [&options] { options.shrinks = false; },
+      "Tell counterexamples as they were found, not the smallest ones");
   verify->add_flag("--json", options.json, "Print the verdicts as JSON");
   verify->add_option("--junit", options.junit, "Write them as JUnit XML, too")->type_name("FILE");
   add_subject(*verify, options);

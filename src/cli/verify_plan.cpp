@@ -18,9 +18,7 @@ constexpr uint64_t kCasesPerRound = 20;
 constexpr auto kFirstRoundGrace = std::chrono::seconds(5);
 constexpr double kMostRunTime_s = 1e6;
 
-void check_shard(const VerifyPlan& plan, const Console& console, LawRun* run,
-                 std::string_view law) {
-  StatusLine status(console);
+void check_shard(const VerifyPlan& plan, StatusLine& status, LawRun* run, std::string_view law) {
   for (uint64_t number = plan.shard.index - 1; number < plan.cases; number += plan.shard.count) {
     if (run->is_violated()) return;
     run->check(plan.seed, number);
@@ -29,8 +27,7 @@ void check_shard(const VerifyPlan& plan, const Console& console, LawRun* run,
 }
 
 // Climbs are shared out as cases are.
-void hunt_shard(const VerifyPlan& plan, const Console& console, LawRun* run, std::string_view law) {
-  StatusLine status(console);
+void hunt_shard(const VerifyPlan& plan, StatusLine& status, LawRun* run, std::string_view law) {
   const std::string what = std::string(law) + ", hunted";
   for (uint64_t climb = plan.shard.index - 1; climb * spec::kClimbCases < plan.hunted;
        climb += plan.shard.count) {
@@ -53,9 +50,8 @@ void check_round(const VerifyPlan& plan, uint64_t first, Clock::time_point end, 
 
 // Every law gets a round of cases and a climb in turn, and each at least one round: of a subject
 // that hangs, and where the time has long been over, the laws before have had all there was.
-void check_rounds(const VerifyPlan& plan, const Console& console, Clock::time_point end,
+void check_rounds(const VerifyPlan& plan, StatusLine& status, Clock::time_point end,
                   std::deque<LawRun>* runs) {
-  StatusLine status(console);
   const auto most = static_cast<uint64_t>(plan.time->count() / 1'000'000'000);
   for (uint64_t first = 0; first == 0 || Clock::now() < end; first += kCasesPerRound) {
     for (LawRun& run : *runs) {
@@ -111,24 +107,37 @@ std::vector<Verdict> carry_out(const VerifyPlan& plan, const spec::Subject& subj
                                const Console& console,
                                const std::function<void(const Verdict&)>& done) {
   const auto end = Clock::now() + plan.time.value_or(std::chrono::nanoseconds(0));
-  spec::Verification::IsOver is_over;
-  if (plan.time) is_over = [end] { return Clock::now() >= end; };
+  StatusLine status(console);
   std::deque<LawRun> runs;  // which stay where they are
+  // Of a subject that hangs one law's counterexample is shrunk.
+  const auto effort = [&](const spec::Law* law) {
+    return spec::Effort{plan.shrinks, std::ranges::none_of(runs, &LawRun::hangs), [&, law] {
+                          status.show_now_and_then(std::string(law->name) + ", shrinking");
+                          return plan.time && Clock::now() >= end;
+                        }};
+  };
+  const auto told = [&](Verdict verdict) {
+    const auto why = plan.not_promised.find(verdict.found.law);
+    if (why != plan.not_promised.end()) verdict.not_promised = why->second;
+    return verdict;
+  };
   for (const spec::Law* law : plan.laws) {
-    LawRun& run = runs.emplace_back(*law, subject, is_over);
+    LawRun& run = runs.emplace_back(*law, subject, effort(law));
     run.timed([&] {
       run.try_known(plan.known);
       if (plan.replayed) run.replay(*plan.replayed);
       if (plan.replayed || plan.time) return;
-      check_shard(plan, console, &run, law->name);
-      hunt_shard(plan, console, &run, law->name);
+      check_shard(plan, status, &run, law->name);
+      hunt_shard(plan, status, &run, law->name);
     });
-    if (!plan.time) done(run.verdict(plan.cases));
+    status.wipe();
+    if (!plan.time) done(told(run.verdict(plan.cases)));
   }
-  if (plan.time) check_rounds(plan, console, end, &runs);
+  if (plan.time) check_rounds(plan, status, end, &runs);
+  status.wipe();
   std::vector<Verdict> verdicts;
   for (const LawRun& run : runs) {
-    verdicts.push_back(plan.time ? run.verdict() : run.verdict(plan.cases));
+    verdicts.push_back(told(plan.time ? run.verdict() : run.verdict(plan.cases)));
     if (!plan.time) continue;
     const spec::LawVerdict& found = verdicts.back().found;
     verdicts.back().lacked_time =

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -23,7 +24,9 @@ struct VerifyPlan {
   uint64_t cases = 0;                  // of each law, in all shards together
   uint64_t hunted = 0;                 // besides these, of each law, in all shards together
   Shard shard;                         // cases and climbs index - 1, index - 1 + count, ... are its
-  std::optional<std::chrono::nanoseconds> time;  // as many rounds as fit, instead
+  std::optional<std::chrono::nanoseconds> time;          // as many rounds as fit, instead
+  bool shrinks = true;                                   // what violates a law
+  std::map<const spec::Law*, std::string> not_promised;  // of the laws, and why
 };
 
 // "2/8": the second of eight. Throws UserError.

@@ -75,8 +75,12 @@ namespace {
 
 // A lack of memory may be why.
 [[nodiscard]] std::string describe_memory(const End& end) {
-  if (end.memory_bytes < kMostMemoryBytes / 2) return {};
   constexpr double kMiB = 1 << 20;
+  if (end.memory_bytes < kMostMemoryBytes / 2) {
+    const bool is_null = end.signal == SIGSEGV && end.is_address_known && end.address < kNearNull;
+    if (!is_null) return {};
+    return "; of memory it gets no more than " + std::to_string(kMostMemoryBytes >> 20) + " MiB";
+  }
   char text[96];
   std::snprintf(text, sizeof text, ", with %.0f MiB of memory in use; it may take %.0f",
                 static_cast<double>(end.memory_bytes) / kMiB,

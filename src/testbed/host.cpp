@@ -159,6 +159,8 @@ Answer Host::call(const Call& call) {
   return checked(call, control.answer);
 }
 
+bool Host::tells_claims() const { return control().has_claims; }
+
 std::string Host::printed() const {
   std::string text(static_cast<size_t>(lseek(keeper_->output, 0, SEEK_END)), '\0');
   const ssize_t got = pread(keeper_->output, text.data(), text.size(), 0);

@@ -67,6 +67,8 @@ class Host {
   // calls are this host's. Throws LibraryError where it claims what there is not.
   [[nodiscard]] static spec::Subject subject(const std::shared_ptr<Host>& host);
 
+  // Whether it exports selvage_subject.
+  [[nodiscard]] bool tells_claims() const;
   // The beginning of what it has printed so far, at most 1 MiB.
   [[nodiscard]] std::string printed() const;
 

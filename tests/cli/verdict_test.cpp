@@ -86,6 +86,24 @@ TEST(Verdict, CountsALawWithoutASayAsAFailure) {
       "1 of 2 laws hold, 1 judged nothing, which shows nothing and counts as a failure");
 }
 
+TEST(Verdict, CountsALawThatIsNotPromisedAsNoFailure) {
+  Verdict in_vain = holding("DDA", 0);
+  in_vain.not_promised = "MAP judges it";
+  EXPECT_EQ(outcome(in_vain), "not promised");
+  VerifyRun run = run_of({holding("COV"), in_vain});
+  EXPECT_EQ(exit_code(run), kExitFine);
+  note_not_promised(&run);
+  note_not_promised(&run);
+  EXPECT_EQ(table_summary(run),
+            "1 of 2 laws hold, 1 not promised.\nnot promised: DDA: MAP judges it\n");
+  expect_contains(junit_xml(run), "tests=\"2\" failures=\"0\" errors=\"0\" skipped=\"1\"");
+  expect_contains(junit_xml(run), "<skipped message=\"not promised: MAP judges it\"/>");
+  EXPECT_EQ(exit_code(run_of({in_vain})), kExitLawFailed) << "nothing was shown";
+  EXPECT_EQ(exit_code(run_of({in_vain, holding("COV", 0)})), kExitLawFailed);
+  in_vain.found.judged_px = 1;
+  EXPECT_EQ(outcome(in_vain), "holds");
+}
+
 TEST(Verdict, CountsALawWithoutTimeAsNeitherHeldNorFailed) {
   Verdict unjudged = holding("MAP", 0);
   unjudged.lacked_time = true;
@@ -160,6 +178,41 @@ TEST(VerdictJson, TellsEverything) {
   EXPECT_EQ(violation["case"], spec::to_hex(spec::Case{}));
   EXPECT_EQ(violation["replay"], "selvage verify --law MAP --case " + spec::to_hex(spec::Case{}));
   EXPECT_EQ(violation["picture"], "pic.png");
+  EXPECT_FALSE(violation.contains("found_case"));
+}
+
+TEST(VerdictJson, TellsTheDrawingInTheUnitsOfTheInterface) {
+  Verdict verdict = violated("CLIP");
+  spec::Case& shown = verdict.found.violation->shown;
+  shown.format = SELVAGE_RGB565;
+  shown.filter = SELVAGE_FILTER_NEAREST;
+  shown.address = SELVAGE_ADDRESS_WRAP;
+  shown.layout = spec::Layout::kTiled;
+  shown.target_width_px = 7;
+  shown.target_height_px = 5;
+  shown.flip_texture = true;
+  shown.has_clip = true;
+  shown.clip = {1, 2, 3, 4};
+  shown.vertices = {{256, -1, 65536, 3, 9}};
+  spec::Case found = shown;
+  found.choice = 5;
+  verdict.found.found_case = found;
+  const auto values = nlohmann::json::parse(verdict_json(run_of({verdict})));
+  const auto& violation = values["laws"][0]["violation"];
+  const auto& told = violation["shown"];
+  EXPECT_EQ(told["format"], "rgb565");
+  EXPECT_EQ(told["filter"], "nearest");
+  EXPECT_EQ(told["address"], "wrap");
+  EXPECT_EQ(told["layout"], "tiles");
+  EXPECT_EQ(told["target_px"]["width"], 7);
+  EXPECT_EQ(told["target_px"]["height"], 5);
+  EXPECT_EQ(told["target_px"]["bottom_first"], false);
+  EXPECT_EQ(told["texture_texel"]["bottom_first"], true);
+  EXPECT_EQ(told["clip_px"], nlohmann::json::parse("[1, 2, 3, 4]"));
+  EXPECT_EQ(told["vertices"], nlohmann::json::parse(R"([{"x_fx8": 256, "y_fx8": -1,
+      "u_fx16": 65536, "v_fx16": 3, "q": 9}])"));
+  EXPECT_EQ(violation["found_case"], spec::to_hex(found));
+  EXPECT_EQ(violation["found_replay"], "selvage verify --law CLIP --case " + spec::to_hex(found));
 }
 
 // Everything that a run can have, there and back.
@@ -177,7 +230,14 @@ TEST(VerdictJson, IsReadAsItWasWritten) {
   run.hunted = 40;
   run.known_of_others = {{"TOTAL", 2}};
   run.not_promised = {{"SPLIT", "it cannot"}};
-  run.arguments = " --subject './my mapper.so'";
+  run.verdicts.back().found.violation->scene = "and copies of it";
+  run.verdicts.back().found.violation->u.clear();
+  run.verdicts.back().found.found_case = spec::Case{};
+  run.verdicts.push_back(holding("DDA", 0));
+  run.verdicts.back().not_promised = "MAP judges it";
+  run.not_promised.push_back({"DDA", "MAP judges it"});
+  run.not_exported = {{"selvage_subject", ""}, {"selvage_choose", "TOLERANCE"}};
+  run.arguments = "--subject './my mapper.so'";
   run.cases = 20;
   run.known_cases = 2;
   run.shard = {2, 3};

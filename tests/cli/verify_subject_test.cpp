@@ -23,15 +23,23 @@ TEST_F(VerifySubject, TellsWhatItDoesNotExport) {
   EXPECT_EQ(run("prepares_right"), kExitFine) << out();
   expect_contains(out(), "not exported: selvage_draw_many: SAME says nothing of it\n");
   expect_contains(out(), "not exported: selvage_choose: TOLERANCE says nothing of it\n");
+  expect_contains(out(),
+                  "not exported: selvage_subject: what it claims is told by the command line, "
+                  "or is all of its profile\n");
   EXPECT_EQ(out().find("not exported: selvage_prepare"), std::string::npos) << out();
-  expect_contains(get("verdict.xml"), "<property name=\"not exported\" value=\"selvage_choose\"/>");
+  expect_contains(get("verdict.xml"),
+                  "<property name=\"not exported\" value=\"selvage_subject, selvage_draw_many, "
+                  "selvage_choose\"/>");
   options_.laws = {"SAME"};
   options_.json = true;
   EXPECT_EQ(run("chooses_right"), kExitFine) << out();
   const auto missing = nlohmann::json::parse(out())["not_exported"];
-  ASSERT_EQ(missing.size(), 2u);
-  EXPECT_EQ(missing[1]["function"], "selvage_prepare");
-  EXPECT_EQ(missing[1]["law"], "SAME");
+  ASSERT_EQ(missing.size(), 3u);
+  EXPECT_FALSE(missing[0].contains("law"));
+  EXPECT_EQ(missing[2]["function"], "selvage_prepare");
+  EXPECT_EQ(missing[2]["law"], "SAME");
+  EXPECT_EQ(run("clockwise"), kExitFine) << out();
+  EXPECT_EQ(nlohmann::json::parse(out())["not_exported"][0]["function"], "selvage_draw_many");
 }
 
 // The polygon that it fails at has shrunk to nothing: there is no picture of that.
@@ -151,6 +159,8 @@ TEST_F(VerifySubject, RefusesWrongUse) {
                   "--winding: 'left' is none");
   expect_contains(refused([](VerifyOptions& o) { o.subject.most_vertices = "2"; }),
                   "--most-vertices: '2' is no number from 3 on");
+  expect_contains(refused([](VerifyOptions& o) { o.subject.longest_side = "-1"; }),
+                  "--longest-side: '-1' is no number from 0 on");
   for (const char* shard : {"0/2", "3/2", "1", "1/2/3", "a/b", "-1/2"}) {
     expect_contains(refused([&](VerifyOptions& o) { o.shard = shard; }),
                     "--shard: '" + std::string(shard) + "' is no shard");
@@ -195,6 +205,50 @@ TEST_F(VerifySubject, ThatFailsAfterManyCallsIsToldAndDrawnAsItFailed) {
   expect_contains(violation["notes"][0].get<std::string>(), note);
   EXPECT_EQ(run("draws_nothing"), kExitLawFailed);
   EXPECT_FALSE(nlohmann::json::parse(out())["laws"][0]["violation"].contains("notes"));
+}
+
+TEST_F(VerifySubject, IsToldByTheCaseThatWasFoundIfAsked) {
+  options_.laws = {"COV"};
+  options_.json = true;
+  EXPECT_EQ(run("draws_nothing"), kExitLawFailed);
+  const auto shrunk = nlohmann::json::parse(out())["laws"][0]["violation"];
+  EXPECT_NE(shrunk["case"], shrunk["found_case"]);
+  EXPECT_EQ(shrunk["smallest"], true);
+  options_.shrinks = false;
+  EXPECT_EQ(run("draws_nothing"), kExitLawFailed);
+  const auto whole = nlohmann::json::parse(out())["laws"][0]["violation"];
+  EXPECT_EQ(whole["case"], shrunk["found_case"]);
+  EXPECT_EQ(whole["replay"], shrunk["found_replay"]);
+  EXPECT_EQ(whole["replays"]["failed"], 3);
+  EXPECT_EQ(whole["notes"][0], "it was not shrunk: this is the counterexample as it was found");
+}
+
+TEST_F(VerifySubject, WithALawThatItDoesNotPromiseIsToldWhy) {
+  options_.laws = {"COV", "CLIP"};
+  options_.subject.clip = false;
+  EXPECT_EQ(run("right"), kExitFine) << out();
+  expect_contains(out(), "1 of 2 laws hold, 1 not promised.\n");
+  expect_contains(out(), "not promised: CLIP: it does not clip\n");
+  options_.laws = {"CLIP"};
+  EXPECT_EQ(run("right"), kExitLawFailed) << out();
+}
+
+TEST_F(VerifySubject, WithNoLongestSideTakesAny) {
+  options_.laws = {"COV"};
+  options_.subject.longest_side = options_.subject.longest_texture_side = "0";
+  EXPECT_EQ(run("right"), kExitFine) << out();
+  expect_contains(out(), "1 of 1 laws hold.\n");
+}
+
+// One law's counterexample is shrunk; the others would be of the same call, and take its time.
+TEST_F(VerifySubject, ThatHangsIsShrunkOnce) {
+  options_.laws = {"COV", "MEM"};
+  options_.subject.call_limit = "0.2";
+  options_.json = true;
+  EXPECT_EQ(run("hangs"), kExitLawFailed);
+  const auto laws = nlohmann::json::parse(out())["laws"];
+  EXPECT_NE(laws[0]["violation"]["case"], laws[0]["violation"]["found_case"]);
+  EXPECT_EQ(laws[1]["violation"]["case"], laws[1]["violation"]["found_case"]);
 }
 
 TEST_F(VerifySubject, WritesJUnit) {

@@ -1,0 +1,93 @@
+#include "spec/polygon_scene.h"
+
+#include <algorithm>
+
+#include "spec/law_tools.h"
+
+namespace selvage::spec {
+namespace {
+
+inline constexpr int32_t kMostRowsAdded = 100;
+inline constexpr int32_t kMostPolygons = 8;
+
+// The case over more rows, so that there are tiles and bands to be cut.
+[[nodiscard]] Case heightened(const Case& c, int32_t longest_side_px, Choices& choices) {
+  Case high = c;
+  const int32_t most_px = std::min({kMaxTargetPx / c.target_width_px, 32000, longest_side_px});
+  high.target_height_px = std::clamp(c.target_height_px + choices.pick(0, kMostRowsAdded),
+                                     c.target_height_px, std::max(c.target_height_px, most_px));
+  if (choices.pick(0, 2) == 0) high.clip.bottom = high.target_height_px;
+  return high;
+}
+
+// The texels of the one are the complement of the other's.
+[[nodiscard]] TexelAt texture_of(const Case& c, bool complement) {
+  return [texture = folded_texture(c.format), complement](Texel texel) {
+    return complement ? ~texture(texel) : texture(texel);
+  };
+}
+
+// To all over the target and beyond; where a copy cannot be it stays.
+[[nodiscard]] std::vector<Pixel> moves_of(const Case& c, Choices& choices) {
+  std::vector<Pixel> moves{{0, 0}};
+  const int32_t count = choices.pick(2, kMostPolygons + 1);
+  while (moves.size() < static_cast<size_t>(count)) {
+    const int32_t dx_px = choices.pick(-c.target_width_px, c.target_width_px + 1) / 2;
+    const int32_t dy_px = choices.pick(-c.target_height_px, c.target_height_px + 1);
+    const bool can_be =
+        moved(c.vertices, int64_t{dx_px} * SELVAGE_SUBPIXELS, int64_t{dy_px} * SELVAGE_SUBPIXELS)
+            .has_value();
+    moves.push_back(can_be ? Pixel{dx_px, dy_px} : Pixel{0, 0});
+  }
+  return moves;
+}
+
+[[nodiscard]] Case scene_case(const Subject& subject, const Case& c) {
+  Choices choices(c.choice);
+  return heightened(c, subject.claims.longest_side_px, choices);
+}
+
+}  // namespace
+
+PolygonScene::PolygonScene(const Subject& subject, const Case& c)
+    : case_(scene_case(subject, c)),
+      textures_{TextureMemory(subject, c, texture_of(c, false), kSceneBackground),
+                TextureMemory(subject, c, texture_of(c, true), kSceneBackground)} {
+  Choices choices(c.choice + 1);
+  moves_ = moves_of(case_, choices);
+  for (const Pixel& move : moves_) {
+    outlines_.push_back(moved(c.vertices, int64_t{move.x_px} * SELVAGE_SUBPIXELS,
+                              int64_t{move.y_px} * SELVAGE_SUBPIXELS)
+                            .value());
+  }
+}
+
+std::string PolygonScene::copies() const {
+  std::string text = "and copies of it, moved by";
+  for (size_t i = 1; i < moves_.size(); ++i) {
+    text += (i > 1 ? ", (" : " (") + std::to_string(moves_[i].x_px) + ", " +
+            std::to_string(moves_[i].y_px) + ")";
+  }
+  return text + " px: every second one shows the second texture, whose texels are the complement";
+}
+
+std::vector<selvage_polygon> PolygonScene::polygons(
+    const std::vector<selvage_texture>& textures) const {
+  std::vector<selvage_polygon> all;
+  for (const auto& outline : outlines_) {
+    all.push_back({outline.data(), outline.size(), &textures[all.size() % 2]});
+  }
+  return all;
+}
+
+void PolygonScene::put_texture(const Subject& subject, size_t i,
+                               std::optional<TextureMemory>* memory) const {
+  const TexelAt texel_at = texture_of(case_, i % 2 == 1);
+  if (*memory) {
+    (*memory)->change(subject, case_, texel_at);
+  } else {
+    memory->emplace(subject, case_, texel_at, kSceneBackground);
+  }
+}
+
+}  // namespace selvage::spec

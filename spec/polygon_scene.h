@@ -1,0 +1,54 @@
+// What law SAME draws in many ways: some polygons, of one case.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "spec/canvas.h"
+#include "spec/case.h"
+#include "spec/geometry.h"
+#include "spec/subject.h"
+#include "spec/texture_memory.h"
+
+namespace selvage::spec {
+
+inline constexpr uint8_t kSceneBackground = 0x5A;
+
+// Polygons over each other, of two textures that differ in every texel, in the order of drawing.
+class PolygonScene {
+ public:
+  PolygonScene(const Subject& subject, const Case& c);
+
+  [[nodiscard]] const Case& shown() const { return case_; }
+  [[nodiscard]] size_t count() const { return outlines_.size(); }
+  [[nodiscard]] Canvas blank() const {
+    return {case_.format,     case_.target_width_px, case_.target_height_px,
+            case_.padding_px, case_.flip_target,     kSceneBackground};
+  }
+  [[nodiscard]] const selvage_rect* clip() const { return case_.has_clip ? &case_.clip : nullptr; }
+  [[nodiscard]] selvage_options options(selvage_kernel kernel = SELVAGE_KERNEL_FASTEST) const {
+    return {case_.profile, case_.filter, case_.address, 0, kernel};
+  }
+  [[nodiscard]] const std::vector<selvage_vertex>& outline(size_t i) const { return outlines_[i]; }
+  // "and copies of it, moved by (1, 0), (-2, 7) px: ..."
+  [[nodiscard]] std::string copies() const;
+  // Lays the texture of polygon i out: in new memory, or in that of another one's.
+  void put_texture(const Subject& subject, size_t i, std::optional<TextureMemory>* memory) const;
+  // Views of the scene.
+  [[nodiscard]] std::vector<selvage_texture> textures() const {
+    return {textures_[0].view(), textures_[1].view()};
+  }
+  [[nodiscard]] std::vector<selvage_polygon> polygons(
+      const std::vector<selvage_texture>& textures) const;
+
+ private:
+  Case case_;
+  std::array<TextureMemory, 2> textures_;
+  std::vector<Pixel> moves_;  // of the case's outline: of none to begin with, then of each copy
+  std::vector<std::vector<selvage_vertex>> outlines_;
+};
+
+}  // namespace selvage::spec
