@@ -1,5 +1,6 @@
 #include "reports/stability/contender.h"
 
+#include <algorithm>
 #include <string>
 
 #include "reports/stability/arithmetic.h"
@@ -33,8 +34,26 @@ std::vector<Contender> contenders(const spec::Subject& mapper) {
   return all;
 }
 
+Contender of_library(const spec::Subject& subject) {
+  return {"subject",       "the library that was given", Promise::kNothing,
+          subject.profile, !subject.claims.perspective,  subject};
+}
+
 spec::Case in_its_way(const Contender& contender, const spec::Case& scene) {
-  return spec::in_profile(scene, contender.profile);
+  return spec::within(contender.subject.claims, spec::in_profile(scene, contender.profile));
+}
+
+bool can_draw(const Contender& contender, const spec::Case& scene) {
+  spec::Case whole = spec::in_profile(scene, contender.profile);
+  spec::Case claimed = spec::within(contender.subject.claims, whole);
+  for (spec::Case* c : {&whole, &claimed}) {
+    c->format = SELVAGE_RGBA8888;
+    c->flip_target = c->flip_texture = false;
+    for (selvage_vertex& v : c->vertices) v.q = 1;
+  }
+  if (claimed == whole) return true;
+  std::ranges::reverse(claimed.vertices);  // the other winding draws the same
+  return claimed == whole;
 }
 
 }  // namespace selvage::stability

@@ -27,7 +27,12 @@ struct Contender {
 // The historic profiles of the mapper, the arithmetics, and its exact profile.
 [[nodiscard]] std::vector<Contender> contenders(const spec::Subject& mapper);
 
+// A mapper of somebody else's, called "subject".
+[[nodiscard]] Contender of_library(const spec::Subject& subject);
+
 // The scene as the contender draws it.
 [[nodiscard]] spec::Case in_its_way(const Contender& contender, const spec::Case& scene);
+// Whether that is the same scene, but for perspective and format: else it claims not to draw it.
+[[nodiscard]] bool can_draw(const Contender& contender, const spec::Case& scene);
 
 }  // namespace selvage::stability

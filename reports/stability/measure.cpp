@@ -74,6 +74,7 @@ void Errors::add(const Errors& more) {
   sum_texel += more.sum_texel;
   part_of_bound = std::max(part_of_bound, more.part_of_bound);  // nothing is below every number
   own_coverage_px += more.own_coverage_px;
+  judged_cases += more.judged_cases;
   refused_cases += more.refused_cases;
   if (memory_fault.empty()) memory_fault = more.memory_fault;
 }
@@ -112,9 +113,11 @@ spec::Picture drawing_of(const Contender& contender, const Reference& model) {
   return spec::draw_whatever_answered(contender.subject, scene);
 }
 
-Errors errors_of(const Contender& contender, const Reference& model) {
-  const spec::Picture picture = drawing_of(contender, model);
-  Errors errors;
+namespace {
+
+[[nodiscard]] Errors errors_of(const Contender& contender, const Reference& model,
+                               const spec::Picture& picture) {
+  Errors errors{.judged_cases = 1};
   errors.refused_cases = picture.status != SELVAGE_OK;
   errors.memory_fault = picture.memory_fault;
   for (size_t i = 0; i < model.texels.size(); ++i) {
@@ -129,6 +132,21 @@ Errors errors_of(const Contender& contender, const Reference& model) {
     judge_by_own_conventions(in_its_way(contender, model.scene), picture, errors);
   }
   return errors;
+}
+
+}  // namespace
+
+Errors errors_of(const Contender& contender, const Reference& model) {
+  if (!can_draw(contender, model.scene)) return {};
+  try {
+    return errors_of(contender, model, drawing_of(contender, model));
+  } catch (const spec::NotClaimed&) {
+    return {};
+  } catch (const spec::SubjectFailure& failure) {
+    return {.missing_px = model.covered_px,
+            .judged_cases = 1,
+            .memory_fault = "it " + failure.happened};
+  }
 }
 
 FamilyRow measure(const spec::HardFamily& family, std::span<const Contender> contenders,

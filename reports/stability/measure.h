@@ -25,6 +25,7 @@ struct Errors {
   std::optional<double> part_of_bound{};  // the largest measured/bound, where a bound is promised
   uint64_t own_coverage_px = 0;           // there: pixels drawn that the contender's own profile
                                           // does not cover, or not drawn although it does
+  uint64_t judged_cases = 0;              // the others it does not claim to draw
   uint64_t refused_cases = 0;             // by an error; what they cover is missing
   std::string memory_fault{};             // what no mapper may do, and this one did
 
@@ -55,9 +56,11 @@ struct FamilyRow {
   std::vector<Cell> cells{};  // in the order of the contenders
 };
 
+// A call that does not end as calls do has drawn nothing, and is a memory fault.
 [[nodiscard]] Errors errors_of(const Contender& contender, const Reference& model);
 
-// The drawing that errors_of judges, with its pixels as texels of the scene.
+// The drawing that errors_of judges, with its pixels as texels of the scene. Throws what a
+// subject's calls throw.
 [[nodiscard]] spec::Picture drawing_of(const Contender& contender, const Reference& model);
 
 [[nodiscard]] bool is_worse(const Errors& a, const Errors& b, Promise promise);

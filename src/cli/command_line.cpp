@@ -14,6 +14,7 @@
 #include "cli/laws_command.h"
 #include "cli/render_command_line.h"
 #include "cli/stability_command.h"
+#include "cli/subject_command_line.h"
 #include "cli/usage_error.h"
 #include "cli/verify_command.h"
 #include "cli/verify_command_line.h"
@@ -33,7 +34,8 @@ constexpr const char* kProgramExitCodes =
 
 constexpr const char* kStabilityExitCodes =
     "Exit codes: 0 fine; 1 a promise is broken: 'exact' differs from the model, or a texel lies\n"
-    "beyond its derived bound; 2 wrong use, or a file that cannot be read or written.";
+    "beyond its derived bound, or a subject crashes or writes where it may not; 2 wrong use, or a "
+    "file that cannot be read or written.";
 
 constexpr const char* kProgramExamples = R"(Examples:
   selvage draw --texture earth.jpg --polygon '10,10,0,0 200,20,640,0 190,180,640,480' \
@@ -76,8 +78,10 @@ constexpr const char* kStabilityExamples = R"(Examples:
   selvage stability --list                     what there is to measure, and why it is hard
   selvage stability --family NAME --seed 1     one family, every arithmetic
   selvage stability --family NAME --arithmetic float32-dda --seed 17 --cases 1 --picture worst.png
+  selvage stability --subject ./theirs.so      another mapper beside them: how wrong, and where
 
-Scene k of a run is the family's scene of seed S + k, so the seed of a worst case names it alone.
+A subject promises nothing here: it is measured, on scenes that it claims to draw. 'selvage verify'
+holds it to what it promises. Scene k of a run is the family's scene of seed S + k, so the seed of a worst case names it alone.
 )";
 
 constexpr const char* kLawsExamples = R"(Examples:
@@ -182,6 +186,9 @@ CLI::App* add_stability(CLI::App& program, StabilityOptions& options) {
       ->add_option("--picture", options.picture,
                    "PNG for the worst case of all (drawn | exact | difference)")
       ->type_name("FILE");
+  add_library(*stability, options.subject,
+              "A shared library that exports selvage_draw, to be measured beside them");
+  add_claims(*stability, options.subject);
   stability->add_flag("--list", options.list, "List the families and the arithmetics instead");
   stability->add_flag("--json", options.json, "Print it as JSON");
   stability->footer(footer(kStabilityExamples, kStabilityExitCodes));

@@ -29,9 +29,9 @@ struct PictureComparison {
 
 // Texel (s, t) is coloured by its place, red growing with s and green with t; a value that no texel
 // has is magenta. Colours are shown as they are, without alpha. What was not drawn is a grey
-// chequerboard of two squares a pixel each way. The difference is a dim copy of what was expected where nothing differs. A white
-// frame marks the pixel to show. Of a large target only the surroundings of that pixel are shown;
-// of one much wider than high, one panel below the other.
+// chequerboard of two squares a pixel each way. The difference is a dim copy of what was expected
+// where nothing differs. A white frame marks the pixel to show. Of a large target only the
+// surroundings of that pixel are shown; of one much wider than high, one panel below the other.
 [[nodiscard]] Raster comparison_picture(const PictureComparison& comparison);
 
 }  // namespace selvage::cli

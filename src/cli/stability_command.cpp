@@ -82,7 +82,12 @@ void write_picture(const StabilityOptions& options, const StabilityRun& run,
   const Scene worst = worst_scene(run);
   const Contender& contender = *worst.cell->contender;
   const stability::Reference model = stability::reference(worst.family->family->make(worst.seed));
-  write_file(options.picture, encode_png(stability_picture(contender, model)));
+  try {
+    write_file(options.picture, encode_png(stability_picture(contender, model)));
+  } catch (const spec::SubjectFailure& failure) {
+    console.err << "selvage: no picture: the subject " << failure.happened << '\n';
+    return;
+  }
   if (options.json) return;
   console.out << "picture: " << options.picture << " (drawn | exact | difference) of "
               << worst.family->family->name << " by " << contender.name << ", seed " << worst.seed
@@ -91,17 +96,25 @@ void write_picture(const StabilityOptions& options, const StabilityRun& run,
 
 }  // namespace
 
-int run_stability(const StabilityOptions& options, const spec::Subject& subject,
+int run_stability(const StabilityOptions& options, const spec::Subject& mapper,
                   const Console& console) {
-  const std::vector<Contender> all = stability::contenders(subject);
+  const ChosenSubject judged = choose_subject(options.subject, "", mapper);
+  std::vector<Contender> all = stability::contenders(mapper);
+  if (judged.host) all.push_back(stability::of_library(judged.subject));
   if (options.list) {
     console.out << (options.json ? stability_list_json(all) : stability_list(all));
     return kExitFine;
   }
   const auto families = chosen(spec::hard_families(), options.families, "--family", "hard family");
+  std::vector<std::string> names = options.arithmetics;
+  if (judged.host && !names.empty()) names.emplace_back(all.back().name);
   const auto contenders =
-      chosen(std::span<const Contender>(all), options.arithmetics, "--arithmetic", "arithmetic");
-  StabilityRun run{subject.name, first_seed(options.seed), case_count(options.cases), {}};
+      chosen(std::span<const Contender>(all), names, "--arithmetic", "arithmetic");
+  StabilityRun run{judged.subject.name,
+                   first_seed(options.seed),
+                   case_count(options.cases),
+                   {},
+                   judged.arguments};
   if (!options.picture.empty()) check_picture(options.picture, PictureKinds::kFiles, console);
 
   const bool show = !options.json;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/console.h"
+#include "cli/subject_options.h"
 #include "spec/subject.h"
 
 namespace selvage::cli {
@@ -18,12 +19,14 @@ struct StabilityOptions {
   std::string picture;  // empty: none
   bool json = false;
   bool list = false;
+  SubjectOptions subject;  // a library to measure, too
 };
 
-// Measures arithmetics on the hard families; the subject is the mapper whose profiles are among
-// them. Returns kExitFine, or kExitLawFailed where a promise is broken: a texel beyond its derived
-// bound, or a pixel of `exact` that is not the model's.
-int run_stability(const StabilityOptions& options, const spec::Subject& subject,
+// Measures arithmetics on the hard families; the mapper's profiles are among them, and the library
+// that the options name. Returns kExitFine, or kExitLawFailed where a promise is broken: a texel
+// beyond its derived bound, a pixel of `exact` that is not the model's, a call of the library that
+// does not end as calls do.
+int run_stability(const StabilityOptions& options, const spec::Subject& mapper,
                   const Console& console);
 
 }  // namespace selvage::cli

@@ -41,7 +41,8 @@ using stability::Promise;
   return std::isfinite(part) ? ordered_json(part) : ordered_json();
 }
 
-[[nodiscard]] ordered_json cell_json(const FamilyRow& family, const Cell& cell) {
+[[nodiscard]] ordered_json cell_json(const StabilityRun& run, const FamilyRow& family,
+                                     const Cell& cell) {
   const stability::Errors& errors = cell.errors;
   ordered_json values = {{"arithmetic", cell.contender->name},
                          {"compared_px", errors.compared_px},
@@ -54,6 +55,9 @@ using stability::Promise;
                          {"kept", errors.keeps(cell.contender->promise)}};
   if (errors.part_of_bound) values["part_of_bound"] = part_json(*errors.part_of_bound);
   if (errors.own_coverage_px > 0) values["own_coverage_px"] = errors.own_coverage_px;
+  if (errors.judged_cases < run.cases) {
+    values["not_claimed_cases"] = run.cases - errors.judged_cases;
+  }
   if (errors.refused_cases > 0) values["refused_cases"] = errors.refused_cases;
   if (!errors.memory_fault.empty()) values["memory_fault"] = errors.memory_fault;
   if (cell.worst) {
@@ -62,7 +66,7 @@ using stability::Promise;
                        {"wrong_share", cell.worst->errors.wrong_share()},
                        {"missing_px", cell.worst->errors.missing_px},
                        {"extra_px", cell.worst->errors.extra_px},
-                       {"command", worst_line(family, cell)}};
+                       {"command", worst_line(run, family, cell)}};
   }
   return values;
 }
@@ -79,7 +83,7 @@ std::string stability_json(const StabilityRun& run, std::span<const Contender> c
                          {"families", ordered_json::array()}};
   for (const FamilyRow& family : run.families) {
     ordered_json cells = ordered_json::array();
-    for (const Cell& cell : family.cells) cells.push_back(cell_json(family, cell));
+    for (const Cell& cell : family.cells) cells.push_back(cell_json(run, family, cell));
     values["families"].push_back({{"family", family.family->name},
                                   {"reason", family.family->reason},
                                   {"covered_px", family.covered_px},

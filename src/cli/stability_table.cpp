@@ -65,10 +65,10 @@ bool passed(const StabilityRun& run) {
   });
 }
 
-std::string worst_line(const FamilyRow& family, const Cell& cell) {
-  return "selvage stability --family " + std::string(family.family->name) + " --arithmetic " +
-         std::string(cell.contender->name) + " --seed " + std::to_string(cell.worst->seed) +
-         " --cases 1";
+std::string worst_line(const StabilityRun& run, const FamilyRow& family, const Cell& cell) {
+  return "selvage stability " + run.arguments + (run.arguments.empty() ? "" : " ") + "--family " +
+         std::string(family.family->name) + " --arithmetic " + std::string(cell.contender->name) +
+         " --seed " + std::to_string(cell.worst->seed) + " --cases 1";
 }
 
 std::string stability_block(const FamilyRow& family) {
@@ -79,6 +79,11 @@ std::string stability_block(const FamilyRow& family) {
                       "of bound", "worst seed"});
   for (const Cell& cell : family.cells) {
     const stability::Errors& errors = cell.errors;
+    if (errors.judged_cases == 0) {
+      text += arithmetic_row(
+          {std::string(cell.contender->name), "not claimed", "-", "-", "-", "-", "-", "-"});
+      continue;
+    }
     text +=
         arithmetic_row({std::string(cell.contender->name), percent(errors.wrong_share()),
                         std::to_string(errors.largest_texel), short_number(errors.mean_texel()),
@@ -92,10 +97,16 @@ std::string stability_summary(const StabilityRun& run) {
   std::string text = wrapped(stability_notes());
   for (const FamilyRow& family : run.families) {
     for (const Cell& cell : family.cells) {
+      if (cell.errors.judged_cases < run.cases) {
+        text += "not claimed: " + std::string(cell.contender->name) + " on " +
+                std::string(family.family->name) + ": " +
+                std::to_string(run.cases - cell.errors.judged_cases) + " of " +
+                std::to_string(run.cases) + " scenes\n";
+      }
       if (kept(cell)) continue;
       text += "BROKEN: " + std::string(cell.contender->name) + " on " +
               std::string(family.family->name) + ": " + breach(cell) +
-              "; again: " + worst_line(family, cell) + "\n";
+              "; again: " + worst_line(run, family, cell) + "\n";
     }
   }
   return text;

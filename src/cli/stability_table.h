@@ -15,13 +15,15 @@ struct StabilityRun {
   std::string subject;
   uint64_t seed = 0, cases = 0;  // of each family
   std::vector<stability::FamilyRow> families;
+  std::string arguments{};  // "--subject ./theirs.so ...": how the subject is told again
 };
 
 // No promise was broken.
 [[nodiscard]] bool passed(const StabilityRun& run);
 
 // The command that measures the worst case of a cell again, alone.
-[[nodiscard]] std::string worst_line(const stability::FamilyRow& row, const stability::Cell& cell);
+[[nodiscard]] std::string worst_line(const StabilityRun& run, const stability::FamilyRow& row,
+                                     const stability::Cell& cell);
 
 // At most 100 columns: a family's reason, a row for each arithmetic.
 [[nodiscard]] std::string stability_block(const stability::FamilyRow& row);

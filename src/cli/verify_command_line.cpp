@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/subject_command_line.h"
+
 namespace selvage::cli {
 namespace {
 
@@ -45,64 +47,15 @@ All shards of one run are needed. What they knew from a corpus may differ: each 
          "3 no violation, but --time was over before each law had judged something.";
 }
 
-constexpr const char* kSubject = "Another mapper to judge";
-constexpr const char* kClaims = "What it claims (the library's own selvage_subject() else)";
-
-void add_subject(CLI::App& verify, VerifyOptions& options) {
-  SubjectOptions& subject = options.subject;
-  verify
-      .add_option("--subject", subject.library,
-                  "A shared library that exports selvage_draw; the built-in mapper if left out")
-      ->type_name("FILE")
-      ->group(kSubject);
-  verify.add_option("--call-limit", subject.call_limit, "Time that a call may take; 2 if left out")
-      ->type_name("SECONDS")
-      ->group(kSubject);
+void add_subject(CLI::App& verify, SubjectOptions& subject) {
+  add_library(verify, subject,
+              "A shared library that exports selvage_draw; the built-in mapper if left out");
   verify.add_option("--kernel", subject.kernel, "Of the built-in mapper: scalar, avx2, ...")
       ->type_name("NAME")
-      ->group(kSubject);
+      ->group(kSubjectGroup);
   verify.add_option("--subject-output", subject.output, "A file for what it prints, up to 1 MiB")
       ->type_name("FILE")
-      ->group(kSubject);
-}
-
-void add_claims(CLI::App& verify, VerifyOptions& options) {
-  SubjectOptions& subject = options.subject;
-  const auto add = [&](const char* name, std::string& value, const char* type, const char* what) {
-    verify.add_option(name, value, what)->type_name(type)->group(kClaims);
-  };
-  const auto add_list = [&](const char* name, std::vector<std::string>& values, const char* what) {
-    verify.add_option(name, values, what)
-        ->type_name("NAME,...")
-        ->delimiter(',')
-        ->allow_extra_args(false)
-        ->group(kClaims);
-  };
-  const auto add_flag = [&](const char* name, std::optional<bool>& value, const char* what) {
-    const std::string yes = "--" + std::string(name), no = "--no-" + std::string(name);
-    verify
-        .add_flag_callback(
-            yes, [&value] { value = true; }, what + (" (or " + no + ")"))
-        ->group(kClaims);
-    verify.add_flag_callback(no, [&value] { value = false; })->group("");  // told with the other
-  };
-  add("--name", subject.name, "TEXT", "Its name in the verdict");
-  add("--winding", subject.winding, "NAME", "both, clockwise or counter-clockwise");
-  add_list("--formats", subject.formats, "Of index8, rgb565, rgba8888");
-  add_list("--filters", subject.filters,
-           "Of nearest (always), four, bilinear, area; others must be refused");
-  add_list("--addresses", subject.addresses, "Of clamp, wrap");
-  add_flag("perspective", subject.perspective, "Whether q may differ");
-  add_flag("clip", subject.clip, "Whether it takes a clip rectangle");
-  add_flag("negative-pitch", subject.negative_pitch, "Whether pictures may be bottom row first");
-  add_flag("concave", subject.concave, "Whether outlines need not be convex");
-  add_flag("named-errors", subject.named_errors, "Whether bad arguments get their status");
-  add_flag("any-texture-side", subject.any_texture_side,
-           "Whether texture sides need not be powers of two");
-  add_flag("outside-texels", subject.outside_texels, "Whether u, v may lie beyond the texture");
-  add("--longest-side", subject.longest_side, "PX", "Of the target; 0: any");
-  add("--longest-texture-side", subject.longest_texture_side, "TEXELS", "Of the texture; 0: any");
-  add("--most-vertices", subject.most_vertices, "N", "3: it draws triangles alone");
+      ->group(kSubjectGroup);
 }
 
 // Options of generated cases; returned are those that a replay of one case excludes.
@@ -177,8 +130,8 @@ CLI::App* add_verify(CLI::App& program, VerifyOptions& options) {
       "Tell counterexamples as they were found, not the smallest ones");
   verify->add_flag("--json", options.json, "Print the verdicts as JSON");
   verify->add_option("--junit", options.junit, "Write them as JUnit XML, too")->type_name("FILE");
-  add_subject(*verify, options);
-  add_claims(*verify, options);
+  add_subject(*verify, options.subject);
+  add_claims(*verify, options.subject);
   verify->footer(verdict_footer(kVerifyExamples));
   return verify;
 }

@@ -79,7 +79,8 @@ namespace {
   if (end.memory_bytes < kMostMemoryBytes / 2) {
     const bool is_null = end.signal == SIGSEGV && end.is_address_known && end.address < kNearNull;
     if (!is_null) return {};
-    return "; of memory it gets no more than " + std::to_string(kMostMemoryBytes >> 20) + " MiB";
+    return "; if that was for want of memory: it may take " +
+           std::to_string(kMostMemoryBytes >> 20) + " MiB";
   }
   char text[96];
   std::snprintf(text, sizeof text, ", with %.0f MiB of memory in use; it may take %.0f",

@@ -19,6 +19,7 @@ std::string Host::load() { return {}; }
 void Host::begin_case() {}
 void Host::start_anew() {}
 spec::Subject Host::subject(const std::shared_ptr<Host>&) { return {}; }
+bool Host::tells_claims() const { return false; }
 std::string Host::printed() const { return {}; }
 
 }  // namespace selvage::testbed
