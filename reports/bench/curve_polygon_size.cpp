@@ -38,12 +38,13 @@ Curve curve_polygon_size() {
   curve.id = "polygon-size";
   curve.title = "Cost against polygon size";
   curve.description =
-      "squares turned by 23 degrees, a texel a pixel up to 256 x 256, a call a square: as many as "
-      "cover 2^18 pixels together, but 4096 at most";
+      "squares turned by 23 degrees, a texel a pixel up to 256 x 256, a call a square, but of "
+      "exact-many one call for all: as many as cover 2^18 pixels together, but 4096 at most";
   curve.axis = "size of a polygon, px";
   for (double area_px = 1; area_px <= 1 << 20; area_px *= 4) curve.xs.push_back(area_px);
   curve.load_at = squares_of;
   curve.series = usual_series();
+  curve.series.push_back({"exact-many", [](double) { return subject_exact_many(1); }});
   return curve;
 }
 
