@@ -192,9 +192,13 @@ void spoil_narrow_formats(Catalogue* catalogue) {
 class TextureCache {
  public:
   // The texture's copy: made anew only where its description is another than the last one's.
-  [[nodiscard]] selvage_texture copy_of(const selvage_texture& texture) {
+  [[nodiscard]] selvage_texture copy_of(const selvage_texture& texture,
+                                        bool looks_at_first = false) {
     const ptrdiff_t bytes = bytes_per_texel(texture.format);
-    if (!is_same(texture)) {
+    const auto first_differs = [&] {
+      return std::memcmp(texels_.data(), texture.texels, static_cast<size_t>(bytes)) != 0;
+    };
+    if (!is_same(texture) || (looks_at_first && first_differs())) {
       seen_ = texture;
       texels_.resize(static_cast<size_t>(bytes * texture.width * texture.height));
       for (int32_t t = 0; t < texture.height; ++t) {
@@ -220,6 +224,19 @@ class TextureCache {
   std::vector<char> texels_;
 };
 
+// The vertices of the outline that was drawn last: those of the same places are taken for the same.
+void take_last_if_alike(std::vector<selvage_vertex>* vertices) {
+  thread_local std::vector<selvage_vertex> last;
+  const auto is_there = [](const selvage_vertex& a, const selvage_vertex& b) {
+    return a.x == b.x && a.y == b.y;
+  };
+  if (std::ranges::equal(*vertices, last, is_there)) {
+    *vertices = last;
+  } else {
+    last = *vertices;
+  }
+}
+
 void spoil_memory(Catalogue* catalogue) {
   catalogue->add("knows_textures_by_address", "SAME",
                  "a texture is not read again where the one before lay there and was as large",
@@ -228,6 +245,17 @@ void spoil_memory(Catalogue* catalogue) {
                      thread_local TextureCache cache;  // mappers are tried by several threads
                      job.texture = cache.copy_of(job.texture);
                    };
+                 });
+  catalogue->add("knows_textures_by_first_texel", "SAME",
+                 "the same, but where the first texel is another", [](Recipe& r) {
+                   r.prepare = [](Job& job) {
+                     thread_local TextureCache cache;
+                     job.texture = cache.copy_of(job.texture, /*looks_at_first=*/true);
+                   };
+                 });
+  catalogue->add("knows_outlines_by_place", "SHIFT",
+                 "set-up is kept where x and y of all vertices are the last ones", [](Recipe& r) {
+                   r.prepare = [](Job& job) { take_last_if_alike(&job.vertices); };
                  });
 }
 

@@ -2,6 +2,7 @@
 // memory has held before.
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>

@@ -1,6 +1,7 @@
 #include "spec/polygon_scene.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "spec/law_tools.h"
 
@@ -20,16 +21,33 @@ inline constexpr int32_t kMostPolygons = 8;
   return high;
 }
 
-// The texels of the one are the complement of the other's.
-[[nodiscard]] TexelAt texture_of(const Case& c, bool complement) {
-  return [texture = folded_texture(c.format), complement](Texel texel) {
+// Of the second texture all texels are the complement of the first one's, or some: a mapper may
+// know a texture again by a few of them.
+[[nodiscard]] TexelAt texture_of(const Case& c, bool second) {
+  constexpr int32_t kSome = 3;
+  const bool all = c.choice % 2 == 0;
+  return [texture = folded_texture(c.format), second, all](Texel texel) {
+    const bool complement = second && (all || (texel.s + 2 * texel.t) % kSome == kSome - 1);
     return complement ? ~texture(texel) : texture(texel);
   };
 }
 
-// To all over the target and beyond; where a copy cannot be it stays.
+// The same outline, with the (u, v) of each vertex at the one before: a mapper may know it again by
+// its places.
+[[nodiscard]] std::vector<selvage_vertex> with_texels_turned(std::vector<selvage_vertex> outline) {
+  const selvage_vertex first = outline.front();
+  for (size_t i = 0; i < outline.size(); ++i) {
+    const selvage_vertex& next = i + 1 < outline.size() ? outline[i + 1] : first;
+    outline[i].u = next.u;
+    outline[i].v = next.v;
+  }
+  return outline;
+}
+
+// The first copy is where the outline is, others all over the target and beyond; where one cannot
+// be it stays.
 [[nodiscard]] std::vector<Pixel> moves_of(const Case& c, Choices& choices) {
-  std::vector<Pixel> moves{{0, 0}};
+  std::vector<Pixel> moves{{0, 0}, {0, 0}};
   const int32_t count = choices.pick(2, kMostPolygons + 1);
   while (moves.size() < static_cast<size_t>(count)) {
     const int32_t dx_px = choices.pick(-c.target_width_px, c.target_width_px + 1) / 2;
@@ -60,15 +78,19 @@ PolygonScene::PolygonScene(const Subject& subject, const Case& c)
                               int64_t{move.y_px} * SELVAGE_SUBPIXELS)
                             .value());
   }
+  outlines_[1] = with_texels_turned(std::move(outlines_[1]));
 }
 
 std::string PolygonScene::copies() const {
-  std::string text = "and copies of it, moved by";
+  std::string text =
+      "and copies of it, the first with the (u, v) of each vertex at the one before, moved by";
   for (size_t i = 1; i < moves_.size(); ++i) {
     text += (i > 1 ? ", (" : " (") + std::to_string(moves_[i].x_px) + ", " +
             std::to_string(moves_[i].y_px) + ")";
   }
-  return text + " px: every second one shows the second texture, whose texels are the complement";
+  return text +
+         " px: every second polygon shows the second texture, some or all of whose texels are the "
+         "complement";
 }
 
 std::vector<selvage_polygon> PolygonScene::polygons(

@@ -75,7 +75,8 @@ struct Outcome {
 // `anew`: each is tried in a subject that has drawn nothing before.
 [[nodiscard]] Failure descend(const Law& law, const Subject& subject, Failure failure,
                               const Effort& effort, bool anew = false) {
-  const bool shrinks = effort.shrinks && (!failure.hung || effort.shrinks_hangs);
+  const bool shrinks =
+      effort.shrinks && (!failure.hung || !effort.shrinks_hangs || effort.shrinks_hangs());
   int checks_left = shrinks ? kMaxShrinkingChecks : 0, hangs_left = kMaxShrinkingHangs;
   size_t place = 0;
   failure.is_smallest = false;
@@ -85,6 +86,7 @@ struct Outcome {
     for (size_t tried = 0; tried < candidates.size(); ++tried, ++place) {
       if (checks_left-- == 0 || hangs_left == 0) return failure;
       if (effort.is_over && effort.is_over()) return failure;
+      if (effort.tries) effort.tries();
       if (anew) subject.start_anew();
       Case& candidate = candidates[place % candidates.size()];
       Outcome outcome = try_out(law, subject, candidate);

@@ -64,9 +64,11 @@ struct LawVerdict {
 // What is done about a violation once it is found.
 struct Effort {
   bool shrinks = true;
-  bool shrinks_hangs = true;  // each that is tried takes all the time that a call has
+  // Asked where a call hung: each that is tried takes all the time that a call has. Empty: it does.
+  std::function<bool()> shrinks_hangs{};
   // Asked before each case that is tried: where the time is over, no more are. Empty: it never is.
   std::function<bool()> is_over{};
+  std::function<void()> tries{};  // called before a smaller case is tried; may be empty
 };
 
 // One law being held against a subject, case by case. Nothing happens once it is violated.

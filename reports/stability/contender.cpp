@@ -43,12 +43,13 @@ spec::Case in_its_way(const Contender& contender, const spec::Case& scene) {
   return spec::within(contender.subject.claims, spec::in_profile(scene, contender.profile));
 }
 
-bool can_draw(const Contender& contender, const spec::Case& scene) {
+bool can_draw(const Contender& contender, const spec::Case& scene, bool shows_address) {
   spec::Case whole = spec::in_profile(scene, contender.profile);
   spec::Case claimed = spec::within(contender.subject.claims, whole);
   for (spec::Case* c : {&whole, &claimed}) {
     c->format = SELVAGE_RGBA8888;
     c->flip_target = c->flip_texture = false;
+    if (!shows_address) c->address = SELVAGE_ADDRESS_CLAMP;
     for (selvage_vertex& v : c->vertices) v.q = 1;
   }
   if (claimed == whole) return true;

@@ -32,7 +32,9 @@ struct Contender {
 
 // The scene as the contender draws it.
 [[nodiscard]] spec::Case in_its_way(const Contender& contender, const spec::Case& scene);
-// Whether that is the same scene, but for perspective and format: else it claims not to draw it.
-[[nodiscard]] bool can_draw(const Contender& contender, const spec::Case& scene);
+// Whether that is the same scene, but for perspective and format, and for the address mode where
+// none shows: else it claims not to draw it.
+[[nodiscard]] bool can_draw(const Contender& contender, const spec::Case& scene,
+                            bool shows_address);
 
 }  // namespace selvage::stability

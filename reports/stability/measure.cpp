@@ -76,6 +76,7 @@ void Errors::add(const Errors& more) {
   own_coverage_px += more.own_coverage_px;
   judged_cases += more.judged_cases;
   refused_cases += more.refused_cases;
+  hung = hung || more.hung;
   if (memory_fault.empty()) memory_fault = more.memory_fault;
 }
 
@@ -137,7 +138,7 @@ namespace {
 }  // namespace
 
 Errors errors_of(const Contender& contender, const Reference& model) {
-  if (!can_draw(contender, model.scene)) return {};
+  if (!can_draw(contender, model.scene, model.shows_address)) return {};
   try {
     return errors_of(contender, model, drawing_of(contender, model));
   } catch (const spec::NotClaimed&) {
@@ -145,6 +146,7 @@ Errors errors_of(const Contender& contender, const Reference& model) {
   } catch (const spec::SubjectFailure& failure) {
     return {.missing_px = model.covered_px,
             .judged_cases = 1,
+            .hung = failure.hung,
             .memory_fault = "it " + failure.happened};
   }
 }
@@ -161,6 +163,7 @@ FamilyRow measure(const spec::HardFamily& family, std::span<const Contender> con
     row.covered_px += model.covered_px;
     row.perspective = row.perspective || q_differs(model.scene);
     for (Cell& cell : row.cells) {
+      if (cell.errors.hung) continue;
       const Errors errors = errors_of(*cell.contender, model);
       cell.errors.add(errors);
       const Promise promise = cell.contender->promise;

@@ -27,6 +27,7 @@ struct Errors {
                                           // does not cover, or not drawn although it does
   uint64_t judged_cases = 0;              // the others it does not claim to draw
   uint64_t refused_cases = 0;             // by an error; what they cover is missing
+  bool hung = false;                      // in a call that took all its time
   std::string memory_fault{};             // what no mapper may do, and this one did
 
   void add(const Errors& more);
@@ -73,8 +74,8 @@ struct FamilyRow {
 [[nodiscard]] int32_t texel_error(const spec::Case& scene, const spec::Texel& a,
                                   const spec::Texel& b);
 
-// Measures the scenes of seeds first_seed, first_seed + 1, ... `progress` is called with the
-// number of scenes done; may be empty.
+// Measures the scenes of seeds first_seed, first_seed + 1, ...; of a contender that hangs none
+// after that. `progress` is called with the number of scenes done; may be empty.
 [[nodiscard]] FamilyRow measure(const spec::HardFamily& family,
                                 std::span<const Contender> contenders, uint64_t first_seed,
                                 uint64_t case_count,

@@ -32,8 +32,10 @@ Reference reference(spec::Case scene) {
     for (int32_t x = first; x <= last; ++x) {
       const std::optional<spec::Sample> point = spec::sample(*line, x);
       if (!point) continue;
-      model.texels[static_cast<size_t>(y) * width + static_cast<size_t>(x)] =
+      const spec::Texel texel =
           spec::nearest_texel(*point, c.texture_width_texel, c.texture_height_texel, c.address);
+      model.texels[static_cast<size_t>(y) * width + static_cast<size_t>(x)] = texel;
+      model.shows_address |= texel.s != spec::floor(point->u) || texel.t != spec::floor(point->v);
       ++model.covered_px;
     }
   }

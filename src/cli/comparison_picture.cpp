@@ -117,11 +117,10 @@ void fill(Raster& raster, int32_t left_px, int32_t top_px, int32_t side_px, cons
 
 // A square of chequerboard, four of its squares if they fit: one pixel alone shows what it is.
 void fill_undrawn(Raster& raster, int32_t left_px, int32_t top_px, int32_t side_px, bool is_dim) {
-  const int32_t square_px = std::max(side_px / 2, 1);
   for (int32_t y = 0; y < side_px; ++y) {
     for (int32_t x = 0; x < side_px; ++x) {
       const int32_t at_x = left_px + x, at_y = top_px + y;
-      const int32_t squares = side_px > 1 ? x / square_px + y / square_px : at_x + at_y;
+      const int32_t squares = side_px > 1 ? 2 * x / side_px + 2 * y / side_px : at_x + at_y;
       const uint8_t grey = squares % 2 == 0 ? 96 : 128;
       const Colour colour{grey, grey, grey};
       raster.set(at_x, at_y, is_dim ? dim(colour) : colour);

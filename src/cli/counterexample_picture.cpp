@@ -114,11 +114,14 @@ PictureComparison counterexample(const spec::Subject& judged, const spec::Violat
     noted = drawings->find(shown, places);
     if (noted != nullptr) texture = places;
   }
+  const auto drawn_anew = [&] {
+    const spec::Subject calm = unfailing(judged);
+    return colours ? spec::draw_whatever_answered(calm, shown, texture)
+                   : spec::draw_whatever_answered(calm, shown);
+  };
   return {.scene = shown,
           .colours = colours,
-          .drawn = noted != nullptr
-                       ? *noted
-                       : spec::draw_whatever_answered(unfailing(judged), shown, texture),
+          .drawn = noted != nullptr ? *noted : drawn_anew(),
           .expected = spec::expected(shown, texture),
           .x_px = violation.x_px,
           .y_px = violation.y_px,

@@ -55,7 +55,8 @@ using stability::Promise;
                          {"kept", errors.keeps(cell.contender->promise)}};
   if (errors.part_of_bound) values["part_of_bound"] = part_json(*errors.part_of_bound);
   if (errors.own_coverage_px > 0) values["own_coverage_px"] = errors.own_coverage_px;
-  if (errors.judged_cases < run.cases) {
+  if (errors.hung) values["hung"] = true;
+  if (errors.judged_cases < run.cases && !errors.hung) {
     values["not_claimed_cases"] = run.cases - errors.judged_cases;
   }
   if (errors.refused_cases > 0) values["refused_cases"] = errors.refused_cases;

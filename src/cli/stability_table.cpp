@@ -38,6 +38,7 @@ using stability::Promise;
 // Why a cell's promise does not hold, as a sentence's end.
 [[nodiscard]] std::string breach(const Cell& cell) {
   const stability::Errors& errors = cell.errors;
+  if (errors.hung) return errors.memory_fault + "; no more was asked of it";
   if (!errors.memory_fault.empty()) return errors.memory_fault;
   if (errors.refused_cases > 0) return std::to_string(errors.refused_cases) + " scenes refused";
   if (cell.contender->promise == Promise::kBound) return "a texel is beyond the derived bound";
@@ -56,7 +57,9 @@ std::string_view stability_notes() {
          "in parts of what their arithmetic is proved to stay within. "
          "fixed1616 drops q. "
          "float32-plane draws n-gons as fans of triangles, which is another map wherever outline "
-         "and texture polygon are not related by one.";
+         "and texture polygon are not related by one. "
+         "A library of such a profile, or that takes no perspective, draws rounded and dropped, "
+         "too.";
 }
 
 bool passed(const StabilityRun& run) {
@@ -97,7 +100,7 @@ std::string stability_summary(const StabilityRun& run) {
   std::string text = wrapped(stability_notes());
   for (const FamilyRow& family : run.families) {
     for (const Cell& cell : family.cells) {
-      if (cell.errors.judged_cases < run.cases) {
+      if (cell.errors.judged_cases < run.cases && !cell.errors.hung) {
         text += "not claimed: " + std::string(cell.contender->name) + " on " +
                 std::string(family.family->name) + ": " +
                 std::to_string(run.cases - cell.errors.judged_cases) + " of " +

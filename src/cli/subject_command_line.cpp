@@ -13,7 +13,9 @@ constexpr const char* kClaimsGroup = "What it claims (the library's own selvage_
 void add_library(CLI::App& command, SubjectOptions& subject, const std::string& what) {
   command.add_option("--subject", subject.library, what)->type_name("FILE")->group(kSubjectGroup);
   command
-      .add_option("--call-limit", subject.call_limit, "Time that a call may take; 2 if left out")
+      .add_option(
+          "--call-limit", subject.call_limit,
+          "Time that a call may take, 2 if left out; up to 8 times as much on a busy machine")
       ->type_name("SECONDS")
       ->group(kSubjectGroup);
 }

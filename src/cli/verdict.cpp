@@ -164,6 +164,9 @@ std::string replay_line(const VerifyRun& run, const Verdict& verdict, const spec
 std::vector<std::string> notes_on(const Verdict& verdict) {
   std::vector<std::string> notes;
   if (!verdict.found.violation) return notes;
+  if (!verdict.not_promised.empty()) {
+    notes.push_back("the law was asked for, but is not promised: " + verdict.not_promised);
+  }
   if (!verdict.found.is_smallest) {
     notes.emplace_back(verdict.found.counterexample == verdict.found.found_case
                            ? "it was not shrunk: this is the counterexample as it was found"

@@ -30,6 +30,7 @@ using nlohmann::ordered_json;
   }
   if (!violation.scene.empty()) values["scene"] = violation.scene;
   if (violation.is_of_call) values["of_call"] = true;
+  if (verdict.found.hung) values["hung"] = true;
   if (!run.replay) values["case_number"] = verdict.found.failed_case;
   if (!run.replay) values["found_by"] = found_by(verdict);
   if (!run.replay) {

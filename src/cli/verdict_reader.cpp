@@ -108,6 +108,7 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
   found.violation = read_violation(node, std::string(found.law->name));
   found.counterexample = read_case(node.at("case"));
   if (node.has("found_case")) found.found_case = read_case(node.at("found_case"));
+  found.hung = node.has("hung") && node.at("hung").boolean();
   found.failed_case = whole(node.at("case_number"));
   found.is_smallest = node.at("smallest").boolean();
   const JsonNode replays = node.at("replays");

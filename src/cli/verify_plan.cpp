@@ -111,10 +111,12 @@ std::vector<Verdict> carry_out(const VerifyPlan& plan, const spec::Subject& subj
   std::deque<LawRun> runs;  // which stay where they are
   // Of a subject that hangs one law's counterexample is shrunk.
   const auto effort = [&](const spec::Law* law) {
-    return spec::Effort{plan.shrinks, std::ranges::none_of(runs, &LawRun::hangs), [&, law] {
-                          status.show_now_and_then(std::string(law->name) + ", shrinking");
-                          return plan.time && Clock::now() >= end;
-                        }};
+    return spec::Effort{
+        .shrinks = plan.shrinks,
+        .shrinks_hangs = [&runs] { return std::ranges::none_of(runs, &LawRun::hangs); },
+        .is_over = [&plan, end] { return plan.time && Clock::now() >= end; },
+        .tries = [&status,
+                  law] { status.show_now_and_then(std::string(law->name) + ", shrinking"); }};
   };
   const auto told = [&](Verdict verdict) {
     const auto why = plan.not_promised.find(verdict.found.law);

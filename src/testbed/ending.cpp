@@ -111,8 +111,14 @@ std::string describe_end(const Control& control, const Placement& placement) {
   return describe_cause(control, placement) + describe_memory(control.end);
 }
 
-std::string describe_hang(std::chrono::nanoseconds limit, const End& end) {
-  return "hung: no answer in " + in_seconds(limit) + describe_memory(end);
+std::string describe_hang(std::chrono::nanoseconds limit, std::chrono::nanoseconds waited,
+                          const End& end) {
+  char more[64] = "";
+  if (waited > limit * 3 / 2) {
+    std::snprintf(more, sizeof more, ", nor in %.1f s of a busy machine",
+                  static_cast<double>(waited.count()) * 1e-9);
+  }
+  return "hung: no answer in " + in_seconds(limit) + more + describe_memory(end);
 }
 
 std::string in_seconds(std::chrono::nanoseconds time) {

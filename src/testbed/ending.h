@@ -18,8 +18,10 @@ namespace selvage::testbed {
 // " (SIGABRT)".
 [[nodiscard]] std::string name_of_signal(int signal);
 
-// "hung: no answer in 2 s", of a worker that has been ended.
-[[nodiscard]] std::string describe_hang(std::chrono::nanoseconds limit, const End& end);
+// "hung: no answer in 2 s", of a worker that has been ended; if it was waited for much longer, that
+// too.
+[[nodiscard]] std::string describe_hang(std::chrono::nanoseconds limit,
+                                        std::chrono::nanoseconds waited, const End& end);
 // "0.2 s".
 [[nodiscard]] std::string in_seconds(std::chrono::nanoseconds time);
 

@@ -138,7 +138,8 @@ Answer Host::call(const Call& call) {
     have_worker(call, placement);  // which tells how it has ended
     if (!keeper_->hand_over()) throw failure(call, "ended while it waited for a call");
   }
-  const State state = keeper_->next_after_call(call_limit_);
+  std::chrono::nanoseconds waited{0};
+  const State state = keeper_->next_after_call(call_limit_, &waited);
   const bool is_held = keeper_->is_alive();
   const bool hung = is_held && state == State::kCall;
   if (hung) keeper_->end_worker();
@@ -146,7 +147,7 @@ Answer Host::call(const Call& call) {
   if (!is_held) throw failure(call, keeper_->describe_loss("ended", "stopped", kHolder));
   if (hung) {
     if (keeper_->is_alive()) set_state(control, State::kNoWorker);
-    throw failure(call, describe_hang(call_limit_, control.end), hung);
+    throw failure(call, describe_hang(call_limit_, waited, control.end), hung);
   }
   if (state == State::kGone) {
     set_state(control, State::kNoWorker);

@@ -114,7 +114,8 @@ State Host::Keeper::next(State state, std::chrono::nanoseconds most) {
   }
 }
 
-State Host::Keeper::next_after_call(std::chrono::nanoseconds limit) {
+State Host::Keeper::next_after_call(std::chrono::nanoseconds limit,
+                                    std::chrono::nanoseconds* waited) {
   State state = State::kCall;
   Patience patience(limit);
   while (state == State::kCall && is_alive()) {
@@ -122,6 +123,7 @@ State Host::Keeper::next_after_call(std::chrono::nanoseconds limit) {
     if (most.count() <= 0) break;
     state = next(State::kCall, most);
   }
+  *waited = patience.waited();
   return state;
 }
 

@@ -40,8 +40,10 @@ struct Host::Keeper {
                                           const std::string& which) const;
   // Waits until the state is another; `state` itself where the time is over or the keeper dead.
   [[nodiscard]] State next(State state, std::chrono::nanoseconds most);
-  // Waits for a call that has been handed over; State::kCall where its time is over.
-  [[nodiscard]] State next_after_call(std::chrono::nanoseconds limit);
+  // Waits for a call that has been handed over; State::kCall where its time is over, after
+  // `waited`.
+  [[nodiscard]] State next_after_call(std::chrono::nanoseconds limit,
+                                      std::chrono::nanoseconds* waited);
   // Ends the worker, if there is one, and waits for the keeper to say so. A keeper that does not is
   // ended, too.
   void end_worker();

@@ -1,9 +1,10 @@
 #include "testbed/patience.h"
 
 #include <algorithm>
-#include <cstdint>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 namespace selvage::testbed {
@@ -15,46 +16,49 @@ constexpr int kFirstPart = 8;    // of the limit: 1/8
 constexpr int kMostStretch = 8;  // times the limit, on whatever machine
 constexpr int kLeastGain = 64;   // of the limit: no less is waited for again
 
-}  // namespace
-
-// proc(5): /proc/PID/task/TID/schedstat has the time on a processor and the time that the thread
-// was ready and none was free, in nanoseconds. Where there is no such file, nothing is made good.
-Patience::Waits Patience::waits(pid_t worker) {
-  Waits waits;
-  std::error_code error;
-  const std::string folder = "/proc/" + std::to_string(worker) + "/task";
-  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
-       at.increment(error)) {
-    int64_t ran_ns = 0, waited_ns = 0;
-    if (std::ifstream(at->path() / "schedstat") >> ran_ns >> waited_ns) {
-      waits[std::stoi(at->path().filename().string())] = nanoseconds(waited_ns);
-    }
-  }
-  return waits;
+// Of all its threads together; nothing where there is no such process.
+[[nodiscard]] nanoseconds processor_time(pid_t process) {
+  clockid_t clock{};
+  timespec time{};
+  if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0) return {};
+  return std::chrono::seconds(time.tv_sec) + nanoseconds(time.tv_nsec);
 }
 
-nanoseconds Patience::lost(pid_t worker) const {
-  nanoseconds most{0};
-  for (const auto& [thread, wait] : waits(worker)) {
-    const auto before = before_.find(thread);
-    most = std::max(most, before == before_.end() ? wait : wait - before->second);
+// proc(5): in /proc/PID/task/TID/stat, behind the name in parentheses, R: it runs, or could.
+[[nodiscard]] bool has_ready_thread(pid_t process) {
+  std::error_code error;
+  const std::string folder = "/proc/" + std::to_string(process) + "/task";
+  for (std::filesystem::directory_iterator at(folder, error), end; !error && at != end;
+       at.increment(error)) {
+    std::ifstream file(at->path() / "stat");
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    const size_t name_end = text.rfind(") ");
+    if (name_end != std::string::npos && text.compare(name_end + 2, 1, "R") == 0) return true;
   }
-  return most;
+  return false;
+}
+
+}  // namespace
+
+nanoseconds Patience::lost(pid_t worker) const {
+  if (!has_ready_thread(worker)) return {};
+  const nanoseconds since = waited() - seen_, had = processor_time(worker) - had_;
+  return std::clamp(since - had, nanoseconds{0}, since);
 }
 
 nanoseconds Patience::next(pid_t worker) {
-  const auto now = std::chrono::steady_clock::now();
   if (stage_ == Stage::kFirstPart) {
     stage_ = Stage::kRest;
     return limit_ / kFirstPart;
   }
   if (stage_ == Stage::kRest) {
     stage_ = Stage::kMore;
-    before_ = waits(worker);
-    return begin_ + limit_ - now;
+    seen_ = waited();
+    had_ = processor_time(worker);
+    return limit_ - seen_;
   }
   const nanoseconds most = std::min(limit_ + lost(worker), limit_ * kMostStretch);
-  const nanoseconds left = begin_ + most - now;
+  const nanoseconds left = most - waited();
   return left * kLeastGain < limit_ ? nanoseconds{0} : left;
 }
 

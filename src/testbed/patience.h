@@ -4,12 +4,11 @@
 #include <sys/types.h>
 
 #include <chrono>
-#include <map>
 
 namespace selvage::testbed {
 
-// The limit of a call in real time, moved on by as long as the worker was kept waiting for a
-// processor: of its threads, the one that waited longest.
+// The limit of a call in real time, moved on by what its process lacks of one processor: where it
+// is ready to run and does not. Processes that it forks are not looked at.
 class Patience {
  public:
   // The worker has just been given its call, which may take `limit`.
@@ -19,15 +18,17 @@ class Patience {
   // What the call may go on for before it has to be asked again. Nothing is looked up for calls
   // that end in the first part of their time: what these lose is not made good.
   [[nodiscard]] std::chrono::nanoseconds next(pid_t worker);
+  // How long it has gone on.
+  [[nodiscard]] std::chrono::nanoseconds waited() const {
+    return std::chrono::steady_clock::now() - begin_;
+  }
 
  private:
-  using Waits = std::map<pid_t, std::chrono::nanoseconds>;  // by thread, since each began
-  [[nodiscard]] static Waits waits(pid_t worker);
   [[nodiscard]] std::chrono::nanoseconds lost(pid_t worker) const;
 
   std::chrono::steady_clock::time_point begin_;
   std::chrono::nanoseconds limit_;
-  Waits before_{};
+  std::chrono::nanoseconds seen_{}, had_{};  // a look at it: when, and its time on processors
   enum class Stage { kFirstPart, kRest, kMore } stage_ = Stage::kFirstPart;
 };
 

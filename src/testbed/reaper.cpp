@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <chrono>
 #include <fstream>
 #include <iterator>
@@ -22,13 +23,19 @@ inline constexpr useconds_t kBetweenLooks_us = 1000;
   return {std::istream_iterator<pid_t>(file), {}};
 }
 
-// What a child leaves becomes a child in turn.
+[[nodiscard]] bool has_children() {
+  siginfo_t info{};
+  return waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT | __WALL) == 0 || errno != ECHILD;
+}
+
+// What a child leaves becomes a child in turn. The kernel's list may lack some where others end
+// while it is read.
 void end_children_but(pid_t spared) {
   const auto end = std::chrono::steady_clock::now() + kMostToEnd;
   while (std::chrono::steady_clock::now() < end) {
     std::vector<pid_t> left = children();
     std::erase(left, spared);
-    if (left.empty()) return;
+    if (left.empty() && (spared != 0 || !has_children())) return;
     for (const pid_t child : left) {
       kill(child, SIGKILL);
       waitpid(child, nullptr, WNOHANG | __WALL);

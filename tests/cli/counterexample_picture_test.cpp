@@ -96,6 +96,23 @@ TEST(CounterexamplePicture, OfARightDrawingShowsNoDifference) {
 }
 
 // Red grows with the column of the texel and green with its row.
+// Whose values have no room for the places of a larger texture: they are drawn digit by digit.
+TEST(CounterexamplePicture, OfARightDrawingInANarrowFormatShowsNoDifference) {
+  spec::Case c = rectangle();
+  c.texture_width_texel = c.texture_height_texel = 300;
+  for (selvage_vertex& v : c.vertices) {
+    v.u *= 40;
+    v.v *= 40;
+  }
+  for (const selvage_format format : {SELVAGE_INDEX8, SELVAGE_RGB565}) {
+    c.format = format;
+    const PictureComparison seen =
+        counterexample(spec::built_in(), violation_of(c, 3, 3), /*drawings=*/nullptr);
+    EXPECT_FALSE(differs(seen)) << format;
+    EXPECT_EQ(seen.drawn.at(6, 5), spec::coordinate_texel(260, 220)) << format;
+  }
+}
+
 TEST(CounterexamplePicture, ColoursATexelByItsPlace) {
   const Raster picture = counterexample_picture(spec::built_in(), violation_of(rectangle(), 3, 3));
   for (int32_t x = 2; x < 7; ++x) {

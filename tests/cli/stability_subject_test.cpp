@@ -61,19 +61,34 @@ TEST_F(StabilityOfASubject, TellsOfOneThatCrashes) {
   expect_contains(out(), "BROKEN: subject on flat-topped: it wrote through a null pointer");
 }
 
+// It would take its time in each scene.
+TEST_F(StabilityOfASubject, AsksNoMoreOfOneThatHangs) {
+  options_.families = {"flat-topped", "flat-bottomed"};
+  options_.subject.call_limit = "0.2";
+  EXPECT_EQ(run_with("hangs"), kExitLawFailed);
+  EXPECT_EQ(cell()["hung"], true);
+  EXPECT_EQ(json()["families"][1]["cells"].size(), 1u);
+  options_.json = false;
+  EXPECT_EQ(run_with("hangs"), kExitLawFailed);
+  expect_contains(out(), "it hung: no answer in 0.2 s; no more was asked of it; again: ");
+  EXPECT_EQ(out().find("not claimed"), std::string::npos) << out();
+}
+
 TEST_F(StabilityOfASubject, LeavesOutWhatItDoesNotClaim) {
   options_.subject.longest_side = "3";
-  EXPECT_EQ(run_with("right"), kExitFine) << out();
+  EXPECT_EQ(run_with("right"), kExitLawFailed) << "nothing was measured";
+  expect_contains(err(), "the subject was measured on nothing");
   EXPECT_EQ(cell()["not_claimed_cases"], 2);
   EXPECT_EQ(cell()["compared_px"], 0);
   options_.json = false;
-  EXPECT_EQ(run_with("right"), kExitFine);
+  EXPECT_EQ(run_with("right"), kExitLawFailed);
   expect_contains(out(), "\nsubject         not claimed       -");
   expect_contains(out(), "not claimed: subject on flat-topped: 2 of 2 scenes\n");
   options_.json = true;
   options_.subject.longest_side.clear();
   options_.subject.formats = {"rgb565"};
   options_.subject.winding = "counter-clockwise";
+  options_.subject.addresses = {"wrap"};
   EXPECT_EQ(run_with("right"), kExitFine);
   EXPECT_FALSE(cell().contains("not_claimed_cases"));
   EXPECT_EQ(cell()["wrong_texels"], 0) << "the format tells all places";

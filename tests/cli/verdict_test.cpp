@@ -102,6 +102,12 @@ TEST(Verdict, CountsALawThatIsNotPromisedAsNoFailure) {
   EXPECT_EQ(exit_code(run_of({in_vain, holding("COV", 0)})), kExitLawFailed);
   in_vain.found.judged_px = 1;
   EXPECT_EQ(outcome(in_vain), "holds");
+  EXPECT_TRUE(notes_on(in_vain).empty());
+  Verdict broken = violated("MIRROR");
+  broken.not_promised = "truncation has a direction";
+  ASSERT_EQ(notes_on(broken).size(), 1u);
+  EXPECT_EQ(notes_on(broken)[0],
+            "the law was asked for, but is not promised: truncation has a direction");
 }
 
 TEST(Verdict, CountsALawWithoutTimeAsNeitherHeldNorFailed) {
@@ -231,6 +237,7 @@ TEST(VerdictJson, IsReadAsItWasWritten) {
   run.known_of_others = {{"TOTAL", 2}};
   run.not_promised = {{"SPLIT", "it cannot"}};
   run.verdicts.back().found.violation->scene = "and copies of it";
+  run.verdicts.back().found.hung = true;
   run.verdicts.back().found.violation->u.clear();
   run.verdicts.back().found.found_case = spec::Case{};
   run.verdicts.push_back(holding("DDA", 0));

@@ -249,6 +249,11 @@ TEST_F(VerifySubject, ThatHangsIsShrunkOnce) {
   const auto laws = nlohmann::json::parse(out())["laws"];
   EXPECT_NE(laws[0]["violation"]["case"], laws[0]["violation"]["found_case"]);
   EXPECT_EQ(laws[1]["violation"]["case"], laws[1]["violation"]["found_case"]);
+  options_.time = "20";
+  EXPECT_EQ(run("hangs"), kExitLawFailed);
+  const auto timed = nlohmann::json::parse(out())["laws"];
+  EXPECT_NE(timed[0]["violation"]["case"], timed[0]["violation"]["found_case"]);
+  EXPECT_EQ(timed[1]["violation"]["case"], timed[1]["violation"]["found_case"]);
 }
 
 TEST_F(VerifySubject, WritesJUnit) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 #include <sched.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +13,7 @@
 #include <vector>
 
 #include "spec/generate_historic.h"
+#include "spec/picture.h"
 #include "spec/subject.h"
 #include "support.h"
 
@@ -75,16 +77,42 @@ TEST_F(OnABusyProcessor, WhatSleepsIsNot) {
   EXPECT_LE(patience.next(worker), milliseconds(0));
 }
 
+// It gets next to nothing of the processor, and is given eight times its limit all the same.
 TEST_F(OnABusyProcessor, WhatIsNeverDoneIsGivenUp) {
-  for (int i = 0; i < 20; ++i) busy();
-  const pid_t worker = busy();
-  Patience patience(milliseconds(20));
-  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < 10; ++i) busy();
+  const pid_t worker = forked([] {
+    setpriority(PRIO_PROCESS, 0, 19);
+    (void)std::clock();
+  });
+  Patience patience(milliseconds(200));
   for (milliseconds left{1}; left.count() > 0;) {
     left = std::chrono::duration_cast<milliseconds>(patience.next(worker));
-    ASSERT_LT(std::chrono::steady_clock::now() - begin + left, milliseconds(20'000));
+    ASSERT_LT(patience.waited() + left, milliseconds(1700));
     std::this_thread::sleep_for(left);
   }
+  EXPECT_GT(patience.waited(), milliseconds(1200));
+}
+
+// They keep one another waiting, and nobody else does.
+TEST(Patience, IsForNoThreadsThatTakeAllProcessors) {
+  const pid_t worker = fork();
+  if (worker == 0) {
+    std::vector<std::thread> threads;
+    for (unsigned i = 0; i < 8 * std::thread::hardware_concurrency(); ++i) {
+      threads.emplace_back([] {
+        for (;;) (void)std::clock();
+      });
+    }
+    for (;;) pause();
+  }
+  std::this_thread::sleep_for(milliseconds(50));
+  Patience patience(milliseconds(300));
+  std::this_thread::sleep_for(patience.next(worker));
+  std::this_thread::sleep_for(patience.next(worker));
+  const std::chrono::nanoseconds more = patience.next(worker);
+  kill(worker, SIGKILL);
+  waitpid(worker, nullptr, 0);
+  EXPECT_LT(more, milliseconds(150)) << "they had a processor and more, together";
 }
 
 TEST_F(OnABusyProcessor, ACallIsJudgedByWhatItDraws) {

@@ -114,7 +114,7 @@ namespace {
 
 bool were_gathers_faster() {
 #if HWY_TARGETS & HWY_AVX3
-  return __builtin_cpu_is("amdfam19h") != 0;  // hexadecimal
+  return __builtin_cpu_is("amd") != 0;
 #else
   return false;
 #endif
