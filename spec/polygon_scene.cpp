@@ -44,10 +44,9 @@ inline constexpr int32_t kMostPolygons = 8;
   return outline;
 }
 
-// The first copy is where the outline is, others all over the target and beyond; where one cannot
-// be it stays.
+// All over the target and beyond; where a copy cannot be it stays.
 [[nodiscard]] std::vector<Pixel> moves_of(const Case& c, Choices& choices) {
-  std::vector<Pixel> moves{{0, 0}, {0, 0}};
+  std::vector<Pixel> moves{{0, 0}};
   const int32_t count = choices.pick(2, kMostPolygons + 1);
   while (moves.size() < static_cast<size_t>(count)) {
     const int32_t dx_px = choices.pick(-c.target_width_px, c.target_width_px + 1) / 2;
@@ -78,19 +77,23 @@ PolygonScene::PolygonScene(const Subject& subject, const Case& c)
                               int64_t{move.y_px} * SELVAGE_SUBPIXELS)
                             .value());
   }
-  outlines_[1] = with_texels_turned(std::move(outlines_[1]));
+  if (is_last_turned()) {
+    moves_.back() = moves_[moves_.size() - 2];
+    outlines_.back() = with_texels_turned(outlines_[outlines_.size() - 2]);
+  }
 }
 
 std::string PolygonScene::copies() const {
-  std::string text =
-      "and copies of it, the first with the (u, v) of each vertex at the one before, moved by";
+  std::string text = "and copies of it, moved by";
   for (size_t i = 1; i < moves_.size(); ++i) {
     text += (i > 1 ? ", (" : " (") + std::to_string(moves_[i].x_px) + ", " +
             std::to_string(moves_[i].y_px) + ")";
   }
+  text += " px";
+  if (is_last_turned()) text += ", the last with the (u, v) of each vertex at the one before";
   return text +
-         " px: every second polygon shows the second texture, some or all of whose texels are the "
-         "complement";
+         ": every second polygon shows the second texture, some or all of whose texels are "
+         "the complement";
 }
 
 std::vector<selvage_polygon> PolygonScene::polygons(

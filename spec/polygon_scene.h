@@ -45,6 +45,9 @@ class PolygonScene {
       const std::vector<selvage_texture>& textures) const;
 
  private:
+  // The last one is then where the one before is, with other (u, v); it hides that.
+  [[nodiscard]] bool is_last_turned() const { return moves_.size() > 2 && case_.choice % 4 < 2; }
+
   Case case_;
   std::array<TextureMemory, 2> textures_;
   std::vector<Pixel> moves_;  // of the case's outline: of none to begin with, then of each copy

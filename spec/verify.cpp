@@ -12,6 +12,7 @@ namespace selvage::spec {
 namespace {
 
 constexpr int kMaxShrinkingChecks = 4000;
+constexpr int kMaxStepsAtAPlace = 16;
 constexpr int kMaxShrinkingHangs = 4;  // each takes all the time that a call has
 constexpr uint64_t kProgressSteps = 100;
 
@@ -72,6 +73,7 @@ struct Outcome {
 
 // Steps to a simpler case that fails as well, until there is none or the checks are used up. After
 // a step it goes on where that step was found: what was tried before it is likely to pass again.
+// But not for ever: a texture loses a texel thousands of times where by now it may lose all.
 // `anew`: each is tried in a subject that has drawn nothing before.
 [[nodiscard]] Failure descend(const Law& law, const Subject& subject, Failure failure,
                               const Effort& effort, bool anew = false) {
@@ -79,11 +81,14 @@ struct Outcome {
       effort.shrinks && (!failure.hung || !effort.shrinks_hangs || effort.shrinks_hangs());
   int checks_left = shrinks ? kMaxShrinkingChecks : 0, hangs_left = kMaxShrinkingHangs;
   size_t place = 0;
+  int steps_there = 0;
   failure.is_smallest = false;
   for (bool found = true; found;) {
     found = false;
     std::vector<Case> candidates = simpler(failure.on);
-    for (size_t tried = 0; tried < candidates.size(); ++tried, ++place) {
+    if (steps_there == kMaxStepsAtAPlace) ++place;
+    steps_there %= kMaxStepsAtAPlace;
+    for (size_t tried = 0; tried < candidates.size(); ++tried, ++place, steps_there = 0) {
       if (checks_left-- == 0 || hangs_left == 0) return failure;
       if (effort.is_over && effort.is_over()) return failure;
       if (effort.tries) effort.tries();
@@ -94,6 +99,7 @@ struct Outcome {
       if (!outcome.judgement.violation) continue;
       failure = failure_of(std::move(candidate), std::move(outcome));
       failure.is_smallest = false;
+      ++steps_there;
       found = true;
       break;
     }

@@ -119,14 +119,7 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
   if (node.has("picture")) verdict->picture = read_text(node.at("picture"));
 }
 
-// Why the law is not promised, where it is among those that are not.
-[[nodiscard]] std::string why_not_promised(const std::vector<NotPromised>& laws,
-                                           std::string_view law) {
-  const auto found = std::ranges::find(laws, law, &NotPromised::law);
-  return found != laws.end() ? found->why : "";
-}
-
-[[nodiscard]] Verdict read_law(const JsonNode& node, const std::vector<NotPromised>& not_promised) {
+[[nodiscard]] Verdict read_law(const JsonNode& node) {
   const JsonNode name = node.at("law");
   Verdict verdict;
   spec::LawVerdict& found = verdict.found;
@@ -151,7 +144,7 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
     verdict.known = {whole(known.at("tried")), read_counts(known.at("not_judged"))};
   }
   if (node.has("violation")) read_failure(node.at("violation"), &verdict);
-  verdict.not_promised = why_not_promised(not_promised, found.law->name);
+  if (node.has("not_promised")) verdict.not_promised = read_text(node.at("not_promised"));
   if (told.text() != outcome(verdict)) {
     told.fail("it is '" + read_text(told) + "', but what follows is of one that is '" +
               std::string(outcome(verdict)) + "'");
@@ -188,7 +181,7 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
   }
   const JsonNode laws = root.at("laws");
   for (const JsonNode& law : laws.elements("law")) {
-    Verdict verdict = read_law(law, run.not_promised);
+    Verdict verdict = read_law(law);
     const auto is_it = [&](const Verdict& other) { return other.found.law == verdict.found.law; };
     if (std::ranges::any_of(run.verdicts, is_it)) law.fail("the law was told of before");
     run.verdicts.push_back(std::move(verdict));
