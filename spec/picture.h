@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "spec/case.h"
+#include "spec/coordinate_texture.h"
 #include "spec/exact.h"
 #include "spec/filter.h"
 #include "spec/subject.h"
@@ -24,22 +25,6 @@ struct Picture {
                   static_cast<size_t>(x_px)];
   }
 };
-
-// The value of texel (s, t) of the coordinate texture: its own place, s in the lower 16 bits.
-[[nodiscard]] uint32_t coordinate_texel(int32_t s, int32_t t);
-[[nodiscard]] TexelAt coordinate_texture();
-[[nodiscard]] Texel texel_of(uint32_t coordinate_value);
-// The same for a texel that is first addressed into the case's texture.
-[[nodiscard]] uint32_t addressed_value(const Case& c, Texel texel);
-// "texel (s, t)".
-[[nodiscard]] std::string describe_texel(uint32_t coordinate_value);
-
-// A texture whose values the format holds: coordinates, of 8 bits each in RGB565 and of 4 in
-// INDEX8, and what is above these mixed in, so that neighbours and texels a power of two away
-// differ.
-[[nodiscard]] TexelAt folded_texture(selvage_format format);
-// The texel of the case's texture that has this value; empty where none has, or several may.
-[[nodiscard]] std::optional<Texel> texel_of_folded(const Case& c, uint32_t value);
 
 // Draws the case with the coordinate texture, over two complementary backgrounds and between guard
 // bytes. A pixel counts as drawn unless it holds its background both times; one that was drawn and

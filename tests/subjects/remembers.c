@@ -1,5 +1,5 @@
-/* Draws right, from a copy of the texture that it takes for the same where its address, sides, pitch
-   and format are those of the last one. */
+/* Draws right, from a copy of the texture that it takes for the same where its address, sides,
+   pitch and format are those of the last one. */
 #include <stdlib.h>
 #include <string.h>
 
