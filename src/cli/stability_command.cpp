@@ -49,11 +49,17 @@ template <class Thing>
                             [&](uint64_t done) { status.count(family.name, done, run.cases); });
 }
 
-// The last contender, on any scene.
-[[nodiscard]] bool is_measured(const StabilityRun& run) {
-  return std::ranges::any_of(run.families, [](const FamilyRow& family) {
-    return family.cells.back().errors.judged_cases > 0;
+// The contender, on any scene.
+[[nodiscard]] bool is_measured(const StabilityRun& run, const Contender& contender) {
+  return std::ranges::any_of(run.families, [&](const FamilyRow& family) {
+    return std::ranges::any_of(family.cells, [&](const Cell& cell) {
+      return cell.contender->name == contender.name && cell.errors.judged_cases > 0;
+    });
   });
+}
+
+[[nodiscard]] bool hangs(const FamilyRow& family) {
+  return std::ranges::any_of(family.cells, [](const Cell& cell) { return cell.errors.hung; });
 }
 
 struct Scene {
@@ -134,15 +140,16 @@ int run_stability(const StabilityOptions& options, const spec::Subject& mapper,
   for (const spec::HardFamily& family : families) {
     run.families.push_back(measured(family, left, run, console));
     // A library, which is the last, takes its time in each scene if it hangs in one.
-    if (run.families.back().cells.back().errors.hung) left = left.first(left.size() - 1);
+    if (hangs(run.families.back())) left = left.first(left.size() - 1);
     if (show) console.out << stability_block(run.families.back()) << std::flush;
   }
   console.out << (show ? stability_summary(run) : stability_json(run, contenders));
-  if (judged.host && !is_measured(run)) {
+  const bool is_idle = judged.host && !is_measured(run, all.back());
+  if (is_idle) {
     console.err << "selvage: the subject was measured on nothing: it claims to draw no scene\n";
   }
   if (!options.picture.empty()) write_picture(options, run, console);
-  return passed(run) && (!judged.host || is_measured(run)) ? kExitFine : kExitLawFailed;
+  return passed(run) && !is_idle ? kExitFine : kExitLawFailed;
 }
 
 }  // namespace selvage::cli
