@@ -71,7 +71,8 @@ TEST_F(StabilityOfASubject, AsksNoMoreOfOneThatHangs) {
   EXPECT_EQ(json()["families"][1]["cells"].size(), 1u);
   options_.json = false;
   EXPECT_EQ(run_with("hangs"), kExitLawFailed);
-  expect_contains(out(), "it hung: no answer in 0.2 s; no more was asked of it; again: ");
+  expect_contains(out(), "it hung: no answer in 0.2 s");  // or more, where other load is
+  expect_contains(out(), "; no more was asked of it; again: ");
   EXPECT_EQ(out().find("not claimed"), std::string::npos) << out();
   options_.arithmetics = {"subject"};
   EXPECT_EQ(run_with("hangs"), kExitLawFailed) << "nobody is left to measure";

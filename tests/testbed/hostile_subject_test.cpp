@@ -61,7 +61,9 @@ TEST(HostileSubjectThatHangs, TakesItsTimeAndNoMore) {
   for (const char* law : {"COV", "MEM"}) {
     const spec::LawVerdict verdict = spec::verify(*spec::find_law(law), subject, 1, 20);
     ASSERT_TRUE(verdict.violation);
-    EXPECT_EQ(verdict.violation->drawn, "it hung: no answer in 0.2 s");
+    const std::string& drawn = verdict.violation->drawn;
+    EXPECT_EQ(drawn.rfind("it hung: no answer in 0.2 s", 0), 0u)
+        << drawn;  // more on a busy machine
   }
 }
 
@@ -77,7 +79,8 @@ TEST(HostileSubjectThatTakesMemory, IsToldHowMuchItTook) {
   EXPECT_EQ(all.rfind("it wrote through a null pointer (SIGSEGV), with ", 0), 0u) << all;
   EXPECT_NE(all.find(" MiB of memory in use; it may take 1024"), std::string::npos) << all;
   const std::string much = drawn("takes_memory_much", std::chrono::seconds(10));
-  EXPECT_EQ(much.rfind("it hung: no answer in 10 s, with ", 0), 0u) << much;
+  EXPECT_EQ(much.rfind("it hung: no answer in 10 s", 0), 0u) << much;
+  EXPECT_NE(much.find(", with "), std::string::npos) << much;
   EXPECT_NE(much.find(" MiB of memory in use; it may take 1024"), std::string::npos) << much;
 }
 
