@@ -42,7 +42,8 @@ using Check = std::function<Judgement(const Subject&, const Case&)>;
 //   MIRROR, a triangle without a vertex half way between pixels or an edge through a centre
 //   ORACLE, q that differ
 // PINWHEEL and VERT look where Case::choice says: they are asked again and again until they have
-// looked everywhere.
-[[nodiscard]] Audit audit(std::string_view law, const Check& check, const Case& c);
+// looked everywhere. The mappers claim this accuracy: what is promised of the law then is due.
+[[nodiscard]] Audit audit(std::string_view law, const Check& check, const Case& c,
+                          int32_t accuracy_fx16 = 0);
 
 }  // namespace selvage::spec

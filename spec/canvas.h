@@ -13,6 +13,11 @@ namespace selvage::spec {
   return format == SELVAGE_INDEX8 ? 1 : format == SELVAGE_RGB565 ? 2 : 4;
 }
 
+// All bits of a pixel's value.
+[[nodiscard]] constexpr uint32_t value_bits(selvage_format format) {
+  return format == SELVAGE_INDEX8 ? UINT8_MAX : format == SELVAGE_RGB565 ? UINT16_MAX : UINT32_MAX;
+}
+
 class Canvas {
  public:
   // All bytes, guards and row padding included, start as `fill`.

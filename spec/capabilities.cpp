@@ -166,6 +166,35 @@ void make_visible(const Profile& profile, const Capabilities& claims,
   }
 }
 
+namespace {
+
+// How much of a law is promised by a subject whose texels are within its accuracy alone.
+[[nodiscard]] Promise of_inexact_texels(std::string_view law, const Promise& whole) {
+  constexpr std::string_view kTexels = "within its accuracy";
+  constexpr std::string_view kCoverage = "the coverage; texels are within its accuracy (MAP)";
+  constexpr std::pair<std::string_view, std::string_view> kParts[] = {
+      {"VERT", kTexels},
+      {"MAP", kTexels},
+      {"GAMUT", kTexels},
+      {"TOLERANCE", "within the tolerance and its accuracy together"},
+      {"ORACLE", "where its accuracy leaves OpenCV no other texel"},
+      {"CLIP", kCoverage},
+      {"SHIFT", kCoverage},
+      {"ORDER", kCoverage},
+      {"MIRROR", kCoverage},
+      {"SPLIT", kCoverage},
+      {"AFFINE", kCoverage},
+      {"IDENTITY", "with the nearest filter"},
+      {"FILTER", "a texture of one colour stays so"},
+      {"SAME", "of textures of one colour each"},
+  };
+  const auto part =
+      std::ranges::find(kParts, law, &std::pair<std::string_view, std::string_view>::first);
+  return part == std::end(kParts) ? whole : Promise{Standing::kPromised, part->second};
+}
+
+}  // namespace
+
 Promise promise(selvage_profile id, const Capabilities& claims, std::string_view law) {
   struct Limit {
     std::string_view law;
@@ -186,6 +215,12 @@ Promise promise(selvage_profile id, const Capabilities& claims, std::string_view
       {"SPLIT",
        !claims.outside_texels,
        {no, "it lays texture coordinates over the plane, and the texture ends"}},
+      {"IDENTITY",
+       claims.accuracy_fx16 >= SELVAGE_SUBTEXELS / 2,
+       {no, "its texels may be off by half a texel or more"}},
+      {"ORACLE",
+       claims.accuracy_fx16 >= SELVAGE_SUBTEXELS / 4,
+       {no, "its texels may be off by a quarter of a texel or more, which decides little"}},
       {"ORDER", claims.winding != Winding::kBoth, {part, "which vertex comes first"}},
       {"SHIFT",
        !holds(claims.addresses, SELVAGE_ADDRESS_WRAP),
@@ -198,7 +233,7 @@ Promise promise(selvage_profile id, const Capabilities& claims, std::string_view
   for (const Limit& limit : limits) {
     if (limit.law == law && limit.applies) return limit.promise;
   }
-  return whole;
+  return shows_exact_texels(claims) ? whole : of_inexact_texels(law, whole);
 }
 
 }  // namespace selvage::spec

@@ -41,12 +41,18 @@ struct Capabilities {
   int32_t longest_side_px = kAnyNumber;     // of the target
   int32_t longest_side_texel = kAnyNumber;  // of the texture
   int32_t most_vertices = kAnyNumber;       // at least 3
+  int32_t accuracy_fx16 = 0;                // of the exact profile: how far u and v may be off
 
   friend bool operator==(const Capabilities&, const Capabilities&) = default;
 };
 
 // What in the case is beyond the claims, in words: the first thing found.
 [[nodiscard]] std::optional<std::string> beyond(const Capabilities& claims, const Case& c);
+
+// Whether its texels are the exact ones: otherwise two drawings of one place may differ by them.
+[[nodiscard]] constexpr bool shows_exact_texels(const Capabilities& claims) {
+  return claims.accuracy_fx16 == 0;
+}
 
 // The case as the subject can take it: other formats, filters and address modes become claimed
 // ones, in turn by Case::choice; q are made equal; clip and negative pitches are left out; sides

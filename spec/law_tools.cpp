@@ -140,10 +140,16 @@ namespace {
 
 Judgement compare(std::string_view law, std::string_view what, const Case& shown,
                   const Picture& picture, const OtherDrawing& other, const WantedAt& wanted_at) {
-  Judgement judgement = compare(law, what, shown, picture, wanted_at);
+  const auto judged_at = [&](int32_t x, int32_t y) {
+    Wanted wanted = wanted_at(x, y);
+    const MaybePixel& drawn = picture.at(x, y);
+    if (!other.judges_texels && wanted.pixel && drawn) wanted.pixel = drawn;
+    return wanted;
+  };
+  Judgement judgement = compare(law, what, shown, picture, judged_at);
   if (!judgement.violation) return judgement;
   Violation& violation = *judgement.violation;
-  violation.comparison = comparison_of(picture, other.shows_texels, wanted_at);
+  violation.comparison = comparison_of(picture, other.shows_texels, judged_at);
   const auto told = [&](const Picture& of) {
     return describe(shown, other.shows_texels, of.at(violation.x_px, violation.y_px));
   };
@@ -158,47 +164,6 @@ Judgement compare(std::string_view law, std::string_view what, const Case& shown
     violation.allowed += "; the exact one is " + describe_pixel(shown, exact);
   }
   return judgement;
-}
-
-bool TexelRange::holds(int32_t texel) const {
-  if (texel < 0 || texel >= size) return false;
-  if (address == SELVAGE_ADDRESS_CLAMP) {
-    return std::clamp(first, 0, size - 1) <= texel && texel <= std::clamp(last, 0, size - 1);
-  }
-  const int32_t from_first =
-      address_texel(texel - address_texel(first, size, address), size, SELVAGE_ADDRESS_WRAP);
-  return from_first <= last - first;
-}
-
-std::string TexelRange::text() const {
-  return std::to_string(first) + " .. " + std::to_string(last);
-}
-
-std::optional<Margin> margin_along(const Reaching& reach, int32_t texel, int32_t size,
-                                   selvage_address address) {
-  const double u = reach.exact.get_d(), below = reach.below.get_d(), above = reach.above.get_d();
-  const int32_t at = floor(reach.exact);
-  const bool wraps = address == SELVAGE_ADDRESS_WRAP;
-  const bool is_beyond = (texel == 0 && at < 0) || (texel == size - 1 && at >= size);
-  // The texels at or before `at`, and after it, that address to this one.
-  const int64_t before = wraps ? int64_t{at} - address_texel(at - texel, size, address) : texel;
-  const int64_t after = wraps ? before + size : texel;
-  if (before == at || (!wraps && is_beyond)) {
-    const double bound = std::max(below, above);
-    return bound > 0 ? std::optional(Margin{0, bound}) : std::nullopt;
-  }
-  std::optional<Margin> least;
-  const auto take = [&](double measured, double bound) {
-    const Margin margin{measured, bound};
-    if (bound > 0 && (!least || margin.share() < least->share())) least = margin;
-  };
-  if (before < at) take(u - static_cast<double>(before + 1), below);
-  if (after > at) take(static_cast<double>(after) - u, above);
-  return least;
-}
-
-void add(std::optional<Margin>* nearest, const std::optional<Margin>& other) {
-  if (other && (!*nearest || other->share() > (*nearest)->share())) *nearest = other;
 }
 
 bool add(Judgement* total, Judgement part) {

@@ -14,6 +14,7 @@
 #include "spec/model.h"
 #include "spec/picture.h"
 #include "spec/profiles.h"
+#include "spec/texel_reach.h"
 
 namespace selvage::spec {
 
@@ -88,36 +89,19 @@ using WantedAt = std::function<Wanted(int32_t x_px, int32_t y_px)>;
 
 // The same where another drawing tells what is wanted: a clause that says so, "the whole polygon
 // shows it"; whether both show texels of the coordinate texture; whether these are judged, or
-// coverage alone.
+// coverage alone: then one texel is as good as another.
 struct OtherDrawing {
   std::string_view clause;
   bool shows_texels = true;
   bool judges_texels = true;
 };
+// By the same subject: where it claims no exact texels, two drawings may differ in them.
+[[nodiscard]] inline OtherDrawing drawing_of(const Subject& subject, std::string_view clause) {
+  return {clause, true, shows_exact_texels(subject.claims)};
+}
 [[nodiscard]] Judgement compare(std::string_view law, std::string_view what, const Case& shown,
                                 const Picture& picture, const OtherDrawing& other,
                                 const WantedAt& wanted_at);
-
-// The texels along one axis that a mapper may reach, before they are addressed into `size`.
-struct TexelRange {
-  int32_t first, last, size;
-  selvage_address address;
-
-  // The addressed texel is one of them.
-  [[nodiscard]] bool holds(int32_t texel) const;
-  [[nodiscard]] std::string text() const;
-};
-
-// How much of the reach [exact - below, exact + above] it takes to get to a texel that addresses to
-// `texel`: the least. Empty where there is no reach, or not there.
-struct Reaching {
-  Rational exact, below, above;
-};
-[[nodiscard]] std::optional<Margin> margin_along(const Reaching& reach, int32_t texel, int32_t size,
-                                                 selvage_address address);
-
-// Keeps the margin that is nearer to its bound.
-void add(std::optional<Margin>* nearest, const std::optional<Margin>& other);
 
 // Adds up the pixels and keeps the first violation and the nearest margin; true if there is one.
 bool add(Judgement* total, Judgement part);

@@ -19,7 +19,7 @@ inline constexpr int32_t kFineTexture_texel = 256;
   for (selvage_vertex& v : other.vertices) v.q = q;
   const Picture affine = draw(subject, one);
   return compare("AFFINE", "q that are all equal change nothing", other, draw(subject, other),
-                 {"q = 1 shows it"},
+                 drawing_of(subject, "q = 1 shows it"),
                  [&](int32_t x, int32_t y) { return must_be(affine.at(x, y)); });
 }
 
@@ -115,9 +115,10 @@ Judgement check_affine(const Subject& subject, const Case& c) {
   if (!is_valid(c)) return {};
   Choices choices(c.choice);
   Judgement judgement = judge_equal_q(subject, c, choices);
+  const bool tells_texels = shows_exact_texels(subject.claims) && !profile_of(c).whole_px;
   const bool has_fine_texture = holds(subject.claims.formats, SELVAGE_RGBA8888) &&
                                 subject.claims.longest_side_texel >= kFineTexture_texel;
-  if (judgement.violation || profile_of(c).whole_px || !has_fine_texture) return judgement;
+  if (judgement.violation || !tells_texels || !has_fine_texture) return judgement;
   add(&judgement, judge_cross_ratio(subject, c));
   return judgement;
 }

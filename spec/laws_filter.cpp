@@ -85,7 +85,9 @@ Judgement check_filter(const Subject& subject, const Case& c) {
   if (!is_valid(c) || !can_be_filtered(c)) return {};
   Choices choices(c.choice);
   Judgement judgement = judge_constant(subject, c, choices);
-  if (!judgement.violation) add(&judgement, judge_formula(subject, c));
+  if (!judgement.violation && shows_exact_texels(subject.claims)) {
+    add(&judgement, judge_formula(subject, c));
+  }
   return judgement;
 }
 

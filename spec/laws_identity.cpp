@@ -49,8 +49,9 @@ struct Side {
 }  // namespace
 
 Judgement check_identity(const Subject& subject, const Case& any) {
-  // The mean of four texels is no copy of one.
-  const Case c = any.filter == SELVAGE_FILTER_FOUR ? with_nearest(any) : any;
+  // The mean of four texels is no copy of one, nor is any that is not about its very centre.
+  const bool is_copy = any.filter != SELVAGE_FILTER_FOUR && shows_exact_texels(subject.claims);
+  const Case c = is_copy ? any : with_nearest(any);
   Choices choices(c.choice);
   const Profile& profile = profile_of(c);
   const Side columns = pick_side(profile, choices, c.target_width_px);

@@ -12,12 +12,6 @@
 namespace selvage::spec {
 namespace {
 
-[[nodiscard]] uint32_t texel_value(const Case& c, const Sample& point) {
-  Rational rounding(profile_of(c).rounding_fx16, SELVAGE_SUBTEXELS);
-  rounding.canonicalize();
-  return addressed_value(c, {floor(point.u + rounding), floor(point.v + rounding)});
-}
-
 // (u, v) of a point on the segment a b, from its two ends alone.
 [[nodiscard]] Sample sample_on_edge(Point p, const selvage_vertex& a, const selvage_vertex& b) {
   Rational t = a.y != b.y ? Rational(p.y - a.y, int64_t{b.y} - a.y)
@@ -31,25 +25,37 @@ namespace {
   return {mix(a.u, b.u), mix(a.v, b.v)};
 }
 
-// Judges the drawn pixels of a triangle whose sample points lie on one of its edges or vertices;
-// on edges only where the profile's arithmetic is exact there.
+// At a point on one of a triangle's edges or vertices; on edges only where the profile's arithmetic
+// is exact there.
+[[nodiscard]] std::optional<Sample> sample_on_outline(Point p, const Case& triangle) {
+  const bool edges_too = triangle.profile == SELVAGE_PROFILE_EXACT;
+  const auto& v = triangle.vertices;
+  for (size_t k = 0; k < 3; ++k) {
+    const selvage_vertex &a = v[k], &b = v[(k + 1) % 3];
+    if (position(a) == position(b) || !on_segment(p, position(a), position(b))) continue;
+    if (!edges_too && p != position(a) && p != position(b)) continue;
+    return sample_on_edge(p, a, b);
+  }
+  return std::nullopt;
+}
+
+// Judges the drawn pixels of a triangle whose sample points lie there.
 [[nodiscard]] Judgement judge_outline(const Subject& subject, const Case& triangle) {
   const Picture picture = draw(subject, triangle);
-  const auto& v = triangle.vertices;
-  const bool edges_too = triangle.profile == SELVAGE_PROFILE_EXACT;
-  return compare("VERT", "a pixel on an edge or vertex shows what the edge's two ends say",
-                 triangle, picture, [&](int32_t x, int32_t y) {
-                   if (!picture.at(x, y)) return unjudged();
-                   const Point p = sample_point(triangle, {x, y});
-                   for (size_t k = 0; k < 3; ++k) {
-                     const selvage_vertex &a = v[k], &b = v[(k + 1) % 3];
-                     if (position(a) == position(b) || !on_segment(p, position(a), position(b)))
-                       continue;
-                     if (!edges_too && p != position(a) && p != position(b)) continue;
-                     return must_be(texel_value(triangle, sample_on_edge(p, a, b)));
-                   }
-                   return unjudged();
-                 });
+  const Rational accuracy = accuracy_of(subject);
+  const TexelLaw law{"VERT", "a pixel on an edge or vertex shows what the edge's two ends say",
+                     triangle};
+  Judgement judgement;
+  for (int32_t y = 0; y < triangle.target_height_px; ++y) {
+    for (int32_t x = 0; x < triangle.target_width_px; ++x) {
+      const MaybePixel& pixel = picture.at(x, y);
+      if (!pixel) continue;
+      const auto exact = sample_on_outline(sample_point(triangle, {x, y}), triangle);
+      if (!exact) continue;
+      if (!law.judge({x, y}, reach_around(*exact, accuracy), *pixel, &judgement)) return judgement;
+    }
+  }
+  return judgement;
 }
 
 // The triangle turned by `quarters` quarter turns about its first vertex.
@@ -120,50 +126,42 @@ namespace {
   });
 }
 
-// The texels along one axis that lie within reach of an exact coordinate.
-[[nodiscard]] TexelRange range_of(const Rational& exact, const Rational& below,
-                                  const Rational& above, const Case& c, int32_t size_texel) {
-  Rational rounding(profile_of(c).rounding_fx16, SELVAGE_SUBTEXELS);
-  rounding.canonicalize();
-  return {floor(exact - below + rounding), floor(exact + above + rounding), size_texel, c.address};
-}
-
-[[nodiscard]] std::optional<Margin> margin_of(const Reach& point, Texel texel, const Case& c) {
-  Rational rounding(profile_of(c).rounding_fx16, SELVAGE_SUBTEXELS);
-  rounding.canonicalize();
-  std::optional<Margin> nearest = margin_along({point.u + rounding, point.u_below, point.u_above},
-                                               texel.s, c.texture_width_texel, c.address);
-  add(&nearest, margin_along({point.v + rounding, point.v_below, point.v_above}, texel.t,
-                             c.texture_height_texel, c.address));
-  return nearest;
-}
-
-[[nodiscard]] Judgement judge_within_reach(const Subject& subject, const Case& c) {
+// The drawn pixels of which reach_at(line, x) tells how far off a texel may be there.
+template <class LineOf, class ReachAt>
+[[nodiscard]] Judgement judge_within_reach(const Subject& subject, const TexelLaw& law,
+                                           const LineOf& line_of, const ReachAt& reach_at) {
+  const Case& c = law.shown;
   const Picture drawn = draw(subject, c);
   Judgement judgement;
   for (int32_t y = 0; y < c.target_height_px; ++y) {
-    const std::optional<HistoricLine> line = historic_line(c.profile, c.vertices, y);
+    const auto line = line_of(y);
     for (int32_t x = 0; line && x < c.target_width_px; ++x) {
-      const std::optional<uint32_t>& pixel = drawn.at(x, y);
-      const std::optional<Reach> point = pixel ? reach(*line, x) : std::nullopt;
-      if (!point) continue;
-      const Texel texel = texel_of(*pixel);
-      ++judgement.judged_px;
-      const TexelRange s =
-          range_of(point->u, point->u_below, point->u_above, c, c.texture_width_texel);
-      const TexelRange t =
-          range_of(point->v, point->v_below, point->v_above, c, c.texture_height_texel);
-      if (s.holds(texel.s) && t.holds(texel.t)) {
-        add(&judgement.margin, margin_of(*point, texel, c));
-        continue;
-      }
-      judgement.violation =
-          violation_at("MAP", "a texel lies within the derived bound of its exact (u, v)", c, x, y,
-                       "columns " + s.text() + ", rows " + t.text() + ", addressed", pixel);
-      return judgement;
+      const MaybePixel& pixel = drawn.at(x, y);
+      const std::optional<Reach> reach = pixel ? reach_at(*line, x) : std::nullopt;
+      if (reach && !law.judge({x, y}, *reach, *pixel, &judgement)) return judgement;
     }
   }
   return judgement;
+}
+
+[[nodiscard]] Judgement judge_within_bound(const Subject& subject, const Case& c) {
+  return judge_within_reach(
+      subject, {"MAP", "a texel lies within the derived bound of its exact (u, v)", c},
+      [&](int32_t y) { return historic_line(c.profile, c.vertices, y); },
+      [](const HistoricLine& line, int32_t x) { return reach(line, x); });
+}
+
+[[nodiscard]] Judgement judge_within_accuracy(const Subject& subject, const Case& c) {
+  const Rational accuracy = accuracy_of(subject);
+  const std::string what = "a texel lies within the claimed accuracy, " + accuracy.get_str() +
+                           " texel, of its exact (u, v)";
+  return judge_within_reach(
+      subject, {"MAP", what, c}, [&](int32_t y) { return scan_line(c.vertices, y); },
+      [&](const ScanLine& line, int32_t x) -> std::optional<Reach> {
+        const std::optional<Sample> exact = sample(line, x);
+        if (!exact) return std::nullopt;
+        return reach_around(*exact, accuracy);
+      });
 }
 
 }  // namespace
@@ -171,7 +169,8 @@ namespace {
 Judgement check_map(const Subject& subject, const Case& any) {
   const Case c = with_nearest(any);
   if (!is_valid(c)) return {};
-  if (c.profile != SELVAGE_PROFILE_EXACT) return judge_within_reach(subject, c);
+  if (c.profile != SELVAGE_PROFILE_EXACT) return judge_within_bound(subject, c);
+  if (!shows_exact_texels(subject.claims)) return judge_within_accuracy(subject, c);
   return judge_exactly("MAP", "a drawn pixel shows the texel that holds its exact (u, v)", subject,
                        c);
 }
@@ -185,11 +184,12 @@ Judgement check_dda(const Subject& subject, const Case& any) {
 
 namespace {
 
-[[nodiscard]] TexelRange gamut_of(const Case& c, int32_t selvage_vertex::*axis, int32_t size) {
+[[nodiscard]] TexelRange gamut_of(const Case& c, int32_t selvage_vertex::*axis, int32_t size,
+                                  int64_t accuracy_fx16) {
   const auto [least, greatest] = std::ranges::minmax(c.vertices, {}, axis);
   const int64_t rounding = profile_of(c).rounding_fx16;
-  return {static_cast<int32_t>((least.*axis + rounding) >> 16),
-          static_cast<int32_t>((greatest.*axis + rounding) >> 16), size, c.address};
+  return {static_cast<int32_t>((least.*axis + rounding - accuracy_fx16) >> 16),
+          static_cast<int32_t>((greatest.*axis + rounding + accuracy_fx16) >> 16), size, c.address};
 }
 
 }  // namespace
@@ -197,8 +197,9 @@ namespace {
 Judgement check_gamut(const Subject& subject, const Case& any) {
   const Case c = with_nearest(any);
   if (!is_valid(c)) return {};
-  const TexelRange s = gamut_of(c, &selvage_vertex::u, c.texture_width_texel);
-  const TexelRange t = gamut_of(c, &selvage_vertex::v, c.texture_height_texel);
+  const int64_t accuracy = subject.claims.accuracy_fx16;
+  const TexelRange s = gamut_of(c, &selvage_vertex::u, c.texture_width_texel, accuracy);
+  const TexelRange t = gamut_of(c, &selvage_vertex::v, c.texture_height_texel, accuracy);
   const Picture drawn = draw(subject, c);
   Judgement judgement;
   for (int32_t y = 0; y < c.target_height_px; ++y) {

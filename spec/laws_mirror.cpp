@@ -72,14 +72,13 @@ struct Motion {
   const Picture after = draw(subject, *to);
   // Turned by a quarter, only a triangle keeps its map: its spans lie elsewhere, its map does not.
   const bool keeps_texels = !motion.swaps_axes || c.vertices.size() == 3;
-  return compare("MIRROR", motion.what, *to, after,
-                 {"the polygon where it was shows it", true, keeps_texels},
-                 [&](int32_t x, int32_t y) {
-                   const Pixel from = motion.origin({x, y}, *to);
-                   if (is_tie(c, from, motion.swaps_axes)) return unjudged();
-                   const MaybePixel &a = before.at(from.x_px, from.y_px), &b = after.at(x, y);
-                   return must_be(!keeps_texels && a.has_value() == b.has_value() ? b : a);
-                 });
+  OtherDrawing other = drawing_of(subject, "the polygon where it was shows it");
+  other.judges_texels = other.judges_texels && keeps_texels;
+  return compare("MIRROR", motion.what, *to, after, other, [&](int32_t x, int32_t y) {
+    const Pixel from = motion.origin({x, y}, *to);
+    if (is_tie(c, from, motion.swaps_axes)) return unjudged();
+    return must_be(before.at(from.x_px, from.y_px));
+  });
 }
 
 // Where texels are floored u becomes width - u, where they are rounded width - 1 - u, and likewise
@@ -97,7 +96,8 @@ struct Motion {
   }
   const Picture before = draw(subject, c);
   return compare("MIRROR", "flipped (u, v) show flipped texels", flipped, draw(subject, flipped),
-                 {"the unflipped (u, v) show it, flipped"}, [&](int32_t x, int32_t y) {
+                 drawing_of(subject, "the unflipped (u, v) show it, flipped"),
+                 [&](int32_t x, int32_t y) {
                    const MaybePixel& pixel = before.at(x, y);
                    const std::optional<Sample> point = ModelRow(c, y).coordinates(x);
                    if (!pixel || !point) return unjudged();

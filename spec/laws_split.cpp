@@ -93,14 +93,12 @@ Judgement check_split(const Subject& subject, const Case& c) {
   for (size_t i = 0; i < parts.pixels.size(); ++i) {
     if (b.pixels[i]) parts.pixels[i] = b.pixels[i];
   }
-  const bool texels_too = c.profile == SELVAGE_PROFILE_EXACT;
+  OtherDrawing uncut = drawing_of(subject, "the whole polygon shows it");
+  uncut.judges_texels = uncut.judges_texels && c.profile == SELVAGE_PROFILE_EXACT;
   const std::string cut = "cut from " + place_px(outline.front()) + " to " + place_px(*middle);
-  Judgement judgement = compare(
-      "SPLIT", "two parts of a polygon, " + cut + ", draw what the whole draws", whole_case, parts,
-      {"the whole polygon shows it", true, texels_too}, [&](int32_t x, int32_t y) {
-        const MaybePixel& pixel = whole.at(x, y);
-        return must_be(texels_too || !pixel ? pixel : parts.at(x, y) ? parts.at(x, y) : pixel);
-      });
+  Judgement judgement =
+      compare("SPLIT", "two parts of a polygon, " + cut + ", draw what the whole draws", whole_case,
+              parts, uncut, [&](int32_t x, int32_t y) { return must_be(whole.at(x, y)); });
   if (judgement.violation) return judgement;
   add(&judgement, compare("SPLIT", "a pixel lies in one part only of a polygon, " + cut, rest_case,
                           b, {"the other part has drawn it"}, [&](int32_t x, int32_t y) {

@@ -52,7 +52,8 @@ Judgement check_clip(const Subject& subject, const Case& c) {
     };
     if (add(&judgement,
             compare("CLIP", "drawing clipped is drawing whole and cropping", clipped,
-                    draw(subject, clipped), {"the whole drawing, cropped, shows it"}, wanted))) {
+                    draw(subject, clipped),
+                    drawing_of(subject, "the whole drawing, cropped, shows it"), wanted))) {
       break;
     }
   }
@@ -72,7 +73,7 @@ namespace {
   const Picture before = draw(subject, c);
   const selvage_rect target{0, 0, c.target_width_px, c.target_height_px};
   return compare("SHIFT", "polygon and clip shifted by whole pixels shift the picture", shifted,
-                 draw(subject, shifted), {"the unshifted polygon shows it"},
+                 draw(subject, shifted), drawing_of(subject, "the unshifted polygon shows it"),
                  [&](int32_t x, int32_t y) {
                    if (!contains(target, x - dx, y - dy)) return unjudged();
                    return must_be(before.at(x - dx, y - dy));
@@ -100,14 +101,14 @@ namespace {
   Case shifted = wrapped;
   if (!shift_texture(&shifted.vertices, ds, dt)) return {};
   const Picture before = draw(subject, wrapped);
-  return compare("SHIFT", "(u, v) shifted by whole texels shift the texels", shifted,
-                 draw(subject, shifted), {"the unshifted (u, v) show it, shifted"},
-                 [&](int32_t x, int32_t y) {
-                   const MaybePixel& pixel = before.at(x, y);
-                   if (!pixel) return must_be(std::nullopt);
-                   const Texel texel = texel_of(*pixel);
-                   return must_be(addressed_value(wrapped, {texel.s + ds, texel.t + dt}));
-                 });
+  return compare(
+      "SHIFT", "(u, v) shifted by whole texels shift the texels", shifted, draw(subject, shifted),
+      drawing_of(subject, "the unshifted (u, v) show it, shifted"), [&](int32_t x, int32_t y) {
+        const MaybePixel& pixel = before.at(x, y);
+        if (!pixel) return must_be(std::nullopt);
+        const Texel texel = texel_of(*pixel);
+        return must_be(addressed_value(wrapped, {texel.s + ds, texel.t + dt}));
+      });
 }
 
 // By whole periods of a texture that is repeated: the same picture, whatever the filter.
@@ -122,7 +123,7 @@ namespace {
   if (!shift_texture(&shifted.vertices, ds, dt)) return {};
   const Picture before = draw(subject, wrapped);
   return compare("SHIFT", "(u, v) shifted by whole periods of the texture change nothing", shifted,
-                 draw(subject, shifted), {"the unshifted (u, v) show it"},
+                 draw(subject, shifted), drawing_of(subject, "the unshifted (u, v) show it"),
                  [&](int32_t x, int32_t y) { return must_be(before.at(x, y)); });
 }
 
@@ -150,13 +151,13 @@ Judgement check_order(const Subject& subject, const Case& c) {
   std::ranges::rotate(rotated.vertices, rotated.vertices.begin() + first);
   Judgement judgement =
       compare("ORDER", "which vertex comes first changes nothing", rotated, draw(subject, rotated),
-              {"the outline in its own order shows it"}, wanted);
+              drawing_of(subject, "the outline in its own order shows it"), wanted);
   if (judgement.violation || subject.claims.winding != Winding::kBoth) return judgement;
   std::ranges::reverse(rotated.vertices);
   const Picture reversed = draw(subject, rotated);
   if (!profile_of(c).clockwise_only) {
     add(&judgement, compare("ORDER", "the winding changes nothing", rotated, reversed,
-                            {"the other winding shows it"}, wanted));
+                            drawing_of(subject, "the other winding shows it"), wanted));
     return judgement;
   }
   add(&judgement, compare("ORDER", "a pixel is drawn by one winding only", rotated, reversed,

@@ -163,6 +163,7 @@ class TolerantCase {
                                                          to_texels(rounding_bound_fx16(*line))))
                                      : Rational(0);
       }
+      allowed += accuracy_of(subject_);
       add(&judgement, judge_row(y, *line, allowed));
     }
     if (!judgement.violation && subject_.choose && !same(asked_.all(), all)) {
@@ -194,39 +195,18 @@ class TolerantCase {
 
   [[nodiscard]] Judgement judge_row(int32_t y, const ScanLine& line,
                                     const Rational& allowed) const {
+    const TexelLaw law{kLaw,
+                       "within " + to_texels(tolerance_fx16_).get_str() +
+                           " texel, a texel lies within " + allowed.get_str() +
+                           " texel of its exact (u, v)",
+                       case_};
     Judgement judgement;
     for (int32_t x = 0; x < case_.target_width_px; ++x) {
       const std::optional<uint32_t>& pixel = drawn_.at(x, y);
       const std::optional<Sample> exact = pixel ? sample(line, x) : std::nullopt;
-      if (!exact) continue;
-      const auto range = [&](const Rational& u, int32_t size) {
-        return TexelRange{floor(u - allowed), floor(u + allowed), size, case_.address};
-      };
-      const TexelRange s = range(exact->u, case_.texture_width_texel);
-      const TexelRange t = range(exact->v, case_.texture_height_texel);
-      const Texel texel = texel_of(*pixel);
-      ++judgement.judged_px;
-      if (s.holds(texel.s) && t.holds(texel.t)) {
-        if (allowed > 0) add(&judgement.margin, margin_of(*exact, texel, allowed));
-        continue;
-      }
-      judgement.violation = violation_at(
-          kLaw,
-          "within " + to_texels(tolerance_fx16_).get_str() + " texel, a texel lies within " +
-              allowed.get_str() + " texel of its exact (u, v)",
-          case_, x, y, "columns " + s.text() + ", rows " + t.text() + ", addressed", pixel);
-      return judgement;
+      if (exact && !law.judge({x, y}, reach_around(*exact, allowed), *pixel, &judgement)) break;
     }
     return judgement;
-  }
-
-  [[nodiscard]] std::optional<Margin> margin_of(const Sample& exact, Texel texel,
-                                                const Rational& allowed) const {
-    std::optional<Margin> nearest = margin_along({exact.u, allowed, allowed}, texel.s,
-                                                 case_.texture_width_texel, case_.address);
-    add(&nearest, margin_along({exact.v, allowed, allowed}, texel.t, case_.texture_height_texel,
-                               case_.address));
-    return nearest;
   }
 
   [[nodiscard]] Judgement blame(Judgement judgement, const std::string& fault,

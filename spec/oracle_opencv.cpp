@@ -74,9 +74,11 @@ inline constexpr int32_t kSideLimit = 32767;
 // warpAffine rounds each of two terms to 1/1024 texel, halves to even, and floors their sum plus
 // 1/2: the texel is certain where u is further than 1/1024 from an integer, plus what doubles lose
 // in the matrix, its products and their sums.
-[[nodiscard]] bool is_decided_affine(const Plane& plane, const Rational& u, int32_t i, int32_t j) {
-  const double sum = plane.magnitude(i, j);
-  const double margin = kAffineRounding_texel + kAffineRoundings * kHalfUlpOfOne * sum;
+[[nodiscard]] bool is_decided_affine(const Plane& plane, const Rational& u, Pixel at,
+                                     double accuracy_texel) {
+  const double sum = plane.magnitude(at.x_px, at.y_px);
+  const double margin =
+      kAffineRounding_texel + kAffineRoundings * kHalfUlpOfOne * sum + accuracy_texel;
   return sum < kLargestSum_texel && std::abs(u.get_d()) < kLargestTexel &&
          distance_to_integer(u) > margin;
 }
@@ -84,13 +86,15 @@ inline constexpr int32_t kSideLimit = 32767;
 // warpPerspective divides in double and rounds: relative errors of a few 2^-53 in the matrix, in X,
 // W and X / W.
 [[nodiscard]] bool is_decided_projective(const Plane& x, const Plane& w, const Rational& u,
-                                         int32_t i, int32_t j) {
+                                         Pixel at, double accuracy_texel) {
+  const auto [i, j] = at;
   const double depth = std::abs(w.at(i, j).get_d());
   const double u_magnitude = std::abs(u.get_d()) + 1;
   const double x_terms = kProjectiveTerms * x.magnitude(i, j) / depth;
   const double w_terms = kProjectiveTerms * w.magnitude(i, j) / depth;
-  const double margin =
-      kProjectiveFactor * kHalfUlpOfOne * (x_terms + u_magnitude * (w_terms + kProjectiveQuotient));
+  const double margin = kProjectiveFactor * kHalfUlpOfOne *
+                            (x_terms + u_magnitude * (w_terms + kProjectiveQuotient)) +
+                        accuracy_texel;
   return u_magnitude < kLargestTexel && distance_to_integer(u) > margin;
 }
 
@@ -137,24 +141,30 @@ inline constexpr int32_t kSideLimit = 32767;
   return map;
 }
 
-[[nodiscard]] bool is_decided(const Homography& map, bool affine, const Sample& point, int32_t i,
-                              int32_t j) {
-  if (affine) {
-    return is_decided_affine(map.x, point.u, i, j) && is_decided_affine(map.y, point.v, i, j);
+// Where OpenCV is certain of a texel that a subject of this accuracy must show, too.
+struct Decision {
+  const Homography& map;
+  bool affine;
+  double accuracy_texel;
+
+  [[nodiscard]] bool is_made(const Sample& point, Pixel at) const {
+    const auto along = [&](const Plane& plane, const Rational& u) {
+      return affine ? is_decided_affine(plane, u, at, accuracy_texel)
+                    : is_decided_projective(plane, map.w, u, at, accuracy_texel);
+    };
+    return along(map.x, point.u) && along(map.y, point.v);
   }
-  return is_decided_projective(map.x, map.w, point.u, i, j) &&
-         is_decided_projective(map.y, map.w, point.v, i, j);
-}
+};
 
 [[nodiscard]] OracleTally judge_warped(const Case& shown, const Picture& picture,
-                                       const cv::Mat& warped, const Homography& map, bool affine) {
+                                       const cv::Mat& warped, const Decision& decision) {
   OracleTally tally;
   for (int32_t y = 0; y < shown.target_height_px; ++y) {
     const std::optional<ScanLine> line = scan_line(shown.vertices, y);
     for (int32_t x = 0; line && x < shown.target_width_px; ++x) {
       const std::optional<Sample> point = sample(*line, x);
       if (!point || !picture.at(x, y)) continue;
-      if (!is_decided(map, affine, *point, x, y)) {
+      if (!decision.is_made(*point, {x, y})) {
         ++tally.undecided_px;
         continue;
       }
@@ -185,7 +195,8 @@ OracleTally ask_opencv(const Subject& subject, const Case& c) {
   if (doubled_area(position(v[0]), position(v[1]), position(v[2])) == 0) return {};
   const bool affine = v[0].q == v[1].q && v[1].q == v[2].q;
   const Homography map = affine ? normalised(homography_of(v)) : homography_of(v);
-  return judge_warped(shown, draw(subject, shown), warp(shown, map, affine), map, affine);
+  return judge_warped(shown, draw(subject, shown), warp(shown, map, affine),
+                      {map, affine, accuracy_of(subject).get_d()});
 }
 
 Judgement check_oracle(const Subject& subject, const Case& any) {

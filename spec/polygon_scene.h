@@ -17,13 +17,18 @@ namespace selvage::spec {
 
 inline constexpr uint8_t kSceneBackground = 0x5A;
 
-// Polygons over each other, of two textures that differ in every texel, in the order of drawing.
+// Polygons over each other, of two textures that differ in every texel, in the order of drawing. Of
+// a subject that shows no exact texels each texture has one colour: its pictures differ by nothing
+// then, either.
 class PolygonScene {
  public:
   PolygonScene(const Subject& subject, const Case& c);
 
   [[nodiscard]] const Case& shown() const { return case_; }
   [[nodiscard]] size_t count() const { return outlines_.size(); }
+  [[nodiscard]] bool shows_colours() const { return shows_colours_; }
+  // That of a texture, where they have one.
+  [[nodiscard]] uint32_t colour(bool second) const;
   [[nodiscard]] Canvas blank() const {
     return {case_.format,     case_.target_width_px, case_.target_height_px,
             case_.padding_px, case_.flip_target,     kSceneBackground};
@@ -47,8 +52,10 @@ class PolygonScene {
  private:
   // The last one is then where the one before is, with other (u, v); it hides that.
   [[nodiscard]] bool is_last_turned() const { return moves_.size() > 2 && case_.choice % 4 < 2; }
+  [[nodiscard]] TexelAt texture_of(bool second) const;
 
   Case case_;
+  bool shows_colours_;
   std::array<TextureMemory, 2> textures_;
   std::vector<Pixel> moves_;  // of the case's outline: of none to begin with, then of each copy
   std::vector<std::vector<selvage_vertex>> outlines_;

@@ -61,6 +61,8 @@ typedef struct selvage_claims {
   int32_t longest_side_px; /* of the target; 0: any */
   int32_t longest_side_texel; /* of the texture; 0: any */
   int32_t most_vertices;      /* 3: triangles alone; 0: any number */
+  int32_t accuracy;           /* 1/65536 texel: a texel may be that of a (u, v) so far off in u and
+                                 in v; 0: exact. Of SELVAGE_PROFILE_EXACT: others have bounds */
 } selvage_claims;
 
 /* Must stay valid; called once, before anything is drawn. */

@@ -129,7 +129,9 @@ std::string junit_xml(const VerifyRun& run) {
       attribute("failures", std::to_string(failures)) + attribute("errors", "0") +
       attribute("skipped", std::to_string(skips)) + attribute("time", seconds_text(time_ns));
   std::string properties = property("selvage", selvage_version()) +
-                           property("profile", run.profile) + property("arguments", run.arguments);
+                           property("profile", run.profile) +
+                           property("accuracy_fx16", std::to_string(run.accuracy_fx16)) +
+                           property("arguments", run.arguments);
   std::string missing;
   for (const auto& [function, law] : run.not_exported) {
     missing += (missing.empty() ? "" : ", ") + function;

@@ -27,6 +27,8 @@ void demand_one_run(const VerifyRun& first, const std::string& first_name, const
   const auto text = [](uint64_t number) { return std::to_string(number); };
   demand(first.subject == other.subject, "the subject", first.subject, other.subject);
   demand(first.profile == other.profile, "the profile", first.profile, other.profile);
+  demand(first.accuracy_fx16 == other.accuracy_fx16, "the accuracy in 1/65536 texel",
+         std::to_string(first.accuracy_fx16), std::to_string(other.accuracy_fx16));
   demand(first.seed == other.seed, "the seed", text(first.seed), text(other.seed));
   demand(first.cases == other.cases, "the number of cases", text(first.cases), text(other.cases));
   demand(first.hunted == other.hunted, "the number of hunted cases", text(first.hunted),
@@ -131,9 +133,7 @@ int run_merge(const MergeOptions& options, const Console& console) {
     console.out << verdict_json(whole);
     return exit_code(whole);
   }
-  console.out << "subject " << whole.subject << ", profile " << whole.profile << "\nseed "
-              << whole.seed << '\n'
-              << table_header();
+  console.out << subject_line(whole) << "\nseed " << whole.seed << '\n' << table_header();
   for (const Verdict& verdict : whole.verdicts) console.out << table_row(verdict);
   console.out << table_summary(whole) << explanations(whole);
   return exit_code(whole);

@@ -56,6 +56,8 @@ void add_claims(CLI::App& command, SubjectOptions& subject) {
   add("--longest-side", subject.longest_side, "PX", "Of the target; 0: any");
   add("--longest-texture-side", subject.longest_texture_side, "TEXELS", "Of the texture; 0: any");
   add("--most-vertices", subject.most_vertices, "N", "3: it draws triangles alone");
+  add("--accuracy", subject.accuracy, "TEXELS",
+      "How far its texels may be off in u and v, as 0.25 or 1/256; 0: exact");
 }
 
 }  // namespace selvage::cli

@@ -16,6 +16,7 @@ namespace selvage::cli {
 namespace {
 
 constexpr double kUsualCallLimit_s = 2, kMostCallLimit_s = 3600;
+constexpr double kMostAccuracy_fx16 = 1 << 30;
 
 [[nodiscard]] std::chrono::nanoseconds call_limit(const std::string& text) {
   const std::optional<double> seconds =
@@ -73,6 +74,19 @@ void read_side(const char* option, const std::string& text, int32_t* side) {
   if (*side == 0) *side = spec::kAnyNumber;  // as in selvage_subject.h
 }
 
+// Texels as 1/65536 of them, rounded down: no more is claimed than was said.
+[[nodiscard]] int32_t parse_accuracy(const std::string& text) {
+  const std::vector<std::string_view> parts = split(text, '/');
+  const std::optional<double> texels = parse_double(parts.front());
+  const std::optional<double> divisor = parts.size() == 2 ? parse_double(parts[1]) : 1;
+  const double fx16 = texels && divisor && *divisor > 0 && parts.size() <= 2
+                          ? *texels / *divisor * double{SELVAGE_SUBTEXELS}
+                          : -1;
+  if (fx16 == 0 || (fx16 >= 1 && fx16 <= kMostAccuracy_fx16)) return static_cast<int32_t>(fx16);
+  throw UserError("--accuracy: '" + text +
+                  "' is none; texels from 1/65536 to 16384, as 0.25 or 1/256, are, or 0: exact");
+}
+
 void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
   if (!options.winding.empty()) claims->winding = parse_winding(options.winding);
   read_set("--formats", options.formats, parse_format, &claims->formats);
@@ -91,6 +105,7 @@ void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
   read_side("--longest-side", options.longest_side, &claims->longest_side_px);
   read_side("--longest-texture-side", options.longest_texture_side, &claims->longest_side_texel);
   read_number("--most-vertices", options.most_vertices, 3, &claims->most_vertices);
+  if (!options.accuracy.empty()) claims->accuracy_fx16 = parse_accuracy(options.accuracy);
 }
 
 [[nodiscard]] std::string arguments_of(const SubjectOptions& options) {
@@ -124,6 +139,7 @@ void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
   tell("--longest-side", options.longest_side);
   tell("--longest-texture-side", options.longest_texture_side);
   tell("--most-vertices", options.most_vertices);
+  tell("--accuracy", options.accuracy);
   return text.empty() ? text : text.substr(1);
 }
 
@@ -151,6 +167,13 @@ std::string shell_word(const std::string& text) {
   return quoted + "'";
 }
 
+void demand_exact_profile(const spec::Subject& subject) {
+  if (spec::shows_exact_texels(subject.claims) || subject.profile == SELVAGE_PROFILE_EXACT) return;
+  throw UserError(
+      "an accuracy is claimed in profile exact alone, for the other profiles' bounds "
+      "are derived; --accuracy 0 takes the claim back");
+}
+
 ChosenSubject choose_subject(const SubjectOptions& options, const std::string& profile,
                              const spec::Subject& built_in) {
   ChosenSubject chosen{.subject = built_in, .host = {}, .arguments = arguments_of(options)};
@@ -175,6 +198,7 @@ ChosenSubject choose_subject(const SubjectOptions& options, const std::string& p
   }
   if (!options.name.empty()) chosen.subject.name = testbed::printable(options.name);
   read_claims(options, &chosen.subject.claims);
+  demand_exact_profile(chosen.subject);
   return chosen;
 }
 

@@ -23,6 +23,7 @@ struct SubjectOptions {
   std::optional<bool> perspective, clip, negative_pitch, concave, named_errors, any_texture_side,
       outside_texels;
   std::string longest_side, longest_texture_side, most_vertices;  // 0 of sides: any
+  std::string accuracy;                                           // texels, as a number or a / b
 };
 
 struct ChosenSubject {
@@ -35,6 +36,9 @@ struct ChosenSubject {
 [[nodiscard]] ChosenSubject choose_subject(const SubjectOptions& options,
                                            const std::string& profile,
                                            const spec::Subject& built_in);
+
+// Throws UserError where a subject of another profile claims an accuracy.
+void demand_exact_profile(const spec::Subject& subject);
 
 // The text as one word of a shell's command line.
 [[nodiscard]] std::string shell_word(const std::string& text);

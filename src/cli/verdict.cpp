@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "cli/console.h"
+#include "spec/exact.h"
 
 namespace selvage::cli {
 namespace {
@@ -190,6 +191,14 @@ std::string margin_text(const Verdict& verdict) {
   char text[32];
   std::snprintf(text, sizeof text, "%.2f of bound", verdict.found.margin->share());
   return text;
+}
+
+std::string subject_line(const VerifyRun& run) {
+  std::string line = "subject " + run.subject + ", profile " + run.profile;
+  if (run.accuracy_fx16 == 0) return line;
+  spec::Rational texels(run.accuracy_fx16, SELVAGE_SUBTEXELS);
+  texels.canonicalize();
+  return line + ", within " + texels.get_str() + " texel";
 }
 
 std::string table_header() {

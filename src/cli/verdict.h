@@ -49,8 +49,9 @@ struct Shard {
 struct VerifyRun {
   std::string subject;
   std::string profile;
-  bool replay = false;  // one given case instead of generated ones
-  uint64_t seed = 0;    // of the first case; meaningless in a replay
+  int32_t accuracy_fx16 = 0;  // that the subject claims
+  bool replay = false;        // one given case instead of generated ones
+  uint64_t seed = 0;          // of the first case; meaningless in a replay
   std::vector<Verdict> verdicts;
   std::vector<NotPromised> not_promised{};  // the laws that were left out for it
   std::vector<NotExported> not_exported{};  // no failure: there is nothing to be held to it
@@ -89,6 +90,8 @@ void note_not_promised(VerifyRun* run);
 // The largest error: "0.71 of bound", "0 wrong" of an exact law; empty where it does not hold.
 [[nodiscard]] std::string margin_text(const Verdict& verdict);
 
+// "subject mine, profile exact, within 1/256 texel".
+[[nodiscard]] std::string subject_line(const VerifyRun& run);
 // The table, part by part, so that each law can be shown when it is done.
 [[nodiscard]] std::string table_header();
 [[nodiscard]] std::string table_row(const Verdict& verdict);

@@ -85,6 +85,7 @@ std::string verdict_json(const VerifyRun& run) {
   ordered_json values = {{"selvage", selvage_version()},
                          {"subject", run.subject},
                          {"profile", run.profile},
+                         {"accuracy_fx16", run.accuracy_fx16},
                          {"passed", passed(run)}};
   values["arguments"] = run.arguments;
   if (!run.replay) {

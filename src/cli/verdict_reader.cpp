@@ -162,6 +162,7 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
   if (!root.has("seed")) root.fail("there is no 'seed': a replay has none, and is of no parts");
   VerifyRun run{.subject = read_text(root.at("subject")),
                 .profile = read_text(root.at("profile")),
+                .accuracy_fx16 = whole<int32_t>(root.at("accuracy_fx16")),
                 .seed = whole(root.at("seed")),
                 .verdicts = {}};
   run.cases = whole(root.at("cases"));

@@ -185,6 +185,7 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
                               const VerifyPlan& plan) {
   VerifyRun run{.subject = chosen.subject.name,
                 .profile = std::string(spec::profile_of(chosen.subject.profile).name),
+                .accuracy_fx16 = chosen.subject.claims.accuracy_fx16,
                 .replay = plan.replayed.has_value(),
                 .seed = plan.seed,
                 .verdicts = {}};
@@ -207,7 +208,7 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
 void show_beginning(const VerifyOptions& options, const VerifyRun& run, const VerifyPlan& plan,
                     const Console& console) {
   if (!options.subject.library.empty()) {
-    console.out << "subject " << run.subject << ", profile " << run.profile << '\n';
+    console.out << subject_line(run) << '\n';
   }
   if (plan.replayed) console.out << spec::print(*plan.replayed) << '\n';
   if (!plan.replayed) console.out << "seed " << run.seed << '\n';
@@ -237,6 +238,7 @@ int run_verify(const VerifyOptions& options, const spec::Subject& built_in,
   const std::optional<spec::Case> replayed = case_to_replay(options);
   ChosenSubject chosen = choose_subject(options.subject, options.profile, built_in);
   if (replayed) chosen.subject.profile = replayed->profile;
+  demand_exact_profile(chosen.subject);
   if (!options.picture.empty()) check_picture(options.picture, PictureKinds::kFiles, console);
   for (const std::string& file : {options.junit, options.subject.output}) {
     if (!file.empty()) check_output(file);

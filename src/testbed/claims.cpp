@@ -40,6 +40,10 @@ spec::Subject claimed(const selvage_claims& claims) {
   if ((claims.lacks & ~uint32_t{SELVAGE_LACKS_ALL}) != 0) {
     throw wrong("lacks", claims.lacks, "a sum of SELVAGE_LACKS_... is right");
   }
+  if (claims.accuracy < 0 || (claims.accuracy > 0 && claims.profile != SELVAGE_PROFILE_EXACT)) {
+    throw wrong("accuracy", claims.accuracy,
+                "0 is right, and in profile exact what is above, in 1/65536 texel");
+  }
   const auto has = [&](uint32_t what) { return (claims.lacks & what) == 0; };
   const spec::Capabilities all;
   spec::Subject subject;
@@ -59,6 +63,7 @@ spec::Subject claimed(const selvage_claims& claims) {
       .longest_side_px = number_of(claims.longest_side_px, 1, "longest_side_px"),
       .longest_side_texel = number_of(claims.longest_side_texel, 1, "longest_side_texel"),
       .most_vertices = number_of(claims.most_vertices, 3, "most_vertices"),
+      .accuracy_fx16 = claims.accuracy,
   };
   if (!spec::holds(subject.claims.filters, SELVAGE_FILTER_NEAREST)) {
     throw wrong("filters", claims.filters,

@@ -105,6 +105,12 @@ TEST_F(Merge, TellsOfWhichSubjectTheVerdictIs) {
   EXPECT_EQ(out.str().rfind("subject " + spec::built_in().name + ", profile abrash56\nseed 5\n", 0),
             0u)
       << out.str();
+  spec::Subject inexact = spec::built_in();
+  inexact.claims.accuracy_fx16 = SELVAGE_SUBTEXELS / 2;
+  const auto within = put_shards(inexact, 2, "exact", "10", "0");
+  out.str("");
+  EXPECT_EQ(run_merge({.files = within, .junit = "", .json = false}, {out, err}), kExitFine);
+  expect_contains(out.str(), ", profile exact, within 1/2 texel\nseed 5\n");
 }
 
 // Whichever began first, and whatever was known by then: no shard writes what another one reads.
@@ -209,6 +215,11 @@ TEST_F(Merge, RefusesWhatIsNotAllOfOneRun) {
   put("profile.json", verified(spec::built_in(), "2/2", "5", "abrash56"));
   expect_contains(refused({"1.json", "profile.json"}),
                   "the profile is 'exact' in '1.json' and 'abrash56' in 'profile.json'");
+  spec::Subject inexact = spec::built_in();
+  inexact.claims.accuracy_fx16 = 64;
+  put("accuracy.json", verified(inexact, "2/2"));
+  expect_contains(refused({"1.json", "accuracy.json"}),
+                  "the accuracy in 1/65536 texel is '0' in '1.json' and '64' in 'accuracy.json'");
   EXPECT_EQ(refused({"none.json"}), "cannot read 'none.json': No such file or directory");
   put("text.json", std::string("no verdict"));
   expect_contains(refused({"text.json"}), "text.json:1: not JSON: ");
@@ -239,6 +250,10 @@ TEST_F(Merge, RefusesDamagedNumbers) {
   }
   expect_contains(refused("/laws/0/time_ns", "9223372036854775808"),
                   "time_ns: a whole number from -9223372036854775808 to 9223372036854775807 is");
+  for (const char* wrong : {"2147483648", "-2147483649", "0.5"}) {
+    expect_contains(refused("/accuracy_fx16", wrong),
+                    "a whole number from -2147483648 to 2147483647 is needed, not ");
+  }
   expect_contains(refused("/laws", "[]"), "it has no verdict of any law, and so shows nothing");
 }
 

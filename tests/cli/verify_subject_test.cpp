@@ -137,6 +137,43 @@ TEST_F(VerifySubject, IsToldOtherwiseOnTheCommandLine) {
                   "rgb565,index8 --clip --law PART --case ");
 }
 
+TEST_F(VerifySubject, IsHeldToTheAccuracyThatItClaims) {
+  options_.laws = {"MAP", "CLIP", "SAME"};
+  options_.cases = "1000";
+  EXPECT_EQ(run("off_within"), kExitFine) << out();
+  expect_contains(out(), "subject off_within.so, profile exact, within 1/256 texel\n");
+  options_.junit = "verdict.xml";
+  EXPECT_EQ(run("off_beyond"), kExitLawFailed) << out();
+  expect_contains(out(), "2 of 3 laws hold, 1 violated.");
+  expect_contains(out(),
+                  "law MAP is broken: a texel lies within the claimed accuracy, 1/256 texel");
+  expect_contains(get("verdict.xml"), "<property name=\"accuracy_fx16\" value=\"256\"/>");
+}
+
+TEST_F(VerifySubject, IsToldAnotherAccuracyOnTheCommandLine) {
+  options_.laws = {"MAP"};
+  options_.cases = "1000";
+  options_.json = true;
+  const std::pair<const char*, int32_t> read[] = {
+      {"0", 0}, {"1/128", 512}, {"0.0078125", 512}, {"1/65536", 1}, {"16384", 1 << 30}};
+  for (const auto& [accuracy, fx16] : read) {
+    options_.subject.accuracy = accuracy;
+    EXPECT_EQ(run("off_beyond"), fx16 >= 512 ? kExitFine : kExitLawFailed) << accuracy;
+    const auto verdict = nlohmann::json::parse(out());
+    EXPECT_EQ(verdict["accuracy_fx16"], fx16);
+    expect_contains(verdict["arguments"].get<std::string>(),
+                    " --accuracy " + std::string(accuracy));
+  }
+  for (const char* none : {"-1", "x", "1/0", "1/-2", "1/2/3", "/", "0.00001", "16385", "nan"}) {
+    options_.subject.accuracy = none;
+    expect_contains(error_of([&] { run("right"); }),
+                    "--accuracy: '" + std::string(none) + "' is none; texels from 1/65536");
+  }
+  options_.subject.accuracy = "1/4";
+  options_.profile = "dkit";
+  expect_contains(error_of([&] { run("right"); }), "an accuracy is claimed in profile exact alone");
+}
+
 TEST_F(VerifySubject, RefusesWrongUse) {
   const auto refused = [&](auto change, const std::string& name = "right") {
     options_ = {};

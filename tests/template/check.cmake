@@ -51,6 +51,12 @@ if(NOT code EQUAL 1)
   fail("exit code ${code}, and 1 is right: some laws are violated\n${json}")
 endif()
 
+execute_process(COMMAND ${PROGRAM} verify --subject build/mine.so --cases 500 --seed 1 --accuracy 1/64
+  WORKING_DIRECTORY ${WORK} OUTPUT_VARIABLE told RESULT_VARIABLE code)
+if(NOT code EQUAL 0)
+  fail("exit code ${code}, and 0 is right: within 1/64 texel all laws hold\n${told}")
+endif()
+
 string(JSON subject GET "${json}" subject)
 if(NOT subject STREQUAL "textbook 1")
   fail("the subject is called '${subject}'")

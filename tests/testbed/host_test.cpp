@@ -105,6 +105,11 @@ TEST(Host, RefusesClaimsOfWhatThereIsNot) {
   expect_refused(library("claims_no_size"), "the field must be set to sizeof(selvage_claims)");
   expect_refused(library("claims_a_filter"), "nearest must be among them");
   expect_refused(library("claims_a_profile"), "has profile 9; a selvage_profile is right");
+  for (const auto& [name, accuracy] :
+       {std::pair{"claims_no_accuracy", "-1"}, std::pair{"claims_bounds_and_accuracy", "1"}}) {
+    expect_refused(library(name), "has accuracy " + std::string(accuracy) +
+                                      "; 0 is right, and in profile exact what is above");
+  }
 }
 
 TEST(Host, TakesALibraryWithoutClaimsForAllOfTheExactProfile) {
@@ -132,6 +137,7 @@ TEST(Host, ReadsClaims) {
                                   .longest_side_texel = 64,
                                   .most_vertices = 3};
   EXPECT_EQ(subject.claims, little);
+  EXPECT_EQ(Host::subject(host_of("off_within")).claims.accuracy_fx16, 256);
 }
 
 // Terminals obey escape sequences, and XML ends at a byte that is no UTF-8.
