@@ -141,6 +141,21 @@ TEST(AccuracyOfASubject, LetsOtherLawsRejectWhatIsFarOff) {
   }
 }
 
+// One colour each tells whose texels are on top.
+TEST(AccuracyOfASubject, LetsSameRejectTheTextureOfAnotherPolygon) {
+  Subject subject = claiming(built_in(), 256);
+  EXPECT_FALSE(rejects("SAME", subject));
+  subject.draw_many = [right = subject.draw_many](const selvage_image* target,
+                                                  const selvage_rect* clip,
+                                                  const selvage_polygon* polygons, size_t count,
+                                                  const selvage_options* options, int32_t threads) {
+    std::vector<selvage_polygon> all(polygons, polygons + count);
+    for (selvage_polygon& polygon : all) polygon.texture = polygons[0].texture;
+    return right(target, clip, all.data(), count, options, threads);
+  };
+  EXPECT_TRUE(rejects("SAME", subject));
+}
+
 // Half a texel from its centre is another texel's.
 TEST(AccuracyOfASubject, TakesSomeLawsTheirSay) {
   const auto within = [](int32_t accuracy_fx16) { return claiming(off_by(0, 0), accuracy_fx16); };
