@@ -52,6 +52,22 @@ namespace {
   });
 }
 
+// Down to a multiple of a power of two.
+[[nodiscard]] int32_t to_step(int32_t value, int32_t step) { return value & ~(step - 1); }
+
+[[nodiscard]] selvage_vertex to_steps(selvage_vertex v, const Capabilities& claims) {
+  for (int32_t* at : {&v.x, &v.y}) *at = to_step(*at, claims.position_step_fx8);
+  for (int32_t* at : {&v.u, &v.v}) *at = to_step(*at, claims.coordinate_step_fx16);
+  return v;
+}
+
+[[nodiscard]] bool are_on_steps(const Capabilities& claims, const Vertices& vertices) {
+  return std::ranges::all_of(vertices, [&](const selvage_vertex& v) {
+    const selvage_vertex on = to_steps(v, claims);
+    return position(v) == position(on) && v.u == on.u && v.v == on.v;
+  });
+}
+
 [[nodiscard]] bool is_right_way(Winding winding, const Vertices& outline) {
   if (winding == Winding::kBoth) return true;
   const int64_t area = doubled_area(outline);
@@ -106,7 +122,7 @@ void take_outline(const Capabilities& claims, Case* c) {
 
 std::optional<std::string> beyond(const Capabilities& claims, const Case& c) {
   const auto longest = [](int32_t a, int32_t b) { return std::max(a, b); };
-  const std::array<std::pair<bool, const char*>, 11> reasons = {{
+  const std::array<std::pair<bool, const char*>, 12> reasons = {{
       {!holds(claims.formats, c.format), "a format that it does not draw"},
       {!holds(claims.filters, c.filter), "a filter that it does not have"},
       {!holds(claims.addresses, c.address), "an address mode that it does not have"},
@@ -121,6 +137,7 @@ std::optional<std::string> beyond(const Capabilities& claims, const Case& c) {
            !(is_power_of_two(c.texture_width_texel) && is_power_of_two(c.texture_height_texel)),
        "a texture whose sides are no powers of two"},
       {!claims.outside_texels && !lies_inside(c), "texture coordinates outside the texture"},
+      {!are_on_steps(claims, c.vertices), "vertices between the places that it takes"},
       {!claims.named_errors && !is_valid(c), "an outline to be refused"},
   }};
   for (const auto& [is_beyond, what] : reasons) {
@@ -154,8 +171,24 @@ Case within(const Capabilities& claims, const Case& c) {
       v.v = inside(v.v, taken.texture_height_texel);
     }
   }
+  for (selvage_vertex& v : taken.vertices) v = to_steps(v, claims);
   if (!taken.vertices.empty()) take_outline(claims, &taken);
   return taken;
+}
+
+void make_acceptable(const Profile& profile, const Capabilities& claims,
+                     std::span<selvage_vertex> vertices) {
+  make_acceptable(profile, vertices);
+  for (selvage_vertex& v : vertices) v = to_steps(v, claims);
+}
+
+int32_t position_step_fx8(const Profile& profile, const Capabilities& claims) {
+  return std::max(profile.whole_px ? int32_t{SELVAGE_SUBPIXELS} : 1, claims.position_step_fx8);
+}
+
+int32_t mapped_step_fx8(const Profile& profile, const Capabilities& claims) {
+  constexpr int32_t kFx16PerFx8 = SELVAGE_SUBTEXELS / SELVAGE_SUBPIXELS;
+  return std::max(position_step_fx8(profile, claims), claims.coordinate_step_fx16 / kFx16PerFx8);
 }
 
 void make_visible(const Profile& profile, const Capabilities& claims,
@@ -221,10 +254,16 @@ Promise promise(selvage_profile id, const Capabilities& claims, std::string_view
       {"ORACLE",
        claims.accuracy_fx16 >= SELVAGE_SUBTEXELS / 4,
        {no, "its texels may be off by a quarter of a texel or more, which decides little"}},
+      {"PINWHEEL",
+       claims.position_step_fx8 > SELVAGE_SUBPIXELS / 2,
+       {no, "no vertex of its lies on a sample point"}},
+      {"VERT",
+       claims.position_step_fx8 > SELVAGE_SUBPIXELS / 2,
+       {no, "no vertex of its lies on a sample point"}},
       {"ORDER", claims.winding != Winding::kBoth, {part, "which vertex comes first"}},
       {"SHIFT",
-       !holds(claims.addresses, SELVAGE_ADDRESS_WRAP),
-       {part, "shifts of the polygon; those of the texture are seen in wrap mode"}},
+       !holds(claims.addresses, SELVAGE_ADDRESS_WRAP) || !claims.outside_texels,
+       {part, "shifts of the polygon; those of the texture are seen in wrap mode, beyond it"}},
       {"AFFINE", !claims.perspective, {part, "equal q"}},
       {"SAME", !claims.clip, {part, "kernels; tiles are drawn through clip rectangles"}},
   };

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,8 @@ struct Capabilities {
   int32_t longest_side_px = kAnyNumber;     // of the target
   int32_t longest_side_texel = kAnyNumber;  // of the texture
   int32_t most_vertices = kAnyNumber;       // at least 3
+  int32_t position_step_fx8 = 1;            // x, y are multiples of it, a power of two up to 1 px
+  int32_t coordinate_step_fx16 = 1;         // u, v likewise, up to 1 texel
   int32_t accuracy_fx16 = 0;                // of the exact profile: how far u and v may be off
 
   friend bool operator==(const Capabilities&, const Capabilities&) = default;
@@ -61,6 +64,15 @@ struct Capabilities {
 // the claims stays as it is, and so does an outline that must be refused by a subject that names no
 // errors: it cannot be mapped.
 [[nodiscard]] Case within(const Capabilities& claims, const Case& c);
+
+// The vertices alone as the profile and the subject accept them: x, y, u, v down to their steps.
+// Nothing changes where they are accepted.
+void make_acceptable(const Profile& profile, const Capabilities& claims,
+                     std::span<selvage_vertex> vertices);
+// From one x or y that both accept to the next.
+[[nodiscard]] int32_t position_step_fx8(const Profile& profile, const Capabilities& claims);
+// The same, no shorter than from one u or v to the next at a texel a pixel.
+[[nodiscard]] int32_t mapped_step_fx8(const Profile& profile, const Capabilities& claims);
 
 // Reverses an outline that the profile or the subject would not draw this way round.
 void make_visible(const Profile& profile, const Capabilities& claims,

@@ -21,7 +21,7 @@ Fan draw_fan(const Case& region, const selvage_vertex& centre, const Capabilitie
   for (size_t k = 0; k < region.vertices.size(); ++k) {
     const selvage_vertex& a = region.vertices[k];
     const selvage_vertex& b = region.vertices[(k + 1) % region.vertices.size()];
-    Case tile_case = with_vertices(region, {centre, a, b});
+    Case tile_case = with_vertices(claims, region, {centre, a, b});
     const bool is_reverse = is_counter_clockwise(tile_case.vertices);
     fan.runs_one_way = fan.runs_one_way && !is_reverse;
     make_visible(profile_of(region), claims, &tile_case.vertices);

@@ -271,7 +271,7 @@ HostileOutcome make(const Subject& subject, const Case& c, const HostileCall& ca
               .clip_pointer = &a.clip,
               .options_pointer = &a.options,
               .count = 3};
-  make_acceptable(profile_of(c), a.vertices);
+  make_acceptable(profile_of(c), subject.claims, a.vertices);
   if (!subject.claims.perspective) {
     for (selvage_vertex& v : a.vertices) v.q = 1;
   }

@@ -29,10 +29,11 @@ Case with_nearest(const Case& c) {
   return changed;
 }
 
-Case with_vertices(const Case& c, std::vector<selvage_vertex> vertices) {
+Case with_vertices(const Capabilities& claims, const Case& c,
+                   std::vector<selvage_vertex> vertices) {
   Case changed = c;
   changed.vertices = std::move(vertices);
-  make_acceptable(profile_of(c), changed.vertices);
+  make_acceptable(profile_of(c), claims, changed.vertices);
   if (!can_be_filtered(c)) changed.filter = SELVAGE_FILTER_NEAREST;
   return changed;
 }

@@ -45,12 +45,15 @@ class Choices {
   return {static_cast<int32_t>(p.x), static_cast<int32_t>(p.y), like.u, like.v, like.q};
 }
 
-// The case with another outline, made acceptable to the profile, and with a filter that profile and
-// format allow.
-[[nodiscard]] Case with_vertices(const Case& c, std::vector<selvage_vertex> vertices);
+// The case with another outline, made acceptable to the profile and the subject, and with a filter
+// that profile and format allow.
+[[nodiscard]] Case with_vertices(const Capabilities& claims, const Case& c,
+                                 std::vector<selvage_vertex> vertices);
 
 // The case with its own outline made acceptable: for laws that make other outlines of it.
-[[nodiscard]] inline Case acceptable(const Case& c) { return with_vertices(c, c.vertices); }
+[[nodiscard]] inline Case acceptable(const Capabilities& claims, const Case& c) {
+  return with_vertices(claims, c, c.vertices);
+}
 
 // The case with its outline the way round that its profile and the subject draw.
 [[nodiscard]] Case visible(const Subject& subject, Case c);

@@ -75,8 +75,8 @@ struct Interval {
 }
 
 // A triangle with the case's positions and q, on a texture so fine that texels tell u well.
-[[nodiscard]] Case on_fine_texture(const Case& c) {
-  Case fine = with_vertices(with_nearest(c), {c.vertices[0], c.vertices[1], c.vertices[2]});
+[[nodiscard]] Case on_fine_texture(const Capabilities& claims, const Case& c) {
+  Case fine = with_vertices(claims, with_nearest(c), {c.vertices[0], c.vertices[1], c.vertices[2]});
   fine.format = SELVAGE_RGBA8888;
   fine.has_clip = false;
   fine.texture_width_texel = fine.texture_height_texel = kFineTexture_texel;
@@ -88,7 +88,7 @@ struct Interval {
 }
 
 [[nodiscard]] Judgement judge_cross_ratio(const Subject& subject, const Case& c) {
-  Case fine = on_fine_texture(c);
+  Case fine = on_fine_texture(subject.claims, c);
   make_visible(profile_of(c), subject.claims, &fine.vertices);
   const Picture picture = draw(subject, fine);
   std::vector<std::vector<Pixel>> rows(static_cast<size_t>(fine.target_height_px));

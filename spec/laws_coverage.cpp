@@ -64,15 +64,14 @@ namespace {
 }
 
 // Points all around a centre, clockwise, no two neighbours half a turn or more apart.
-[[nodiscard]] std::vector<selvage_vertex> ring_around(Point centre, const Case& c,
+[[nodiscard]] std::vector<selvage_vertex> ring_around(Point centre, const Case& c, int32_t unit,
                                                       Choices& choices) {
   const selvage_vertex& like = c.vertices.front();
   std::vector<selvage_vertex> ring;
   for (const selvage_vertex& v : c.vertices) {
     if (position(v) != centre) ring.push_back(v);
   }
-  const int32_t unit = profile_of(c).whole_px ? SELVAGE_SUBPIXELS : 1;
-  const int32_t reach = unit == 1 ? 4096 : 64;
+  const int32_t reach = unit == SELVAGE_SUBPIXELS ? 64 : 4096 / unit;
   const int32_t a = unit * choices.pick(1, reach);
   const int32_t b = choices.pick(0, 2) == 0 ? 0 : unit * choices.pick(0, reach);
   for (const Point arm : {Point{a, b}, Point{-b, a}, Point{-a, -b}, Point{b, -a}}) {
@@ -111,7 +110,7 @@ Judgement check_cov(const Subject& subject, const Case& c) {
 Judgement check_part(const Subject& subject, const Case& c) {
   if (c.vertices.size() < 3) return {};
   Choices choices(c.choice);
-  Case region = unclipped(acceptable(c));
+  Case region = unclipped(acceptable(subject.claims, c));
   if (choices.pick(0, 2) == 0) {
     std::vector<selvage_vertex> hull = convex_hull(region.vertices);
     if (hull.size() >= 3) region.vertices = std::move(hull);
@@ -126,7 +125,10 @@ Judgement check_pinwheel(const Subject& subject, const Case& c) {
   const Pixel pixel = choose_pixel(c, choices);
   const auto [x_px, y_px] = pixel;
   const Point centre = sample_point(c, pixel);
-  const Case region = with_vertices(unclipped(c), ring_around(centre, acceptable(c), choices));
+  const int32_t unit_fx8 = position_step_fx8(profile_of(c), subject.claims);
+  const Case region =
+      with_vertices(subject.claims, unclipped(c),
+                    ring_around(centre, acceptable(subject.claims, c), unit_fx8, choices));
   const Fan fan = fan_by(subject, region, pinwheel_centre(region, x_px, y_px));
   Judgement judgement = {.judged_px = 1};
   const size_t index = static_cast<size_t>(y_px) * static_cast<size_t>(c.target_width_px) +

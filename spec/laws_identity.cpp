@@ -20,9 +20,9 @@ struct Side {
 };
 
 // Over the whole target, where what steps lose shows at the far end, or anywhere.
-[[nodiscard]] Side pick_side(const Profile& profile, Choices& choices, int32_t size_px) {
+[[nodiscard]] Side pick_side(int32_t step_fx8, Choices& choices, int32_t size_px) {
   if (choices.pick(0, 4) == 0) return {0, std::min(size_px, 8192) * SELVAGE_SUBPIXELS};
-  const int32_t grid = profile.whole_px ? ~(SELVAGE_SUBPIXELS - 1) : ~0;
+  const int32_t grid = ~(step_fx8 - 1);
   const int32_t reach = std::min(size_px + 2, 8192) * SELVAGE_SUBPIXELS;
   const int32_t begin = choices.pick(-2 * SELVAGE_SUBPIXELS, reach) & grid;
   return {begin, begin + (choices.pick(0, reach) & grid)};
@@ -30,7 +30,8 @@ struct Side {
 
 // A rectangle whose u - x and v - y are whole texels; where texels lie about whole u, its far side
 // is at the last texel's centre.
-[[nodiscard]] Case block_rectangle(const Case& c, Side columns, Side rows, int32_t ds, int32_t dt) {
+[[nodiscard]] Case block_rectangle(const Capabilities& claims, const Case& c, Side columns,
+                                   Side rows, int32_t ds, int32_t dt) {
   const bool last_centre = c.profile == SELVAGE_PROFILE_ABRASH57;
   const auto texel_fx16 = [&](int32_t at_fx8, const Side& side, int32_t shift) {
     const bool far = last_centre && at_fx8 == side.end_fx8 && side.begin_fx8 != side.end_fx8;
@@ -43,7 +44,8 @@ struct Side {
   const auto [left, right] = columns;
   const auto [top, bottom] = rows;
   return with_vertices(
-      c, {corner(left, top), corner(right, top), corner(right, bottom), corner(left, bottom)});
+      claims, c,
+      {corner(left, top), corner(right, top), corner(right, bottom), corner(left, bottom)});
 }
 
 }  // namespace
@@ -54,11 +56,12 @@ Judgement check_identity(const Subject& subject, const Case& any) {
   const Case c = is_copy ? any : with_nearest(any);
   Choices choices(c.choice);
   const Profile& profile = profile_of(c);
-  const Side columns = pick_side(profile, choices, c.target_width_px);
-  const Side rows = pick_side(profile, choices, c.target_height_px);
+  const int32_t step_fx8 = mapped_step_fx8(profile, subject.claims);
+  const Side columns = pick_side(step_fx8, choices, c.target_width_px);
+  const Side rows = pick_side(step_fx8, choices, c.target_height_px);
   const int32_t ds = choices.pick(-c.texture_width_texel, c.texture_width_texel + 1) % 1024;
   const int32_t dt = choices.pick(-c.texture_height_texel, c.texture_height_texel + 1) % 1024;
-  const Case shown = visible(subject, block_rectangle(c, columns, rows, ds, dt));
+  const Case shown = visible(subject, block_rectangle(subject.claims, c, columns, rows, ds, dt));
   const bool is_flat = rows.begin_fx8 == rows.end_fx8;
   return compare(
       "IDENTITY", "an axis-aligned one-to-one rectangle is a block copy", shown,

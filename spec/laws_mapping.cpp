@@ -106,7 +106,7 @@ Judgement check_vert(const Subject& subject, const Case& any) {
     for (int quarters = 0; side && quarters < 4; ++quarters) {
       const auto outline = turned(*side, quarters);
       if (!outline) continue;
-      Case shown = with_vertices(c, *outline);
+      Case shown = with_vertices(subject.claims, c, *outline);
       make_visible(profile_of(c), subject.claims, &shown.vertices);
       if (add(&judgement, judge_outline(subject, shown))) return judgement;
     }

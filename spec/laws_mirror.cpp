@@ -122,7 +122,7 @@ Judgement check_mirror(const Subject& subject, const Case& c) {
   const std::vector<selvage_vertex> hull = convex_hull(c.vertices);
   if (hull.size() < 3) return judgement;
   add(&judgement,
-      judge_motion(subject, visible(subject, with_vertices(c, hull)),
+      judge_motion(subject, visible(subject, with_vertices(subject.claims, c, hull)),
                    {"a polygon turned by a quarter draws the turned picture", true, true, false}));
   return judgement;
 }

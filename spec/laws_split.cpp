@@ -15,19 +15,27 @@ namespace selvage::spec {
 namespace {
 
 // u and v become integer functions a x + b y of the position: an affine map without rounding.
-void map_affinely(std::vector<selvage_vertex>* vertices, Choices& choices) {
+// Factors are multiples of one, a power of two.
+void map_affinely(std::vector<selvage_vertex>* vertices, int32_t factor_step, Choices& choices) {
   int32_t reach_fx8 = 1;
   for (const selvage_vertex& v : *vertices) {
     reach_fx8 = std::max({reach_fx8, std::abs(v.x), std::abs(v.y)});
   }
-  const int32_t limit = std::min((1 << 29) / reach_fx8, 2048);
+  const int32_t limit = std::min((1 << 29) / reach_fx8, 2048) / factor_step;
   int32_t factors[4];
-  for (int32_t& factor : factors) factor = choices.pick(-limit, limit + 1);
+  for (int32_t& factor : factors) factor = choices.pick(-limit, limit + 1) * factor_step;
   for (selvage_vertex& v : *vertices) {
     v.u = factors[0] * v.x + factors[1] * v.y;
     v.v = factors[2] * v.x + factors[3] * v.y;
     v.q = 1;
   }
+}
+
+// Moved down to multiples of a power of two.
+[[nodiscard]] selvage_vertex on_steps(selvage_vertex v, int32_t step_fx8) {
+  v.x &= ~(step_fx8 - 1);
+  v.y &= ~(step_fx8 - 1);
+  return v;
 }
 
 // A convex outline with a chord between vertices 0 and `end`, both parts with an area.
@@ -73,21 +81,24 @@ struct Chord {
 
 Judgement check_split(const Subject& subject, const Case& c) {
   Choices choices(c.choice);
-  const int32_t grid_fx8 = profile_of(c).whole_px ? SELVAGE_SUBPIXELS : 1;
-  std::optional<Chord> chord = choose_chord(convex_hull(acceptable(c).vertices), grid_fx8, choices);
+  const int32_t grid_fx8 = mapped_step_fx8(profile_of(c), subject.claims);
+  Case on_grid = acceptable(subject.claims, c);
+  for (selvage_vertex& v : on_grid.vertices) v = on_steps(v, grid_fx8);
+  std::optional<Chord> chord = choose_chord(convex_hull(on_grid.vertices), grid_fx8, choices);
   if (!chord) return {};
   std::vector<selvage_vertex>& outline = chord->outline;
-  map_affinely(&outline, choices);
+  map_affinely(&outline, std::max(subject.claims.coordinate_step_fx16 / grid_fx8, 1), choices);
   const std::vector<selvage_vertex> triangle = corners_of(outline);
   const auto middle = outline.begin() + static_cast<ptrdiff_t>(chord->end);
   std::vector<selvage_vertex> one(outline.begin(), middle + 1), other(middle, outline.end());
   other.push_back(outline.front());
 
   const bool is_too_much = outline.size() > static_cast<size_t>(subject.claims.most_vertices);
-  const Case whole_case = visible(subject, with_vertices(c, is_too_much ? triangle : outline));
+  const Case whole_case =
+      visible(subject, with_vertices(subject.claims, c, is_too_much ? triangle : outline));
   const Picture whole = draw(subject, whole_case);
-  const Picture a = draw(subject, visible(subject, with_vertices(c, one)));
-  const Case rest_case = visible(subject, with_vertices(c, other));
+  const Picture a = draw(subject, visible(subject, with_vertices(subject.claims, c, one)));
+  const Case rest_case = visible(subject, with_vertices(subject.claims, c, other));
   const Picture b = draw(subject, rest_case);
   Picture parts = a;
   for (size_t i = 0; i < parts.pixels.size(); ++i) {

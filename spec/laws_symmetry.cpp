@@ -68,7 +68,7 @@ namespace {
   const auto vertices =
       moved(c.vertices, int64_t{dx} * SELVAGE_SUBPIXELS, int64_t{dy} * SELVAGE_SUBPIXELS);
   if (!vertices) return {};
-  Case shifted = with_vertices(c, *vertices);
+  Case shifted = with_vertices(subject.claims, c, *vertices);
   shifted.clip = {c.clip.left + dx, c.clip.top + dy, c.clip.right + dx, c.clip.bottom + dy};
   const Picture before = draw(subject, c);
   const selvage_rect target{0, 0, c.target_width_px, c.target_height_px};
@@ -94,7 +94,6 @@ namespace {
 
 [[nodiscard]] Judgement judge_texture_shift(const Subject& subject, const Case& c,
                                             Choices& choices) {
-  if (!holds(subject.claims.addresses, SELVAGE_ADDRESS_WRAP)) return {};
   Case wrapped = with_nearest(c);
   wrapped.address = SELVAGE_ADDRESS_WRAP;
   const int32_t ds = choices.pick(-1100, 1101), dt = choices.pick(-1100, 1101);
@@ -114,7 +113,6 @@ namespace {
 // By whole periods of a texture that is repeated: the same picture, whatever the filter.
 [[nodiscard]] Judgement judge_period_shift(const Subject& subject, const Case& c,
                                            Choices& choices) {
-  if (!holds(subject.claims.addresses, SELVAGE_ADDRESS_WRAP)) return {};
   Case wrapped = c;
   wrapped.address = SELVAGE_ADDRESS_WRAP;
   const int32_t ds = choices.pick(-1100, 1101) / c.texture_width_texel * c.texture_width_texel;
@@ -133,8 +131,11 @@ Judgement check_shift(const Subject& subject, const Case& c) {
   if (!is_valid(c)) return {};
   Choices choices(c.choice);
   Judgement judgement = judge_target_shift(subject, c, choices);
-  if (!judgement.violation) add(&judgement, judge_texture_shift(subject, c, choices));
-  if (!judgement.violation && c.filter != SELVAGE_FILTER_NEAREST) {
+  const bool wraps =
+      holds(subject.claims.addresses, SELVAGE_ADDRESS_WRAP) && subject.claims.outside_texels;
+  if (!wraps || judgement.violation) return judgement;
+  if (!add(&judgement, judge_texture_shift(subject, c, choices)) &&
+      c.filter != SELVAGE_FILTER_NEAREST) {
     add(&judgement, judge_period_shift(subject, c, choices));
   }
   return judgement;

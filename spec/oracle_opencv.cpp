@@ -185,7 +185,7 @@ struct Decision {
 
 OracleTally ask_opencv(const Subject& subject, const Case& c) {
   if (c.vertices.size() < 3) return {};
-  Case shown = with_vertices(c, {c.vertices[0], c.vertices[1], c.vertices[2]});
+  Case shown = with_vertices(subject.claims, c, {c.vertices[0], c.vertices[1], c.vertices[2]});
   make_visible(profile_of(c), subject.claims, &shown.vertices);
   shown.has_clip = false;
   const int32_t largest_side = std::max(

@@ -63,6 +63,9 @@ typedef struct selvage_claims {
   int32_t most_vertices;      /* 3: triangles alone; 0: any number */
   int32_t accuracy;           /* 1/65536 texel: a texel may be that of a (u, v) so far off in u and
                                  in v; 0: exact. Of SELVAGE_PROFILE_EXACT: others have bounds */
+  int32_t position_step;      /* 1/256 px: x, y are multiples of it: a power of two up to 256, which
+                                 takes whole pixels alone; 0: 1 */
+  int32_t coordinate_step;    /* 1/65536 texel: u, v likewise, up to 65536: whole texels; 0: 1 */
 } selvage_claims;
 
 /* Must stay valid; called once, before anything is drawn. */

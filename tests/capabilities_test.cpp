@@ -11,7 +11,7 @@ namespace selvage::spec {
 namespace {
 
 [[nodiscard]] std::vector<Capabilities> some_claims() {
-  std::vector<Capabilities> some(12);
+  std::vector<Capabilities> some(16);
   some[0].winding = Winding::kClockwise;
   some[1].winding = Winding::kCounterClockwise;
   some[2].formats = only(SELVAGE_RGB565);
@@ -26,6 +26,15 @@ namespace {
   some[11].outside_texels = false;
   some[11].any_texture_side = false;
   some[11].addresses = only(SELVAGE_ADDRESS_CLAMP);
+  some[12].position_step_fx8 = 16;
+  some[13].position_step_fx8 = 256;
+  some[13].coordinate_step_fx16 = 256;
+  some[14].coordinate_step_fx16 = 65536;
+  some[15].position_step_fx8 = 128;
+  some[15].coordinate_step_fx16 = 4096;
+  some[15].winding = Winding::kCounterClockwise;
+  some[15].most_vertices = 3;
+  some[15].outside_texels = false;
   some[9].winding = Winding::kClockwise;
   some[9].most_vertices = 4;
   some[9].perspective = false;
@@ -69,6 +78,60 @@ TEST(Capabilities, NameWhatIsBeyondThem) {
   EXPECT_EQ(beyond(unnamed, c), std::nullopt);
   c.vertices.pop_back();
   EXPECT_EQ(beyond(unnamed, c), "an outline to be refused");
+}
+
+TEST(Capabilities, MoveVerticesDownToTheirSteps) {
+  Case c;
+  c.vertices = {{-1, 257, -1, 65537, 1}, {1000, 20, 40, 80, 1}, {-300, 4000, 70000, -70000, 1}};
+  Capabilities coarse;
+  coarse.position_step_fx8 = 256;
+  coarse.coordinate_step_fx16 = 65536;
+  EXPECT_EQ(beyond(coarse, c), "vertices between the places that it takes");
+  const Case taken = within(coarse, c);
+  EXPECT_EQ(taken.vertices[0].x, -256);
+  EXPECT_EQ(taken.vertices[0].y, 256);
+  EXPECT_EQ(taken.vertices[0].u, -65536);
+  EXPECT_EQ(taken.vertices[0].v, 65536);
+  for (const char* law : {"PINWHEEL", "VERT"}) {
+    EXPECT_EQ(promise(SELVAGE_PROFILE_EXACT, coarse, law).standing, Standing::kNotPromised) << law;
+  }
+  coarse.position_step_fx8 = 128;
+  for (const char* law : {"PINWHEEL", "VERT"}) {
+    EXPECT_EQ(promise(SELVAGE_PROFILE_EXACT, coarse, law).standing, Standing::kPromised) << law;
+  }
+}
+
+// The generator's cases are moved; laws that make vertices of their own must keep to the steps,
+// too.
+TEST(CapabilitiesAtLength, AskForNoVertexBetweenItsSteps) {
+  for (const auto& [position_fx8, coordinate_fx16] :
+       {std::pair{16, 1}, {256, 65536}, {1, 65536}, {128, 256}}) {
+    Subject subject = built_in();
+    subject.claims.position_step_fx8 = position_fx8;
+    subject.claims.coordinate_step_fx16 = coordinate_fx16;
+    subject.claims.named_errors = false;
+    subject.draw = [=](const selvage_image* target, const selvage_rect* clip,
+                       const selvage_vertex* vertices, size_t count, const selvage_texture* texture,
+                       const selvage_options* options) {
+      for (const selvage_vertex& v : std::span(vertices, count)) {
+        if (v.x % position_fx8 == 0 && v.y % position_fx8 == 0 && v.u % coordinate_fx16 == 0 &&
+            v.v % coordinate_fx16 == 0) {
+          continue;
+        }
+        throw SubjectFailure{"was given a vertex that it does not take"};
+      }
+      return selvage_draw(target, clip, vertices, count, texture, options);
+    };
+    for (const Law& law : laws()) {
+      if (promise(subject.profile, subject.claims, law.name).standing != Standing::kPromised)
+        continue;
+      const LawVerdict verdict = verify(law, subject, 1, 200);
+      EXPECT_FALSE(verdict.violation) << explain(*verdict.violation);
+      EXPECT_GT(verdict.judged_px, 0u) << law.name;
+      EXPECT_TRUE(verdict.not_claimed.empty() || law.name == "MEM")
+          << law.name << " is left out for " << verdict.not_claimed.begin()->first;
+    }
+  }
 }
 
 TEST(Capabilities, TakeSomeLawsTheirSay) {

@@ -56,6 +56,10 @@ void add_claims(CLI::App& command, SubjectOptions& subject) {
   add("--longest-side", subject.longest_side, "PX", "Of the target; 0: any");
   add("--longest-texture-side", subject.longest_texture_side, "TEXELS", "Of the texture; 0: any");
   add("--most-vertices", subject.most_vertices, "N", "3: it draws triangles alone");
+  add("--position-step", subject.position_step, "PX",
+      "Its x, y are multiples of it: 1 takes whole pixels alone, 1/16 sixteenths");
+  add("--coordinate-step", subject.coordinate_step, "TEXELS",
+      "Its u, v are multiples of it: 1 takes whole texels alone");
   add("--accuracy", subject.accuracy, "TEXELS",
       "How far its texels may be off in u and v, as 0.25 or 1/256; 0: exact");
 }

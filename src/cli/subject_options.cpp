@@ -1,6 +1,7 @@
 #include "cli/subject_options.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cstdio>
 #include <string_view>
@@ -74,17 +75,34 @@ void read_side(const char* option, const std::string& text, int32_t* side) {
   if (*side == 0) *side = spec::kAnyNumber;  // as in selvage_subject.h
 }
 
-// Texels as 1/65536 of them, rounded down: no more is claimed than was said.
-[[nodiscard]] int32_t parse_accuracy(const std::string& text) {
+// A number or a quotient of two, in units of which so many are 1; empty where it is neither.
+[[nodiscard]] std::optional<double> parse_units(const std::string& text, int32_t units_in_one) {
   const std::vector<std::string_view> parts = split(text, '/');
-  const std::optional<double> texels = parse_double(parts.front());
+  if (parts.size() > 2) return std::nullopt;
+  const std::optional<double> number = parse_double(parts.front());
   const std::optional<double> divisor = parts.size() == 2 ? parse_double(parts[1]) : 1;
-  const double fx16 = texels && divisor && *divisor > 0 && parts.size() <= 2
-                          ? *texels / *divisor * double{SELVAGE_SUBTEXELS}
-                          : -1;
+  if (!number || !divisor || *divisor <= 0) return std::nullopt;
+  return *number / *divisor * units_in_one;
+}
+
+// Rounded down: no more is claimed than was said.
+[[nodiscard]] int32_t parse_accuracy(const std::string& text) {
+  const double fx16 = parse_units(text, SELVAGE_SUBTEXELS).value_or(-1);
   if (fx16 == 0 || (fx16 >= 1 && fx16 <= kMostAccuracy_fx16)) return static_cast<int32_t>(fx16);
   throw UserError("--accuracy: '" + text +
                   "' is none; texels from 1/65536 to 16384, as 0.25 or 1/256, are, or 0: exact");
+}
+
+void read_step(const char* option, const std::string& text, int32_t units_in_one, int32_t* step) {
+  if (text.empty()) return;
+  const double units = parse_units(text, units_in_one).value_or(0);
+  const auto whole = static_cast<uint32_t>(std::clamp<double>(units, 0, units_in_one));
+  if (static_cast<double>(whole) != units || !std::has_single_bit(whole)) {
+    throw UserError(std::string(option) + ": '" + text +
+                    "' is no step; 1, 1/2, 1/4 and so on to 1/" + std::to_string(units_in_one) +
+                    " are");
+  }
+  *step = static_cast<int32_t>(whole);
 }
 
 void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
@@ -105,6 +123,10 @@ void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
   read_side("--longest-side", options.longest_side, &claims->longest_side_px);
   read_side("--longest-texture-side", options.longest_texture_side, &claims->longest_side_texel);
   read_number("--most-vertices", options.most_vertices, 3, &claims->most_vertices);
+  read_step("--position-step", options.position_step, SELVAGE_SUBPIXELS,
+            &claims->position_step_fx8);
+  read_step("--coordinate-step", options.coordinate_step, SELVAGE_SUBTEXELS,
+            &claims->coordinate_step_fx16);
   if (!options.accuracy.empty()) claims->accuracy_fx16 = parse_accuracy(options.accuracy);
 }
 
@@ -139,6 +161,8 @@ void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
   tell("--longest-side", options.longest_side);
   tell("--longest-texture-side", options.longest_texture_side);
   tell("--most-vertices", options.most_vertices);
+  tell("--position-step", options.position_step);
+  tell("--coordinate-step", options.coordinate_step);
   tell("--accuracy", options.accuracy);
   return text.empty() ? text : text.substr(1);
 }

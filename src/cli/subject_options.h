@@ -23,7 +23,7 @@ struct SubjectOptions {
   std::optional<bool> perspective, clip, negative_pitch, concave, named_errors, any_texture_side,
       outside_texels;
   std::string longest_side, longest_texture_side, most_vertices;  // 0 of sides: any
-  std::string accuracy;                                           // texels, as a number or a / b
+  std::string accuracy, position_step, coordinate_step;           // as a number or a / b
 };
 
 struct ChosenSubject {

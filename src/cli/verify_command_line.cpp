@@ -14,6 +14,7 @@ constexpr const char* kVerifyExamples = R"(Examples:
   selvage verify                               every law on 1000 cases of a fresh seed
   selvage verify --subject ./theirs.so         any library that exports selvage_draw
   selvage verify --subject ./theirs.so --filters nearest --formats rgba8888 --no-perspective
+  selvage verify --subject ./theirs.so --position-step 1 --accuracy 1/64   whole pixels, and it rounds
   selvage verify --law MAP --law CLIP --cases 5000 --seed 7
   selvage verify --profile abrash56            what the two-stage DDA of 1992 promises
   selvage verify --cases 1000000 --seed 1 --shard 3/16 --json >3.json   then: selvage merge *.json

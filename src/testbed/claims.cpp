@@ -1,5 +1,6 @@
 #include "testbed/claims.h"
 
+#include <bit>
 #include <string>
 
 #include "testbed/host.h"
@@ -24,6 +25,15 @@ namespace {
   if (said == 0) return spec::kAnyNumber;
   if (said < least) {
     throw wrong(field, said, "0, for any, or at least " + std::to_string(least) + " is right");
+  }
+  return said;
+}
+
+[[nodiscard]] int32_t step_of(int32_t said, int32_t most, const char* field) {
+  if (said == 0) return 1;
+  if (said < 0 || said > most || !std::has_single_bit(static_cast<uint32_t>(said))) {
+    throw wrong(field, said,
+                "0, for 1, or a power of two up to " + std::to_string(most) + " is right");
   }
   return said;
 }
@@ -63,6 +73,8 @@ spec::Subject claimed(const selvage_claims& claims) {
       .longest_side_px = number_of(claims.longest_side_px, 1, "longest_side_px"),
       .longest_side_texel = number_of(claims.longest_side_texel, 1, "longest_side_texel"),
       .most_vertices = number_of(claims.most_vertices, 3, "most_vertices"),
+      .position_step_fx8 = step_of(claims.position_step, SELVAGE_SUBPIXELS, "position_step"),
+      .coordinate_step_fx16 = step_of(claims.coordinate_step, SELVAGE_SUBTEXELS, "coordinate_step"),
       .accuracy_fx16 = claims.accuracy,
   };
   if (!spec::holds(subject.claims.filters, SELVAGE_FILTER_NEAREST)) {

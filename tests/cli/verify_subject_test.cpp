@@ -174,6 +174,28 @@ TEST_F(VerifySubject, IsToldAnotherAccuracyOnTheCommandLine) {
   expect_contains(error_of([&] { run("right"); }), "an accuracy is claimed in profile exact alone");
 }
 
+TEST_F(VerifySubject, IsToldItsStepsOnTheCommandLine) {
+  const spec::Case between{
+      .vertices = {{0, 0, 0, 0, 1}, {4096, 8, 65536, 0, 1}, {0, 4096, 0, 65536, 1}}};
+  options_.laws = {"COV"};
+  options_.case_hex = spec::to_hex(between);
+  for (const char* step : {"1/32", "0.03125", "1/256"}) {
+    options_.subject.position_step = step;
+    EXPECT_EQ(run("right"), kExitFine) << step;
+  }
+  options_.subject.position_step = "1";
+  EXPECT_EQ(run("right"), kExitLawFailed);
+  expect_contains(out(), "vertices between the places that it takes");
+  for (const char* none : {"0", "-1", "2", "1/3", "1/512", "x", ""}) {
+    options_.subject.position_step = *none != 0 ? none : "1/";
+    expect_contains(error_of([&] { run("right"); }), "is no step; 1, 1/2, 1/4 and so on to 1/256");
+  }
+  options_.subject.position_step.clear();
+  options_.subject.coordinate_step = "3/4";
+  expect_contains(error_of([&] { run("right"); }),
+                  "--coordinate-step: '3/4' is no step; 1, 1/2, 1/4 and so on to 1/65536 are");
+}
+
 TEST_F(VerifySubject, RefusesWrongUse) {
   const auto refused = [&](auto change, const std::string& name = "right") {
     options_ = {};

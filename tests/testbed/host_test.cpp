@@ -112,6 +112,13 @@ TEST(Host, RefusesClaimsOfWhatThereIsNot) {
   }
 }
 
+TEST(Host, RefusesStepsThatAreNoPowersOfTwo) {
+  expect_refused(library("claims_no_step"),
+                 "has position_step 48; 0, for 1, or a power of two up to 256 is right");
+  expect_refused(library("claims_long_step"),
+                 "has coordinate_step 131072; 0, for 1, or a power of two up to 65536 is right");
+}
+
 TEST(Host, TakesALibraryWithoutClaimsForAllOfTheExactProfile) {
   const spec::Subject subject = Host::subject(host_of("right"));
   EXPECT_EQ(subject.name, "right.so");
@@ -138,6 +145,9 @@ TEST(Host, ReadsClaims) {
                                   .most_vertices = 3};
   EXPECT_EQ(subject.claims, little);
   EXPECT_EQ(Host::subject(host_of("off_within")).claims.accuracy_fx16, 256);
+  const spec::Capabilities steps = Host::subject(host_of("claims_steps")).claims;
+  EXPECT_EQ(steps.position_step_fx8, 16);
+  EXPECT_EQ(steps.coordinate_step_fx16, 65536);
 }
 
 // Terminals obey escape sequences, and XML ends at a byte that is no UTF-8.
