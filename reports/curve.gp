@@ -8,6 +8,7 @@ set output svg
 set datafile separator "\t"
 stats data every ::1 using 2 nooutput
 series = (STATS_columns - 2) / 3
+if (STATS_records > 8) set xtics font ',10'
 lowest_x = STATS_min
 highest_x = STATS_max
 axis = ''

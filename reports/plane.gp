@@ -43,17 +43,20 @@ set format y '%g'
 set pointintervalbox 0
 set key outside right top vertical Left reverse samplen 0.5 spacing 0.85 font ',11' maxcols 1
 # One at either end, the upper one above its line and the lower one below: the two may be close. The
-# third in the middle, below its line where the front is close above. No line is drawn where it would
-# strike out a name.
-off(i, other) = limits > 1 && limit[i] < limit[other] ? -0.6 : 0.5
+# third in the middle. Each below its line where the front is close above. No line is drawn where it
+# would strike out a name.
+is_under_front(i) = front >= limit[i] && front < 1.6 * limit[i]
+off(i, other) = (limits > 1 && limit[i] < limit[other]) || is_under_front(i) ? -0.6 : 0.5
 if (limits > 0) set label 1 sprintf('%s %.2f', limit_name[1], limit[1]) \
   at graph 0.99, first limit[1] right offset 0, off(1, 2)
 if (limits > 1) set label 2 sprintf('%s %.2f', limit_name[2], limit[2]) \
   at graph 0.01, first limit[2] left offset 0, off(2, 1)
-middle_off = limits > 2 && front < 1.6 * limit[3] ? -0.6 : 0.5
+middle_off = limits > 2 && is_under_front(3) ? -0.6 : 0.5
 if (limits > 2) set label 3 sprintf('%s %.2f', limit_name[3], limit[3]) \
   at graph 0.5, first limit[3] center offset 0, middle_off
-strikes(i, other) = limits > 2 && off(i, other) > 0 && limit[3] > limit[i] && limit[3] < 1.6 * limit[i]
+is_just_above(i) = limit[3] > limit[i] && limit[3] < 1.6 * limit[i]
+is_just_below(i) = limit[3] < limit[i] && limit[i] < 1.35 * limit[3]
+strikes(i, other) = limits > 2 && (off(i, other) > 0 ? is_just_above(i) : is_just_below(i))
 left_end = strikes(2, 1) ? 0 : -2
 right_end = strikes(1, 2) ? 4.4 : 7
 apart(i) = middle_off > 0 ? limit[i] / limit[3] : limit[3] / limit[i]
