@@ -23,13 +23,14 @@ std::string show(double value) {
 
 std::string show_beside(double value, double limit) {
   constexpr int kFewest = 3, kMost = std::numeric_limits<double>::max_digits10;
-  const double whole_digits =
-      std::abs(value) >= 1 ? std::floor(std::log10(std::abs(value))) + 1 : 0;
+  constexpr double kMostWritten = 1e10;  // without an exponent
   if (!std::isfinite(value)) return show(value);
+  const double size = std::abs(value);
+  const bool is_written = size >= 1 && size < kMostWritten;
   char text[32];
-  for (int digits = std::clamp(static_cast<int>(whole_digits), kFewest, 10); digits <= kMost;
-       ++digits) {
+  for (int digits = kFewest; digits <= kMost; ++digits) {
     std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (is_written && std::string_view(text).find('e') != std::string_view::npos) continue;
     const std::optional<double> shown = parse_double(text);
     if (shown && (*shown < limit) == (value < limit) && (*shown > limit) == (value > limit)) break;
   }

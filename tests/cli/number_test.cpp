@@ -16,6 +16,9 @@ TEST(ShowBeside, TakesThreeDigitsOrWhatTellsTheLimit) {
   EXPECT_EQ(show_beside(0, 0), "0");
   EXPECT_EQ(show_beside(937.5741943, 1), "938");
   EXPECT_EQ(show_beside(12345.678, 1), "12346");
+  EXPECT_EQ(show_beside(99999.9, 1), "99999.9");
+  EXPECT_EQ(show_beside(-999.9, 1), "-999.9");
+  EXPECT_EQ(show_beside(2.5e12, 1), "2.5e+12");
   EXPECT_EQ(show_beside(1 + 0x1p-52, 1), "1.0000000000000002");
 }
 
