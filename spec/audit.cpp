@@ -79,7 +79,7 @@ struct Due {
   if (law == "SPLIT") return compared({0, 1, 2});
   if (law == "IDENTITY") return wherever({0});
   if (law == "AFFINE") return compared({0, 1});
-  if (law == "FILTER") return exact ? covered_texels({0, 1}) : covered_texels({0});
+  if (law == "FILTER") return covered_texels({0, 1});
   if (law == "TOLERANCE") return due_of_tolerance();
   if (law == "MEM") return {{Region::kTarget, drawings({0}), {Spoiling::kDependent}}};
   if (law == "SAME") return due_of_same(exact);
@@ -109,13 +109,11 @@ constexpr std::array kCounts = {
 };
 inline constexpr uint64_t kCallsPerDrawing = 2;
 
-// Without exact texels FILTER draws one colour alone, and SAME no layouts.
+// Without exact texels SAME compares no layouts: it judges one drawing more.
 [[nodiscard]] Count without_texels(Count count) {
-  if (count.law == "FILTER") count.covered = count.drawings = 1;
-  if (count.law == "SAME") {
-    count.targets -= 2;
-    count.drawings = 0;
-  }
+  if (count.law != "SAME") return count;
+  count.targets -= 1;
+  count.drawings = 0;
   return count;
 }
 

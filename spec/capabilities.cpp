@@ -218,8 +218,8 @@ namespace {
       {"SPLIT", kCoverage},
       {"AFFINE", kCoverage},
       {"IDENTITY", "with the nearest filter"},
-      {"FILTER", "a texture of one colour stays so"},
-      {"SAME", "of textures of one colour each"},
+      {"FILTER", "within its accuracy, below a texel; a texture of one colour stays so"},
+      {"SAME", "each drawing within its accuracy"},
   };
   const auto part =
       std::ranges::find(kParts, law, &std::pair<std::string_view, std::string_view>::first);
@@ -251,6 +251,9 @@ Promise promise(selvage_profile id, const Capabilities& claims, std::string_view
       {"IDENTITY",
        claims.accuracy_fx16 >= SELVAGE_SUBTEXELS / 2,
        {no, "its texels may be off by half a texel or more"}},
+      {"SAME",
+       claims.accuracy_fx16 >= SELVAGE_SUBTEXELS,
+       {no, "its texels may be off by a texel or more"}},
       {"ORACLE",
        claims.accuracy_fx16 >= SELVAGE_SUBTEXELS / 4,
        {no, "its texels may be off by a quarter of a texel or more, which decides little"}},

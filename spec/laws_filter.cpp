@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "spec/allowed_pixel.h"
 #include "spec/filter_texture.h"
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
@@ -54,6 +55,31 @@ namespace {
   return true;
 }
 
+// The same of a subject that claims an accuracy: what the formula gives for some (u, v) within it.
+[[nodiscard]] Judgement judge_formula_within(const Subject& subject, const Case& c) {
+  const TexelAt texel_at = filter_texture(c);
+  const Rational accuracy = accuracy_of(subject);
+  const Picture picture = draw(subject, c, texel_at);
+  Judgement judgement;
+  for (int32_t y = 0; y < c.target_height_px; ++y) {
+    const ModelRow row(c, y);
+    for (int32_t x = 0; x < c.target_width_px; ++x) {
+      const MaybePixel& pixel = picture.at(x, y);
+      const std::optional<Sample> point = pixel ? row.coordinates(x) : std::nullopt;
+      if (!point) continue;
+      ++judgement.judged_px;
+      const AllowedPixel allowed(c, {x, y}, *point, texel_at, accuracy);
+      if (allowed.holds(*pixel)) continue;
+      judgement.violation = filter_violation(
+          "a pixel is what its filter's formula gives within the claimed accuracy, " +
+              accuracy.get_str() + " texel, of its exact (u, v)",
+          c, {x, y}, allowed.text(), *pixel);
+      return judgement;
+    }
+  }
+  return judgement;
+}
+
 [[nodiscard]] Judgement judge_formula(const Subject& subject, const Case& c) {
   const TexelAt texel_at = filter_texture(c);
   const Picture picture = draw(subject, c, texel_at);
@@ -85,8 +111,11 @@ Judgement check_filter(const Subject& subject, const Case& c) {
   if (!is_valid(c) || !can_be_filtered(c)) return {};
   Choices choices(c.choice);
   Judgement judgement = judge_constant(subject, c, choices);
-  if (!judgement.violation && shows_exact_texels(subject.claims)) {
+  if (judgement.violation) return judgement;
+  if (shows_exact_texels(subject.claims)) {
     add(&judgement, judge_formula(subject, c));
+  } else if (subject.claims.accuracy_fx16 < SELVAGE_SUBTEXELS) {
+    add(&judgement, judge_formula_within(subject, c));
   }
   return judgement;
 }

@@ -12,6 +12,7 @@
 #include "spec/law_tools.h"
 #include "spec/polygon_scene.h"
 #include "spec/refusal.h"
+#include "spec/scene_model.h"
 #include "spec/status_name.h"
 #include "spec/texture_memory.h"
 
@@ -126,13 +127,8 @@ struct Drawn {
 }
 
 // Of either texture. Where a texel of the one has the value of one of the other, the first is told.
-[[nodiscard]] std::string describe(const PolygonScene& scene, const MaybePixel& pixel) {
-  const Case& c = scene.shown();
+[[nodiscard]] std::string describe(const Case& c, const MaybePixel& pixel) {
   if (!pixel) return "nothing";
-  if (scene.shows_colours() && *pixel == scene.colour(false)) return "the first texture's colour";
-  if (scene.shows_colours() && *pixel == scene.colour(true)) return "the second texture's colour";
-  const std::string number = "value " + std::to_string(*pixel);
-  if (scene.shows_colours()) return number;
   if (c.filter != SELVAGE_FILTER_NEAREST) return describe_colour(*pixel);
   const auto told = [&](uint32_t value) -> std::optional<std::string> {
     const std::optional<Texel> texel = texel_of_folded(c, value);
@@ -142,7 +138,7 @@ struct Drawn {
   if (const auto first = told(*pixel)) return *first + " of the first texture";
   if (const auto second = told(~*pixel & value_bits(c.format)))
     return *second + " of the second texture";
-  return number;
+  return "value " + std::to_string(*pixel);
 }
 
 [[nodiscard]] Violation difference(const PolygonScene& scene, const std::string& what,
@@ -159,8 +155,8 @@ struct Drawn {
   const auto index = static_cast<int32_t>(at.in1 - wanted.pixels.begin());
   violation.x_px = index % wanted.width_px;
   violation.y_px = index / wanted.width_px;
-  violation.allowed = describe(scene, *at.in1) + ", as one after another";
-  violation.drawn = describe(scene, *at.in2);
+  violation.allowed = describe(scene.shown(), *at.in1) + ", as one after another";
+  violation.drawn = describe(scene.shown(), *at.in2);
   violation.comparison = std::make_shared<const Comparison>(Comparison{drawn, wanted, false});
   return violation;
 }
@@ -183,40 +179,79 @@ struct Drawn {
 
 }  // namespace
 
-Judgement check_same(const Subject& subject, const Case& c) {
-  if (!is_valid(c)) return {};
-  Judgement judgement;
-  if (shows_exact_texels(subject.claims)) judgement = check_same_layouts(subject, c);
-  if (judgement.violation) return judgement;
-  demand_claimed(subject, c);
+namespace {
+
+// Holds drawings of a scene against the one that draws a polygon after another, or, where a subject
+// does not show exact texels and two drawings may differ by them, all of them against the model.
+class SceneJudge {
+ public:
+  SceneJudge(const Subject& subject, const PolygonScene& scene)
+      : scene_(scene), in_turn_(draw_in_turn(subject, scene)) {
+    demand_drawn(in_turn_.status, scene.shown());
+    if (!shows_exact_texels(subject.claims)) model_.emplace(scene, accuracy_of(subject));
+  }
+
+  [[nodiscard]] Judgement judge_in_turn() const {
+    if (!model_) return {};
+    return model_->judge(polygons() + "one after another show their texels", in_turn_.canvas);
+  }
+  // `how` they were drawn: "tile by tile".
+  [[nodiscard]] Judgement judge(const std::string& how, const Drawn& other) const {
+    const std::string what = polygons() + how + " show what they show one after another";
+    if (!model_ || other.status != in_turn_.status) {
+      return judge_other(scene_, what, in_turn_, other);
+    }
+    return model_->judge(what, other.canvas);
+  }
+
+ private:
+  [[nodiscard]] std::string polygons() const {
+    return std::to_string(scene_.count()) + " polygons drawn ";
+  }
+
+  const PolygonScene& scene_;
+  Drawn in_turn_;
+  std::optional<SceneModel> model_;
+};
+
+[[nodiscard]] Judgement check_scene(const Subject& subject, const Case& c) {
   const PolygonScene scene(subject, c);
-  const Drawn in_turn = draw_in_turn(subject, scene);
-  demand_drawn(in_turn.status, scene.shown());
-  const std::string polygons = std::to_string(scene.count()) + " polygons drawn ";
-  const std::string alike = " show what they show one after another";
-  const std::string tiles = polygons + "tile by tile" + alike;
+  const SceneJudge judge(subject, scene);
+  Judgement judgement = judge.judge_in_turn();
+  if (judgement.violation) return judgement;
   if (subject.claims.clip &&
-      add(&judgement, judge_other(scene, tiles, in_turn, draw_in_tiles(subject, scene)))) {
+      add(&judgement, judge.judge("tile by tile", draw_in_tiles(subject, scene)))) {
     return judgement;
   }
-  const std::string again = polygons + "each from the memory that held the one before" + alike;
-  if (add(&judgement, judge_other(scene, again, in_turn, draw_in_one_memory(subject, scene)))) {
+  if (add(&judgement, judge.judge("each from the memory that held the one before",
+                                  draw_in_one_memory(subject, scene)))) {
     return judgement;
   }
   for (const selvage_kernel kernel : kKernels) {
     const Drawn by_kernel = draw_in_turn(subject, scene, kernel);
     if (by_kernel.status == SELVAGE_ERROR_KERNEL) continue;  // not one for this machine
-    const std::string what =
-        polygons + "by kernel " + std::to_string(kernel) + " of selvage_kernel" + alike;
-    if (add(&judgement, judge_other(scene, what, in_turn, by_kernel))) return judgement;
+    const std::string how = "by kernel " + std::to_string(kernel) + " of selvage_kernel";
+    if (add(&judgement, judge.judge(how, by_kernel))) return judgement;
   }
   if (!subject.draw_many) return judgement;
   for (const int32_t threads : kThreads) {
-    const std::string what = polygons + "in one call, by " + std::to_string(threads) +
-                             (threads == 1 ? " thread," : " threads,") + alike;
-    const Drawn together = draw_together(subject, scene, threads);
-    if (add(&judgement, judge_other(scene, what, in_turn, together))) return judgement;
+    const std::string how =
+        "in one call, by " + std::to_string(threads) + (threads == 1 ? " thread," : " threads,");
+    if (add(&judgement, judge.judge(how, draw_together(subject, scene, threads)))) break;
   }
+  return judgement;
+}
+
+}  // namespace
+
+Judgement check_same(const Subject& subject, const Case& c) {
+  if (!is_valid(c)) return {};
+  Judgement judgement;
+  // Two layouts may differ in texels that are not exact: all laws draw from either.
+  if (shows_exact_texels(subject.claims)) judgement = check_same_layouts(subject, c);
+  if (judgement.violation) return judgement;
+  demand_claimed(subject, c);
+  add(&judgement, check_scene(subject, c));
   return judgement;
 }
 

@@ -72,7 +72,8 @@ void read_pixels(const Case& c, const std::array<Canvas, 2>& canvases, Picture* 
       picture->pixels[index] = a;
       if (a != b) {
         picture->memory_fault =
-            "a pixel depends on the target's past or on memory beside the texture";
+            "a pixel depends on the target's past, on memory beside the texture or on where they "
+            "lie";
       }
     }
   }

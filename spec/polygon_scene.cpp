@@ -21,6 +21,17 @@ inline constexpr int32_t kMostPolygons = 8;
   return high;
 }
 
+// Of the second texture all texels are the complement of the first one's, or some: a mapper may
+// know a texture again by a few of them.
+[[nodiscard]] TexelAt texture_of(const Case& c, bool second) {
+  constexpr int32_t kSome = 3;
+  const bool all = c.choice % 2 == 0;
+  return [texture = folded_texture(c.format), second, all](Texel texel) {
+    const bool complement = second && (all || (texel.s + 2 * texel.t) % kSome == kSome - 1);
+    return complement ? ~texture(texel) : texture(texel);
+  };
+}
+
 // The same outline, with the (u, v) of each vertex at the one before: a mapper may know it again by
 // its places.
 [[nodiscard]] std::vector<selvage_vertex> with_texels_turned(std::vector<selvage_vertex> outline) {
@@ -57,9 +68,8 @@ inline constexpr int32_t kMostPolygons = 8;
 
 PolygonScene::PolygonScene(const Subject& subject, const Case& c)
     : case_(scene_case(subject, c)),
-      shows_colours_(!shows_exact_texels(subject.claims)),
-      textures_{TextureMemory(subject, c, texture_of(false), kSceneBackground),
-                TextureMemory(subject, c, texture_of(true), kSceneBackground)} {
+      textures_{TextureMemory(subject, c, texture_of(c, false), kSceneBackground),
+                TextureMemory(subject, c, texture_of(c, true), kSceneBackground)} {
   Choices choices(c.choice + 1);
   moves_ = moves_of(case_, choices);
   for (const Pixel& move : moves_) {
@@ -73,24 +83,6 @@ PolygonScene::PolygonScene(const Subject& subject, const Case& c)
   }
 }
 
-uint32_t PolygonScene::colour(bool second) const {
-  constexpr uint32_t kFirst = 0x0F0F0F0F;  // in every format neither it nor ~ is the background
-  const uint32_t bits = value_bits(case_.format);
-  return (second ? ~kFirst : kFirst) & bits;
-}
-
-// Of the second texture all texels are the complement of the first one's, or some: a mapper may
-// know a texture again by a few of them.
-TexelAt PolygonScene::texture_of(bool second) const {
-  if (shows_colours_) return [value = colour(second)](Texel) { return value; };
-  constexpr int32_t kSome = 3;
-  const bool all = case_.choice % 2 == 0;
-  return [texture = folded_texture(case_.format), second, all](Texel texel) {
-    const bool complement = second && (all || (texel.s + 2 * texel.t) % kSome == kSome - 1);
-    return complement ? ~texture(texel) : texture(texel);
-  };
-}
-
 std::string PolygonScene::copies() const {
   std::string text = "and copies of it, moved by";
   for (size_t i = 1; i < moves_.size(); ++i) {
@@ -99,9 +91,9 @@ std::string PolygonScene::copies() const {
   }
   text += " px";
   if (is_last_turned()) text += ", the last with the (u, v) of each vertex at the one before";
-  text += ": every second polygon shows the second texture, ";
-  return text + (shows_colours_ ? "both of one colour each, the second's the complement"
-                                : "some or all of whose texels are the complement");
+  return text +
+         ": every second polygon shows the second texture, some or all of whose texels are "
+         "the complement";
 }
 
 std::vector<selvage_polygon> PolygonScene::polygons(
@@ -113,9 +105,11 @@ std::vector<selvage_polygon> PolygonScene::polygons(
   return all;
 }
 
+TexelAt PolygonScene::texels_of(size_t i) const { return texture_of(case_, i % 2 == 1); }
+
 void PolygonScene::put_texture(const Subject& subject, size_t i,
                                std::optional<TextureMemory>* memory) const {
-  const TexelAt texel_at = texture_of(i % 2 == 1);
+  const TexelAt texel_at = texels_of(i);
   if (*memory) {
     (*memory)->change(subject, case_, texel_at);
   } else {

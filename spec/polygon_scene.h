@@ -17,18 +17,13 @@ namespace selvage::spec {
 
 inline constexpr uint8_t kSceneBackground = 0x5A;
 
-// Polygons over each other, of two textures that differ in every texel, in the order of drawing. Of
-// a subject that shows no exact texels each texture has one colour: its pictures differ by nothing
-// then, either.
+// Polygons over each other, of two textures that differ in every texel, in the order of drawing.
 class PolygonScene {
  public:
   PolygonScene(const Subject& subject, const Case& c);
 
   [[nodiscard]] const Case& shown() const { return case_; }
   [[nodiscard]] size_t count() const { return outlines_.size(); }
-  [[nodiscard]] bool shows_colours() const { return shows_colours_; }
-  // That of a texture, where they have one.
-  [[nodiscard]] uint32_t colour(bool second) const;
   [[nodiscard]] Canvas blank() const {
     return {case_.format,     case_.target_width_px, case_.target_height_px,
             case_.padding_px, case_.flip_target,     kSceneBackground};
@@ -40,7 +35,9 @@ class PolygonScene {
   [[nodiscard]] const std::vector<selvage_vertex>& outline(size_t i) const { return outlines_[i]; }
   // "and copies of it, moved by (1, 0), (-2, 7) px: ..."
   [[nodiscard]] std::string copies() const;
-  // Lays the texture of polygon i out: in new memory, or in that of another one's.
+  // The texture of polygon i.
+  [[nodiscard]] TexelAt texels_of(size_t i) const;
+  // Lays it out: in new memory, or in that of another one's.
   void put_texture(const Subject& subject, size_t i, std::optional<TextureMemory>* memory) const;
   // Views of the scene.
   [[nodiscard]] std::vector<selvage_texture> textures() const {
@@ -52,10 +49,8 @@ class PolygonScene {
  private:
   // The last one is then where the one before is, with other (u, v); it hides that.
   [[nodiscard]] bool is_last_turned() const { return moves_.size() > 2 && case_.choice % 4 < 2; }
-  [[nodiscard]] TexelAt texture_of(bool second) const;
 
   Case case_;
-  bool shows_colours_;
   std::array<TextureMemory, 2> textures_;
   std::vector<Pixel> moves_;  // of the case's outline: of none to begin with, then of each copy
   std::vector<std::vector<selvage_vertex>> outlines_;

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
+#include <functional>
+#include <iterator>
 #include <limits>
+#include <memory>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "spec/law_tools.h"
@@ -141,19 +145,105 @@ TEST(AccuracyOfASubject, LetsOtherLawsRejectWhatIsFarOff) {
   }
 }
 
-// One colour each tells whose texels are on top.
-TEST(AccuracyOfASubject, LetsSameRejectTheTextureOfAnotherPolygon) {
-  Subject subject = claiming(built_in(), 256);
-  EXPECT_FALSE(rejects("SAME", subject));
-  subject.draw_many = [right = subject.draw_many](const selvage_image* target,
-                                                  const selvage_rect* clip,
-                                                  const selvage_polygon* polygons, size_t count,
-                                                  const selvage_options* options, int32_t threads) {
-    std::vector<selvage_polygon> all(polygons, polygons + count);
-    for (selvage_polygon& polygon : all) polygon.texture = polygons[0].texture;
-    return right(target, clip, all.data(), count, options, threads);
+// The mapper that this program is linked with, its arguments changed before it draws.
+struct Arguments {
+  std::vector<selvage_vertex> vertices;
+  selvage_texture texture;
+  selvage_options options;
+};
+using Change = std::function<void(Arguments&)>;
+
+[[nodiscard]] Subject changed(const Change& change) {
+  Subject subject = claiming(off_by(0, 0), 256);
+  subject.draw = [=](const selvage_image* target, const selvage_rect* clip,
+                     const selvage_vertex* vertices, size_t count, const selvage_texture* texture,
+                     const selvage_options* options) {
+    Arguments a{{vertices, vertices + count}, *texture, *options};
+    change(a);
+    return selvage_draw(target, clip, a.vertices.data(), count, &a.texture, &a.options);
   };
-  EXPECT_TRUE(rejects("SAME", subject));
+  return subject;
+}
+
+// What is wrong by no rounding is wrong within an accuracy, too.
+TEST(AccuracyOfASubject, LetsFilterRejectWhatIsNoRounding) {
+  const auto with_filter = [](const auto& change) {
+    return changed([=](Arguments& a) {
+      if (a.options.filter != SELVAGE_FILTER_NEAREST) change(a);
+    });
+  };
+  const Subject wrong[] = {
+      with_filter([](Arguments& a) {
+        for (selvage_vertex& v : a.vertices) v.u = added(v.u, SELVAGE_SUBTEXELS / 2);
+      }),
+      with_filter([](Arguments& a) {
+        for (selvage_vertex& v : a.vertices) v.v = added(v.v, -1024);
+      }),
+      with_filter([](Arguments& a) { a.options.filter = SELVAGE_FILTER_NEAREST; }),
+      with_filter([](Arguments& a) {
+        for (selvage_vertex& v : a.vertices) std::swap(v.u, v.v);
+      }),
+      with_filter([](Arguments& a) { a.options.address = 1 - a.options.address; }),
+      with_filter([](Arguments& a) {
+        for (selvage_vertex& v : a.vertices) v.q = 1;
+      }),
+      changed([](Arguments& a) {
+        if (a.options.filter == SELVAGE_FILTER_AREA) a.options.filter = SELVAGE_FILTER_BILINEAR;
+      }),
+      changed([](Arguments& a) {
+        if (a.options.filter == SELVAGE_FILTER_FOUR) a.options.filter = SELVAGE_FILTER_BILINEAR;
+      }),
+  };
+  for (size_t i = 0; i < std::size(wrong); ++i) EXPECT_TRUE(rejects("FILTER", wrong[i])) << i;
+}
+
+// Of many polygons at once, each with its own texture and (u, v).
+TEST(AccuracyOfASubject, LetsSameRejectWhatIsWrongInOneCallAlone) {
+  using Polygons = std::vector<selvage_polygon>;
+  const auto in_one_call = [](const std::function<void(Polygons&, selvage_options&, int32_t)>& to) {
+    Subject subject = claiming(built_in(), 256);
+    subject.draw_many = [right = subject.draw_many, to](
+                            const selvage_image* target, const selvage_rect* clip,
+                            const selvage_polygon* polygons, size_t count,
+                            const selvage_options* options, int32_t threads) {
+      Polygons all(polygons, polygons + count);
+      selvage_options changed = *options;
+      to(all, changed, threads);
+      return right(target, clip, all.data(), count, &changed, threads);
+    };
+    return subject;
+  };
+  EXPECT_FALSE(rejects("SAME", in_one_call([](Polygons&, selvage_options&, int32_t) {})));
+  const Subject wrong[] = {
+      in_one_call([](Polygons& all, selvage_options&, int32_t) {
+        for (selvage_polygon& polygon : all) polygon.texture = all[0].texture;
+      }),
+      in_one_call([](Polygons& all, selvage_options&, int32_t threads) {
+        if (threads == 3) std::ranges::reverse(all);
+      }),
+      in_one_call([](Polygons&, selvage_options& options, int32_t threads) {
+        if (threads == 8) options.address = 1 - options.address;
+      }),
+      in_one_call([](Polygons&, selvage_options& options, int32_t) {
+        options.filter = SELVAGE_FILTER_NEAREST;
+      }),
+  };
+  for (size_t i = 0; i < std::size(wrong); ++i) EXPECT_TRUE(rejects("SAME", wrong[i])) << i;
+}
+
+// Known again by where it is on the screen: the last polygon of a scene is where the one before is.
+TEST(AccuracyOfASubject, LetsSameRejectTheCoordinatesOfAnotherPolygon) {
+  const auto last = std::make_shared<std::vector<selvage_vertex>>();
+  EXPECT_TRUE(rejects("SAME", changed([last](Arguments& a) {
+                        const auto is_there = [](const selvage_vertex& v, const selvage_vertex& w) {
+                          return v.x == w.x && v.y == w.y;
+                        };
+                        if (std::ranges::equal(a.vertices, *last, is_there)) {
+                          a.vertices = *last;
+                        } else {
+                          *last = a.vertices;
+                        }
+                      })));
 }
 
 // Half a texel from its centre is another texel's.
@@ -163,8 +253,10 @@ TEST(AccuracyOfASubject, TakesSomeLawsTheirSay) {
   EXPECT_FALSE(is_promised_by(within(SELVAGE_SUBTEXELS / 2), "IDENTITY"));
   EXPECT_TRUE(is_promised_by(within(SELVAGE_SUBTEXELS / 4 - 1), "ORACLE"));
   EXPECT_FALSE(is_promised_by(within(SELVAGE_SUBTEXELS / 4), "ORACLE"));
+  EXPECT_TRUE(is_promised_by(within(SELVAGE_SUBTEXELS - 1), "SAME"));
+  EXPECT_FALSE(is_promised_by(within(SELVAGE_SUBTEXELS), "SAME"));
   const Subject far = within(SELVAGE_SUBTEXELS);
-  for (const char* law : {"MAP", "CLIP", "SAME"}) {
+  for (const char* law : {"MAP", "CLIP", "FILTER"}) {
     EXPECT_TRUE(is_promised_by(far, law));
     EXPECT_FALSE(promise(SELVAGE_PROFILE_EXACT, far.claims, law).note.empty()) << law;
   }

@@ -227,7 +227,6 @@ TEST_P(Audits, IsPassedByTheLaw) {
   }
 }
 
-// By mappers that claim no exact texels, too: which pixels they draw is no less due.
 TEST_P(Audits, IsPassedByTheLawWithinAnAccuracy) {
   const Law& law = GetParam();
   for (const Case& c : cases_for(law.name)) {

@@ -35,8 +35,13 @@ std::vector<Contender> contenders(const spec::Subject& mapper) {
 }
 
 Contender of_library(const spec::Subject& subject) {
-  return {"subject",       "the library that was given", Promise::kNothing,
-          subject.profile, !subject.claims.perspective,  subject};
+  const bool is_bounded = !spec::shows_exact_texels(subject.claims);
+  return {"subject",
+          "the library that was given",
+          is_bounded ? Promise::kBound : Promise::kNothing,
+          subject.profile,
+          !subject.claims.perspective,
+          subject};
 }
 
 spec::Case in_its_way(const Contender& contender, const spec::Case& scene) {

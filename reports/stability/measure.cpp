@@ -28,20 +28,45 @@ void count_pixel(Errors& errors, const spec::Case& scene, const spec::Texel& exa
          (c.clip.left <= x_px && x_px < c.clip.right && c.clip.top <= y_px && y_px < c.clip.bottom);
 }
 
+// Of a row of a case: how far off a texel may be at a pixel that its profile covers.
+class OwnRow {
+ public:
+  OwnRow(const spec::Case& c, const spec::Rational& accuracy_texel, int32_t y_px)
+      : accuracy_texel_(accuracy_texel) {
+    if (c.profile == SELVAGE_PROFILE_EXACT) {
+      exact_ = spec::scan_line(c.vertices, y_px);
+    } else {
+      historic_ = spec::historic_line(c.profile, c.vertices, y_px);
+    }
+  }
+
+  [[nodiscard]] std::optional<spec::Reach> reach(int32_t x_px) const {
+    if (historic_) return spec::reach(*historic_, x_px);
+    const auto at = exact_ ? spec::sample(*exact_, x_px) : std::nullopt;
+    if (!at) return std::nullopt;
+    return spec::reach_around(*at, accuracy_texel_);
+  }
+
+ private:
+  const spec::Rational& accuracy_texel_;  // in the exact profile
+  std::optional<spec::ScanLine> exact_;
+  std::optional<spec::HistoricLine> historic_;
+};
+
 // A drawing by the conventions of its own profile: the largest measured/bound over the pixels that
 // the profile covers and that were drawn, and the pixels that are only one of the two.
-void judge_by_own_conventions(const spec::Case& drawn_case, const spec::Picture& picture,
-                              Errors& errors) {
+void judge_by_own_conventions(const spec::Case& drawn_case, const spec::Rational& accuracy_texel,
+                              const spec::Picture& picture, Errors& errors) {
   double largest = 0;
   for (int32_t y = 0; y < picture.height_px; ++y) {
-    const auto line = spec::historic_line(drawn_case.profile, drawn_case.vertices, y);
+    const OwnRow row(drawn_case, accuracy_texel, y);
     for (int32_t x = 0; x < picture.width_px; ++x) {
       const std::optional<uint32_t>& pixel = picture.at(x, y);
-      const bool covered = line && line->covers(x) && is_visible(drawn_case, x, y);
-      if (covered != pixel.has_value()) ++errors.own_coverage_px;
-      if (!covered || !pixel) continue;
-      const spec::Texel drawn = spec::texel_of(*pixel);
-      largest = std::max(largest, part_of_bound(drawn_case, *spec::reach(*line, x), drawn));
+      std::optional<spec::Reach> reach = row.reach(x);
+      if (!is_visible(drawn_case, x, y)) reach.reset();
+      if (reach.has_value() != pixel.has_value()) ++errors.own_coverage_px;
+      if (!reach || !pixel) continue;
+      largest = std::max(largest, part_of_bound(drawn_case, *reach, spec::texel_of(*pixel)));
     }
   }
   errors.part_of_bound = largest;
@@ -130,7 +155,8 @@ namespace {
     errors.extra_px += !exact && picture.pixels[i];
   }
   if (contender.promise == Promise::kBound) {
-    judge_by_own_conventions(in_its_way(contender, model.scene), picture, errors);
+    judge_by_own_conventions(in_its_way(contender, model.scene),
+                             spec::accuracy_of(contender.subject), picture, errors);
   }
   return errors;
 }

@@ -95,6 +95,7 @@ namespace {
   xml += "      <system-out>" + xml_escaped(found.law->statement) + ": " +
          std::to_string(found.cases) + " cases, " + std::to_string(found.judged_px) +
          " pixels judged" + (margin_text(verdict).empty() ? "" : ", " + margin_text(verdict)) +
+         (verdict.in_part.empty() ? "" : "; in part: " + xml_escaped(verdict.in_part)) +
          "</system-out>\n";
   return xml + "    </testcase>\n";
 }

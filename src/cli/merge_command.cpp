@@ -90,6 +90,7 @@ void add(spec::Hunted* total, const spec::Hunted& part) {
     if (is_before(part, total)) total = part;
     total.lacked_time |= part.lacked_time;
     if (total.not_promised.empty()) total.not_promised = part.not_promised;
+    if (total.in_part.empty()) total.in_part = part.in_part;
     if (total.found.violation) continue;
     total.found.cases += part.found.cases;
     total.found.judged_px += part.found.judged_px;

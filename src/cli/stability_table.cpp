@@ -41,7 +41,12 @@ using stability::Promise;
   if (errors.hung) return errors.memory_fault + "; no more was asked of it";
   if (!errors.memory_fault.empty()) return errors.memory_fault;
   if (errors.refused_cases > 0) return std::to_string(errors.refused_cases) + " scenes refused";
-  if (cell.contender->promise == Promise::kBound) return "a texel is beyond the derived bound";
+  if (cell.contender->promise == Promise::kBound) {
+    if (errors.part_of_bound <= 1.0) return "a pixel is missing or too much";
+    return cell.contender->profile == SELVAGE_PROFILE_EXACT
+               ? "a texel is beyond the claimed accuracy"
+               : "a texel is beyond the derived bound";
+  }
   return "a pixel differs from the exact model";
 }
 
@@ -59,7 +64,7 @@ std::string_view stability_notes() {
          "float32-plane draws n-gons as fans of triangles, which is another map wherever outline "
          "and texture polygon are not related by one. "
          "A library of such a profile, or that takes no perspective, draws rounded and dropped, "
-         "too.";
+         "too; 'of bound' of one that claims an accuracy is in parts of that.";
 }
 
 bool passed(const StabilityRun& run) {

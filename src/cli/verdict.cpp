@@ -193,6 +193,19 @@ std::string margin_text(const Verdict& verdict) {
   return text;
 }
 
+namespace {
+
+[[nodiscard]] std::string parts_summary(const VerifyRun& run) {
+  std::string text;
+  for (const Verdict& verdict : run.verdicts) {
+    if (verdict.in_part.empty()) continue;
+    text += "in part: " + std::string(verdict.found.law->name) + ": " + verdict.in_part + "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string subject_line(const VerifyRun& run) {
   std::string line = "subject " + run.subject + ", profile " + run.profile;
   if (run.accuracy_fx16 == 0) return line;
@@ -239,7 +252,7 @@ std::string table_summary(const VerifyRun& run) {
               " cases: " + what + "\n";
     }
   }
-  text += hunt_summary(run) + known_summary(run);
+  text += hunt_summary(run) + known_summary(run) + parts_summary(run);
   for (const NotPromised& law : run.not_promised) {
     text += "not promised: " + law.law + ": " + law.why + "\n";
   }

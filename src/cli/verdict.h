@@ -24,6 +24,7 @@ struct Verdict {
   bool from_corpus = false;  // it was known before
   Known known{};
   bool lacked_time = false;    // the time was over before anything was judged, here or in a shard
+  std::string in_part{};       // how much of the law is promised; empty: all of it
   std::string not_promised{};  // why it is not, of a law that was asked for all the same
 };
 

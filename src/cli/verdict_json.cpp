@@ -69,6 +69,7 @@ using nlohmann::ordered_json;
   if (found.margin) {
     law["nearest"] = {{"measured", found.margin->measured}, {"bound", found.margin->bound}};
   }
+  if (!verdict.in_part.empty()) law["in_part"] = verdict.in_part;
   if (!verdict.not_promised.empty()) law["not_promised"] = verdict.not_promised;
   if (!found.not_claimed.empty()) law["not_claimed"] = found.not_claimed;
   if (found.hunted.cases > 0) law["hunted"] = hunted_json(found.hunted);

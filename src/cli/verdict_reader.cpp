@@ -44,6 +44,12 @@ template <std::integral Integer = uint64_t>
   return testbed::printable(node.text());
 }
 
+[[nodiscard]] int32_t read_accuracy(const JsonNode& node) {
+  const auto accuracy_fx16 = whole<int32_t>(node);
+  if (accuracy_fx16 >= 0) return accuracy_fx16;
+  node.fail("no accuracy is below 0, which is exact");
+}
+
 [[nodiscard]] Counts read_counts(const JsonNode& node) {
   Counts counts;
   for (const auto& [what, count] : node.members()) counts[testbed::printable(what)] = whole(count);
@@ -144,6 +150,7 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
     verdict.known = {whole(known.at("tried")), read_counts(known.at("not_judged"))};
   }
   if (node.has("violation")) read_failure(node.at("violation"), &verdict);
+  if (node.has("in_part")) verdict.in_part = read_text(node.at("in_part"));
   if (node.has("not_promised")) verdict.not_promised = read_text(node.at("not_promised"));
   if (told.text() != outcome(verdict)) {
     told.fail("it is '" + read_text(told) + "', but what follows is of one that is '" +
@@ -162,7 +169,7 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
   if (!root.has("seed")) root.fail("there is no 'seed': a replay has none, and is of no parts");
   VerifyRun run{.subject = read_text(root.at("subject")),
                 .profile = read_text(root.at("profile")),
-                .accuracy_fx16 = whole<int32_t>(root.at("accuracy_fx16")),
+                .accuracy_fx16 = read_accuracy(root.at("accuracy_fx16")),
                 .seed = whole(root.at("seed")),
                 .verdicts = {}};
   run.cases = whole(root.at("cases"));

@@ -120,7 +120,12 @@ std::vector<Verdict> carry_out(const VerifyPlan& plan, const spec::Subject& subj
   };
   const auto told = [&](Verdict verdict) {
     const auto why = plan.not_promised.find(verdict.found.law);
-    if (why != plan.not_promised.end()) verdict.not_promised = why->second;
+    if (why != plan.not_promised.end()) {
+      verdict.not_promised = why->second;
+    } else {
+      const auto& law = verdict.found.law->name;
+      verdict.in_part = spec::promise(subject.profile, subject.claims, law).note;
+    }
     return verdict;
   };
   for (const spec::Law* law : plan.laws) {

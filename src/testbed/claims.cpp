@@ -50,9 +50,11 @@ spec::Subject claimed(const selvage_claims& claims) {
   if ((claims.lacks & ~uint32_t{SELVAGE_LACKS_ALL}) != 0) {
     throw wrong("lacks", claims.lacks, "a sum of SELVAGE_LACKS_... is right");
   }
-  if (claims.accuracy < 0 || (claims.accuracy > 0 && claims.profile != SELVAGE_PROFILE_EXACT)) {
+  constexpr int32_t kMostAccuracy_fx16 = 1 << 30;
+  const int32_t most = claims.profile == SELVAGE_PROFILE_EXACT ? kMostAccuracy_fx16 : 0;
+  if (claims.accuracy < 0 || claims.accuracy > most) {
     throw wrong("accuracy", claims.accuracy,
-                "0 is right, and in profile exact what is above, in 1/65536 texel");
+                "0 is right, and in profile exact 1/65536 texel to 16384 texels");
   }
   const auto has = [&](uint32_t what) { return (claims.lacks & what) == 0; };
   const spec::Capabilities all;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
 #include <cstdio>
 #include <cstring>
 #include <span>
@@ -88,14 +89,17 @@ void let_faults_end_it() {
 
 void describe(Control& control, const selvage_claims* claims) {
   if (claims == nullptr) refuse(control, "its selvage_subject() returns NULL");
-  if (claims->bytes < sizeof(selvage_claims)) {
+  // Built with an older header: what a later one has behind is not claimed.
+  constexpr size_t kLeastBytes = offsetof(selvage_claims, accuracy);
+  if (claims->bytes < kLeastBytes) {
     refuse(control, "its selvage_subject() says that its claims have " +
                         std::to_string(claims->bytes) +
                         " bytes; the field must be set to "
                         "sizeof(selvage_claims), " +
                         std::to_string(sizeof(selvage_claims)));
   }
-  control.claims = *claims;
+  const bool is_older = claims->bytes < sizeof(selvage_claims);
+  std::memcpy(&control.claims, claims, is_older ? kLeastBytes : sizeof(selvage_claims));
   copy_text(control.name, claims->name);
   copy_text(control.version, claims->version);
   control.claims.name = control.claims.version = nullptr;

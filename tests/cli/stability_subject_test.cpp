@@ -51,6 +51,23 @@ TEST_F(StabilityOfASubject, MeasuresItBesideTheArithmetics) {
   expect_contains(again, " --arithmetic subject --seed ");
 }
 
+TEST_F(StabilityOfASubject, HoldsItToTheAccuracyThatItClaims) {
+  options_.families = {"long-spans"};
+  options_.cases = "6";
+  EXPECT_EQ(run_with("off_within"), kExitFine) << out();
+  EXPECT_GT(cell()["part_of_bound"], 0.5);
+  EXPECT_LE(cell()["part_of_bound"], 1.0);
+  EXPECT_EQ(run_with("off_beyond"), kExitLawFailed) << out();
+  EXPECT_GT(cell()["part_of_bound"], 1.0);
+  options_.json = false;
+  EXPECT_EQ(run_with("off_beyond"), kExitLawFailed);
+  expect_contains(out(), "BROKEN: subject on long-spans: a texel is beyond the claimed accuracy; ");
+  options_.subject.accuracy = "1/8";
+  EXPECT_EQ(run_with("off_beyond"), kExitFine) << out();
+  EXPECT_EQ(run_with("draws_nothing"), kExitLawFailed);
+  expect_contains(out(), "BROKEN: subject on long-spans: a pixel is missing or too much; ");
+}
+
 TEST_F(StabilityOfASubject, TellsOfOneThatCrashes) {
   options_.picture = "worst.png";
   EXPECT_EQ(run_with("crashes"), kExitLawFailed);

@@ -108,7 +108,7 @@ TEST(Host, RefusesClaimsOfWhatThereIsNot) {
   for (const auto& [name, accuracy] :
        {std::pair{"claims_no_accuracy", "-1"}, std::pair{"claims_bounds_and_accuracy", "1"}}) {
     expect_refused(library(name), "has accuracy " + std::string(accuracy) +
-                                      "; 0 is right, and in profile exact what is above");
+                                      "; 0 is right, and in profile exact 1/65536 texel");
   }
 }
 
@@ -145,6 +145,9 @@ TEST(Host, ReadsClaims) {
                                   .most_vertices = 3};
   EXPECT_EQ(subject.claims, little);
   EXPECT_EQ(Host::subject(host_of("off_within")).claims.accuracy_fx16, 256);
+  const spec::Capabilities old = Host::subject(host_of("claims_of_old")).claims;
+  EXPECT_EQ(old.most_vertices, 5);
+  EXPECT_EQ(old.accuracy_fx16, 0) << "which it did not know";
   const spec::Capabilities steps = Host::subject(host_of("claims_steps")).claims;
   EXPECT_EQ(steps.position_step_fx8, 16);
   EXPECT_EQ(steps.coordinate_step_fx16, 65536);

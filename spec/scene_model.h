@@ -1,0 +1,31 @@
+// What law SAME's scene may look like where no drawing of it tells: by the model, of a mapper that
+// claims an accuracy.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "spec/allowed_pixel.h"
+#include "spec/canvas.h"
+#include "spec/laws.h"
+#include "spec/polygon_scene.h"
+
+namespace selvage::spec {
+
+class SceneModel {
+ public:
+  // `accuracy` in texels, below 1.
+  SceneModel(const PolygonScene& scene, const Rational& accuracy);
+
+  // Whether each pixel is one of the polygon on top there, or as it was, and every byte beside.
+  [[nodiscard]] Judgement judge(const std::string& what, const Canvas& drawn) const;
+
+ private:
+  [[nodiscard]] bool is_allowed(size_t index, uint32_t value) const;
+
+  const PolygonScene& scene_;
+  uint32_t background_;
+  std::vector<std::optional<AllowedPixel>> pixels_;  // that some polygon covers
+};
+
+}  // namespace selvage::spec
