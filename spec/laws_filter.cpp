@@ -55,10 +55,10 @@ namespace {
   return true;
 }
 
-// The same of a subject that claims an accuracy: what the formula gives for some (u, v) within it.
-[[nodiscard]] Judgement judge_formula_within(const Subject& subject, const Case& c) {
-  const TexelAt texel_at = filter_texture(c);
-  const Rational accuracy = accuracy_of(subject);
+// Judges the drawn pixels that the polygon covers, by fault_of(at, exact, drawn).
+template <class FaultOf>
+[[nodiscard]] Judgement judge_covered(const Subject& subject, const Case& c,
+                                      const TexelAt& texel_at, const FaultOf& fault_of) {
   const Picture picture = draw(subject, c, texel_at);
   Judgement judgement;
   for (int32_t y = 0; y < c.target_height_px; ++y) {
@@ -68,13 +68,8 @@ namespace {
       const std::optional<Sample> point = pixel ? row.coordinates(x) : std::nullopt;
       if (!point) continue;
       ++judgement.judged_px;
-      const AllowedPixel allowed(c, {x, y}, *point, texel_at, accuracy);
-      if (allowed.holds(*pixel)) continue;
-      judgement.violation = filter_violation(
-          "a pixel is what its filter's formula gives within the claimed accuracy, " +
-              accuracy.get_str() + " texel, of its exact (u, v)",
-          c, {x, y}, allowed.text(), *pixel);
-      return judgement;
+      judgement.violation = fault_of(Pixel{x, y}, *point, *pixel);
+      if (judgement.violation) return judgement;
     }
   }
   return judgement;
@@ -82,27 +77,35 @@ namespace {
 
 [[nodiscard]] Judgement judge_formula(const Subject& subject, const Case& c) {
   const TexelAt texel_at = filter_texture(c);
-  const Picture picture = draw(subject, c, texel_at);
-  Judgement judgement;
-  for (int32_t y = 0; y < c.target_height_px; ++y) {
-    const ModelRow row(c, y);
-    for (int32_t x = 0; x < c.target_width_px; ++x) {
-      const MaybePixel& pixel = picture.at(x, y);
-      const std::optional<Sample> point = pixel ? row.coordinates(x) : std::nullopt;
-      if (!point) continue;
-      ++judgement.judged_px;
-      const Weights weights = filter_weights(c, x, y, *point);
-      const uint32_t mean = weighted_mean(weights.columns, weights.rows, texel_at);
-      if (*pixel == mean) continue;
-      const bool between = is_between_inputs(*pixel, weights, texel_at);
-      judgement.violation = filter_violation(
-          between ? "a pixel is the weighted mean that its filter's formula gives"
-                  : "a pixel lies between the least and the greatest of the texels it is made of",
-          c, {x, y}, describe_colour(mean), *pixel);
-      return judgement;
-    }
-  }
-  return judgement;
+  return judge_covered(
+      subject, c, texel_at,
+      [&](Pixel at, const Sample& exact, uint32_t drawn) -> std::optional<Violation> {
+        const Weights weights = filter_weights(c, at.x_px, at.y_px, exact);
+        const uint32_t mean = weighted_mean(weights.columns, weights.rows, texel_at);
+        if (drawn == mean) return std::nullopt;
+        return filter_violation(
+            is_between_inputs(drawn, weights, texel_at)
+                ? "a pixel is the weighted mean that its filter's formula gives"
+                : "a pixel lies between the least and the greatest of the texels it is made of",
+            c, at, describe_colour(mean), drawn);
+      });
+}
+
+// Of a subject that claims an accuracy: what the formula gives for some (u, v) within it.
+[[nodiscard]] Judgement judge_formula_within(const Subject& subject, const Case& c) {
+  const TexelAt texel_at = filter_texture(c);
+  const Rational accuracy = accuracy_of(subject);
+  return judge_covered(
+      subject, c, texel_at,
+      [&](Pixel at, const Sample& exact, uint32_t drawn) -> std::optional<Violation> {
+        const AllowedPixel allowed(c, at, exact, texel_at, accuracy);
+        if (allowed.holds(drawn)) return std::nullopt;
+        return filter_violation(
+            "a pixel is what its filter's formula gives within the claimed "
+            "accuracy, " +
+                accuracy.get_str() + " texel, of its exact (u, v)",
+            c, at, allowed.text(), drawn);
+      });
 }
 
 }  // namespace
