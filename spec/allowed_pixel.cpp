@@ -29,11 +29,29 @@ inline constexpr uint32_t kMostOfChannel = 255;
   return points;
 }
 
-// What share of a box of such a side another one may leave out that is as large or larger.
-[[nodiscard]] Rational share_apart(int32_t side_fx8, const Rational& accuracy) {
-  const int32_t moved_fx8 = floor(kTexel_fx8 * accuracy) + 2;  // both in whole steps
-  const int32_t grown_fx8 = floor(2 * kTexel_fx8 * accuracy) + 2;
-  return std::min<Rational>(Rational(moved_fx8 + grown_fx8) / side_fx8, 1);
+// How far off |du/dx| + |du/dy| may be, in texels a pixel, where u is off by a texel at most: by
+// as much as vertices off by a texel make of it, which is the more the narrower the polygon, and by
+// what four values next to each other do.
+[[nodiscard]] Rational steepness_of_error(const Case& c, Pixel at) {
+  constexpr int kNeighbours = 4;
+  Rational most = kNeighbours;
+  std::vector<selvage_vertex> lifted = c.vertices;
+  for (selvage_vertex& v : lifted) v.u = 0;
+  for (selvage_vertex& v : lifted) {
+    v.u = SELVAGE_SUBTEXELS;
+    const Gradient g = gradient(lifted, at.x_px, at.y_px).value();
+    most += abs(g.u_along_x) + abs(g.u_along_y);
+    v.u = 0;
+  }
+  return most;
+}
+
+// What share of a box of such a side another one may leave out that is as large or larger, where it
+// is moved by `accuracy` at most and its side differs by `grown`, in texels.
+[[nodiscard]] Rational share_apart(int32_t side_fx8, const Rational& accuracy,
+                                   const Rational& grown) {
+  const Rational moved_fx8 = kTexel_fx8 * accuracy + 2, grown_fx8 = kTexel_fx8 * grown + 2;
+  return std::min<Rational>((moved_fx8 + grown_fx8) / side_fx8, 1);  // both in whole steps
 }
 
 }  // namespace
@@ -89,8 +107,9 @@ void AllowedPixel::take_boxes(const Case& c, Pixel at, const Sample& exact, cons
   const BoxSides sides = box_sides(gradient(c.vertices, at.x_px, at.y_px).value());
   const Weights weights = filter_weights(c, at.x_px, at.y_px, exact);
   const uint32_t mean = weighted_mean(weights.columns, weights.rows, texel_at);
-  const Rational apart =
-      kMostOfChannel * (share_apart(sides.u_fx8, accuracy) + share_apart(sides.v_fx8, accuracy));
+  const Rational grown = accuracy * steepness_of_error(c, at);
+  const Rational apart = kMostOfChannel * (share_apart(sides.u_fx8, accuracy, grown) +
+                                           share_apart(sides.v_fx8, accuracy, grown));
   const auto most = static_cast<uint32_t>(floor(apart)) + 1;  // rounded, both of them
   for (size_t i = 0; i < least_.size(); ++i) {
     const uint32_t value = channel(mean, static_cast<int>(i));

@@ -34,8 +34,9 @@ class AllowedPixel {
   // and in v where no texel's centre lies between, and so are greatest at the ends and there.
   void take_means(const Case& c, const Sample& exact, const TexelAt& texel_at,
                   const Rational& accuracy);
-  // Of the area filter, whose box may be as far off, and its sides by twice as much: two boxes have
-  // means that differ by no more than the greatest texel, times the share that they do not share.
+  // Of the area filter, whose box may be as far off, and its sides by what that makes of the
+  // derivatives: two boxes have means that differ by no more than the greatest texel, times the
+  // share that they do not share.
   void take_boxes(const Case& c, Pixel at, const Sample& exact, const TexelAt& texel_at,
                   const Rational& accuracy);
 

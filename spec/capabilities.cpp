@@ -202,10 +202,12 @@ void make_visible(const Profile& profile, const Capabilities& claims,
 namespace {
 
 // How much of a law is promised by a subject whose texels are within its accuracy alone.
-[[nodiscard]] Promise of_inexact_texels(std::string_view law, const Promise& whole) {
+[[nodiscard]] Promise of_inexact_texels(std::string_view law, const Capabilities& claims,
+                                        const Promise& limited) {
   constexpr std::string_view kTexels = "within its accuracy";
   constexpr std::string_view kCoverage = "the coverage; texels are within its accuracy (MAP)";
-  constexpr std::pair<std::string_view, std::string_view> kParts[] = {
+  constexpr std::string_view kOneColour = "of a texture of one colour, which stays so";
+  const std::pair<std::string_view, std::string_view> parts[] = {
       {"VERT", kTexels},
       {"MAP", kTexels},
       {"GAMUT", kTexels},
@@ -218,12 +220,12 @@ namespace {
       {"SPLIT", kCoverage},
       {"AFFINE", kCoverage},
       {"IDENTITY", "with the nearest filter"},
-      {"FILTER", "within its accuracy, below a texel; a texture of one colour stays so"},
+      {"FILTER", claims.accuracy_fx16 < SELVAGE_SUBTEXELS ? kTexels : kOneColour},
       {"SAME", "each drawing within its accuracy"},
   };
   const auto part =
-      std::ranges::find(kParts, law, &std::pair<std::string_view, std::string_view>::first);
-  return part == std::end(kParts) ? whole : Promise{Standing::kPromised, part->second};
+      std::ranges::find(parts, law, &std::pair<std::string_view, std::string_view>::first);
+  return part == std::end(parts) ? limited : Promise{Standing::kPromised, part->second};
 }
 
 }  // namespace
@@ -268,14 +270,18 @@ Promise promise(selvage_profile id, const Capabilities& claims, std::string_view
        !holds(claims.addresses, SELVAGE_ADDRESS_WRAP) || !claims.outside_texels,
        {part, "shifts of the polygon; those of the texture are seen in wrap mode, beyond it"}},
       {"AFFINE", !claims.perspective, {part, "equal q"}},
+      {"TOLERANCE",
+       !claims.clip,
+       {part, "the tolerance; bounds are asked for row by row, by clips"}},
       {"SAME", !claims.clip, {part, "kernels; tiles are drawn through clip rectangles"}},
   };
   const Promise whole = promise(id, law);
   if (whole.standing != Standing::kPromised) return whole;
-  for (const Limit& limit : limits) {
-    if (limit.law == law && limit.applies) return limit.promise;
-  }
-  return shows_exact_texels(claims) ? whole : of_inexact_texels(law, whole);
+  const auto limit =
+      std::ranges::find_if(limits, [&](const Limit& one) { return one.law == law && one.applies; });
+  const Promise limited = limit == std::end(limits) ? whole : limit->promise;
+  if (limited.standing != Standing::kPromised || shows_exact_texels(claims)) return limited;
+  return of_inexact_texels(law, claims, limited);
 }
 
 }  // namespace selvage::spec

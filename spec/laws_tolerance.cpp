@@ -147,13 +147,14 @@ class TolerantCase {
   }
 
   [[nodiscard]] Judgement judge() {
+    const bool asks_rows = subject_.choose && subject_.claims.clip;
     Judgement judgement = judge_coverage();
     selvage_choice all{SELVAGE_METHOD_NONE, 0, 0};
     for (int32_t y = 0; !judgement.violation && y < case_.target_height_px; ++y) {
       const std::optional<ScanLine>& line = lines_[static_cast<size_t>(y)];
       if (columns_[static_cast<size_t>(y)].empty()) continue;
       Rational allowed = to_texels(tolerance_fx16_);
-      if (subject_.choose) {
+      if (asks_rows) {
         const selvage_choice choice = asked_.row(y);
         const std::string fault = fault_of(choice, *line, tolerance_fx16_);
         if (!fault.empty()) return blame(std::move(judgement), fault, choice, y);
@@ -166,13 +167,10 @@ class TolerantCase {
       allowed += accuracy_of(subject_);
       add(&judgement, judge_row(y, *line, allowed));
     }
-    if (!judgement.violation && subject_.choose && !same(asked_.all(), all)) {
-      return blame(
-          std::move(judgement),
-          "of all rows the last method, the shortest segments, the greatest bound are told",
-          asked_.all(), -1);
-    }
-    return judgement;
+    if (judgement.violation || !asks_rows || same(asked_.all(), all)) return judgement;
+    return blame(std::move(judgement),
+                 "of all rows the last method, the shortest segments, the greatest bound are told",
+                 asked_.all(), -1);
   }
 
  private:

@@ -165,6 +165,21 @@ using Change = std::function<void(Arguments&)>;
   return subject;
 }
 
+// Vertices off by it, each another way: in narrow polygons the area filter's box is another one.
+TEST(AccuracyOfASubject, IsKeptByOneWhoseVerticesAreOffByIt) {
+  Subject subject = claiming(changed([](Arguments& a) {
+                               for (size_t i = 0; i < a.vertices.size(); ++i) {
+                                 const int32_t by_fx16 = i % 2 == 0 ? 4096 : -4096;
+                                 a.vertices[i].u = added(a.vertices[i].u, by_fx16);
+                                 a.vertices[i].v = added(a.vertices[i].v, -by_fx16);
+                               }
+                             }),
+                             4096);
+  subject.claims.filters = only(SELVAGE_FILTER_NEAREST) | only(SELVAGE_FILTER_AREA);
+  const LawVerdict verdict = verify(*find_law("FILTER"), subject, 21, 600);
+  EXPECT_FALSE(verdict.violation) << explain(*verdict.violation);
+}
+
 // What is wrong by no rounding is wrong within an accuracy, too.
 TEST(AccuracyOfASubject, LetsFilterRejectWhatIsNoRounding) {
   const auto with_filter = [](const auto& change) {
@@ -260,6 +275,11 @@ TEST(AccuracyOfASubject, TakesSomeLawsTheirSay) {
     EXPECT_TRUE(is_promised_by(far, law));
     EXPECT_FALSE(promise(SELVAGE_PROFILE_EXACT, far.claims, law).note.empty()) << law;
   }
+  Capabilities affine = far.claims;
+  affine.perspective = false;
+  EXPECT_EQ(promise(SELVAGE_PROFILE_EXACT, affine, "AFFINE").note,
+            promise(SELVAGE_PROFILE_EXACT, far.claims, "AFFINE").note)
+      << "it compares no texels, whatever else it does not";
 }
 
 }  // namespace

@@ -134,6 +134,19 @@ TEST(CapabilitiesAtLength, AskForNoVertexBetweenItsSteps) {
   }
 }
 
+// Not even to ask what it draws by.
+TEST(Capabilities, AskNoClipOfASubjectWithoutClips) {
+  Subject subject = built_in();
+  subject.claims.clip = false;
+  subject.choose = [](const selvage_image*, const selvage_rect* clip, auto...) -> selvage_status {
+    if (clip != nullptr) throw SubjectFailure{"was given a clip"};
+    return SELVAGE_OK;
+  };
+  const LawVerdict verdict = verify(*find_law("TOLERANCE"), subject, 1, 50);
+  EXPECT_FALSE(verdict.violation) << explain(*verdict.violation);
+  EXPECT_GT(verdict.judged_px, 0u);
+}
+
 TEST(Capabilities, TakeSomeLawsTheirSay) {
   Capabilities few;
   few.clip = few.named_errors = false;
