@@ -13,6 +13,16 @@ namespace {
 inline constexpr int32_t kTexel_fx8 = 256;
 inline constexpr uint32_t kMostOfChannel = 255;
 
+[[nodiscard]] uint32_t exact_pixel(const Case& c, Pixel at, const Sample& exact,
+                                   const TexelAt& texel_at) {
+  const Weights weights = filter_weights(c, at.x_px, at.y_px, exact);
+  if (c.filter != SELVAGE_FILTER_NEAREST) {
+    return weighted_mean(weights.columns, weights.rows, texel_at);
+  }
+  const Texel texel{weights.columns.front().texel, weights.rows.front().texel};
+  return texel_at(texel) & value_bits(c.format);
+}
+
 // Where the filters' formulas may be greatest, from one end of a reach to the other.
 [[nodiscard]] std::vector<Rational> turning_points(const Rational& exact,
                                                    const Rational& accuracy) {
@@ -57,11 +67,12 @@ inline constexpr uint32_t kMostOfChannel = 255;
 }  // namespace
 
 AllowedPixel::AllowedPixel(const Case& c, Pixel at, const Sample& exact, const TexelAt& texel_at,
-                           const Rational& accuracy) {
+                           const Rational& accuracy)
+    : exact_(exact_pixel(c, at, exact, texel_at)) {
   if (c.filter == SELVAGE_FILTER_NEAREST) {
     take_texels(c, exact, texel_at, accuracy);
   } else if (c.filter == SELVAGE_FILTER_AREA) {
-    take_boxes(c, at, exact, texel_at, accuracy);
+    take_boxes(c, at, accuracy);
   } else {
     take_means(c, exact, texel_at, accuracy);
   }
@@ -102,17 +113,14 @@ void AllowedPixel::take_means(const Case& c, const Sample& exact, const TexelAt&
   }
 }
 
-void AllowedPixel::take_boxes(const Case& c, Pixel at, const Sample& exact, const TexelAt& texel_at,
-                              const Rational& accuracy) {
+void AllowedPixel::take_boxes(const Case& c, Pixel at, const Rational& accuracy) {
   const BoxSides sides = box_sides(gradient(c.vertices, at.x_px, at.y_px).value());
-  const Weights weights = filter_weights(c, at.x_px, at.y_px, exact);
-  const uint32_t mean = weighted_mean(weights.columns, weights.rows, texel_at);
   const Rational grown = accuracy * steepness_of_error(c, at);
   const Rational apart = kMostOfChannel * (share_apart(sides.u_fx8, accuracy, grown) +
                                            share_apart(sides.v_fx8, accuracy, grown));
   const auto most = static_cast<uint32_t>(floor(apart)) + 1;  // rounded, both of them
   for (size_t i = 0; i < least_.size(); ++i) {
-    const uint32_t value = channel(mean, static_cast<int>(i));
+    const uint32_t value = channel(exact_, static_cast<int>(i));
     least_[i] = value - std::min(value, most);
     greatest_[i] = std::min(value + most, kMostOfChannel);
   }

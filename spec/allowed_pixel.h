@@ -22,6 +22,8 @@ class AllowedPixel {
                const Rational& accuracy);
 
   [[nodiscard]] bool holds(uint32_t value) const;
+  // What it is where nothing is off.
+  [[nodiscard]] uint32_t exact() const { return exact_; }
   // "one of the texels in columns 3 .. 4, rows 7 .. 7", or "channels 0 .. 3, 17 .. 20, ...".
   [[nodiscard]] std::string text() const;
 
@@ -37,9 +39,9 @@ class AllowedPixel {
   // Of the area filter, whose box may be as far off, and its sides by what that makes of the
   // derivatives: two boxes have means that differ by no more than the greatest texel, times the
   // share that they do not share.
-  void take_boxes(const Case& c, Pixel at, const Sample& exact, const TexelAt& texel_at,
-                  const Rational& accuracy);
+  void take_boxes(const Case& c, Pixel at, const Rational& accuracy);
 
+  uint32_t exact_;
   std::vector<uint32_t> texels_{};  // of nearest
   std::string texels_text_{};
   Channels least_{}, greatest_{};  // of the others

@@ -112,38 +112,9 @@ struct Drawn {
   return drawn;
 }
 
-// What is left of the background counts as not drawn: no other way to tell it from a texel.
-[[nodiscard]] Picture picture_of(const PolygonScene& scene, const Drawn& drawn) {
-  const Case& c = scene.shown();
-  const uint32_t background = scene.blank().pixel(0, 0);
-  Picture picture{c.target_width_px, c.target_height_px};
-  for (int32_t y = 0; y < c.target_height_px; ++y) {
-    for (int32_t x = 0; x < c.target_width_px; ++x) {
-      const uint32_t value = drawn.canvas.pixel(x, y);
-      picture.pixels.push_back(value == background ? MaybePixel() : value);
-    }
-  }
-  return picture;
-}
-
-// Of either texture. Where a texel of the one has the value of one of the other, the first is told.
-[[nodiscard]] std::string describe(const Case& c, const MaybePixel& pixel) {
-  if (!pixel) return "nothing";
-  if (c.filter != SELVAGE_FILTER_NEAREST) return describe_colour(*pixel);
-  const auto told = [&](uint32_t value) -> std::optional<std::string> {
-    const std::optional<Texel> texel = texel_of_folded(c, value);
-    if (!texel) return {};
-    return describe_texel(coordinate_texel(texel->s, texel->t));
-  };
-  if (const auto first = told(*pixel)) return *first + " of the first texture";
-  if (const auto second = told(~*pixel & value_bits(c.format)))
-    return *second + " of the second texture";
-  return "value " + std::to_string(*pixel);
-}
-
 [[nodiscard]] Violation difference(const PolygonScene& scene, const std::string& what,
                                    const Drawn& in_turn, const Drawn& other) {
-  const Picture wanted = picture_of(scene, in_turn), drawn = picture_of(scene, other);
+  const Picture wanted = scene.picture_of(in_turn.canvas), drawn = scene.picture_of(other.canvas);
   Violation violation{.law = "SAME", .what = what, .shown = scene.shown()};
   violation.scene = scene.copies();
   const auto at = std::ranges::mismatch(wanted.pixels, drawn.pixels);
@@ -155,8 +126,8 @@ struct Drawn {
   const auto index = static_cast<int32_t>(at.in1 - wanted.pixels.begin());
   violation.x_px = index % wanted.width_px;
   violation.y_px = index / wanted.width_px;
-  violation.allowed = describe(scene.shown(), *at.in1) + ", as one after another";
-  violation.drawn = describe(scene.shown(), *at.in2);
+  violation.allowed = scene.describe(*at.in1) + ", as one after another";
+  violation.drawn = scene.describe(*at.in2);
   violation.comparison = std::make_shared<const Comparison>(Comparison{drawn, wanted, false});
   return violation;
 }

@@ -96,6 +96,33 @@ std::string PolygonScene::copies() const {
          "the complement";
 }
 
+Picture PolygonScene::picture_of(const Canvas& drawn) const {
+  const uint32_t background = blank().pixel(0, 0);
+  Picture picture{case_.target_width_px, case_.target_height_px};
+  for (int32_t y = 0; y < case_.target_height_px; ++y) {
+    for (int32_t x = 0; x < case_.target_width_px; ++x) {
+      const uint32_t value = drawn.pixel(x, y);
+      picture.pixels.push_back(value == background ? MaybePixel() : value);
+    }
+  }
+  return picture;
+}
+
+std::string PolygonScene::describe(const std::optional<uint32_t>& pixel) const {
+  if (!pixel) return "nothing";
+  if (case_.filter != SELVAGE_FILTER_NEAREST) return describe_colour(*pixel);
+  const auto told = [&](uint32_t value) -> std::optional<std::string> {
+    const std::optional<Texel> texel = texel_of_folded(case_, value);
+    if (!texel) return {};
+    return describe_texel(coordinate_texel(texel->s, texel->t));
+  };
+  if (const auto first = told(*pixel)) return *first + " of the first texture";
+  if (const auto second = told(~*pixel & value_bits(case_.format))) {
+    return *second + " of the second texture";
+  }
+  return "value " + std::to_string(*pixel);
+}
+
 std::vector<selvage_polygon> PolygonScene::polygons(
     const std::vector<selvage_texture>& textures) const {
   std::vector<selvage_polygon> all;

@@ -10,6 +10,7 @@
 #include "spec/canvas.h"
 #include "spec/case.h"
 #include "spec/geometry.h"
+#include "spec/picture.h"
 #include "spec/subject.h"
 #include "spec/texture_memory.h"
 
@@ -39,6 +40,11 @@ class PolygonScene {
   [[nodiscard]] TexelAt texels_of(size_t i) const;
   // Lays it out: in new memory, or in that of another one's.
   void put_texture(const Subject& subject, size_t i, std::optional<TextureMemory>* memory) const;
+  // What is left of the background counts as not drawn: no other way to tell it from a texel.
+  [[nodiscard]] Picture picture_of(const Canvas& drawn) const;
+  // Of either texture. Where a texel of the one has the value of one of the other, the first is
+  // told.
+  [[nodiscard]] std::string describe(const std::optional<uint32_t>& pixel) const;
   // Views of the scene.
   [[nodiscard]] std::vector<selvage_texture> textures() const {
     return {textures_[0].view(), textures_[1].view()};

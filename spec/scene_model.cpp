@@ -1,5 +1,6 @@
 #include "spec/scene_model.h"
 
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -12,10 +13,6 @@ namespace {
 [[nodiscard]] bool is_visible(const Case& c, int32_t x, int32_t y) {
   return !c.has_clip ||
          (c.clip.left <= x && x < c.clip.right && c.clip.top <= y && y < c.clip.bottom);
-}
-
-[[nodiscard]] std::string value_text(const Case& c, uint32_t value) {
-  return c.format == SELVAGE_RGBA8888 ? describe_colour(value) : "value " + std::to_string(value);
 }
 
 }  // namespace
@@ -44,6 +41,16 @@ bool SceneModel::is_allowed(size_t index, uint32_t value) const {
   return allowed ? allowed->holds(value) : value == background_;
 }
 
+Comparison SceneModel::comparison_of(const Canvas& drawn) const {
+  const Picture picture = scene_.picture_of(drawn);
+  Comparison comparison{picture, picture, false};
+  for (size_t i = 0; i < picture.pixels.size(); ++i) {
+    if (is_allowed(i, picture.pixels[i].value_or(background_))) continue;
+    comparison.wanted.pixels[i] = pixels_[i] ? MaybePixel(pixels_[i]->exact()) : MaybePixel();
+  }
+  return comparison;
+}
+
 Judgement SceneModel::judge(const std::string& what, const Canvas& drawn) const {
   const Case& c = scene_.shown();
   Judgement judgement;
@@ -52,12 +59,13 @@ Judgement SceneModel::judge(const std::string& what, const Canvas& drawn) const 
       const size_t index = judgement.judged_px++;
       const uint32_t value = drawn.pixel(x, y);
       if (is_allowed(index, value)) continue;
-      const std::optional<AllowedPixel>& allowed = pixels_[index];
-      judgement.violation =
-          violation_at("SAME", what, c, x, y,
-                       allowed ? allowed->text() + " of the polygon on top" : "nothing", value);
-      judgement.violation->drawn = value == background_ ? "nothing" : value_text(c, value);
-      judgement.violation->scene = scene_.copies();
+      Violation violation{.law = "SAME", .what = what, .x_px = x, .y_px = y, .shown = c};
+      violation.scene = scene_.copies();
+      violation.comparison = std::make_shared<const Comparison>(comparison_of(drawn));
+      violation.allowed =
+          pixels_[index] ? pixels_[index]->text() + " of the polygon on top" : "nothing";
+      violation.drawn = scene_.describe(violation.comparison->drawn.at(x, y));
+      judgement.violation = std::move(violation);
       return judgement;
     }
   }

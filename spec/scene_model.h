@@ -22,6 +22,8 @@ class SceneModel {
 
  private:
   [[nodiscard]] bool is_allowed(size_t index, uint32_t value) const;
+  // Alike but for the pixels that are not.
+  [[nodiscard]] Comparison comparison_of(const Canvas& drawn) const;
 
   const PolygonScene& scene_;
   uint32_t background_;
