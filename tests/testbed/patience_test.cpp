@@ -44,8 +44,8 @@ class OnABusyProcessor : public testing::Test {
 
   pid_t forked(void (*work)()) {
     const pid_t child = fork();
-    for (; child == 0;) work();
-    return children_.emplace_back(child);
+    if (child != 0) return children_.emplace_back(child);
+    for (;;) work();
   }
   pid_t busy() {
     return forked([] { (void)std::clock(); });
