@@ -96,7 +96,8 @@ TEST_F(Program, SaysThatItsFilesMayNotGrowSoFar) {
       "draw --texture texture.png --background noise.png -o drawn.png --polygon '0,0,0,0 1,0,0,0 "
       "0,1,0,0'";
   EXPECT_EQ(run(draw, "out", "ulimit -f 2048; "), 2);
-  EXPECT_EQ(get("err"), "selvage: cannot write 'drawn.png': File too large\n");
+  // A build that measures coverage cannot write that either, and says so behind it.
+  EXPECT_EQ(get("err").rfind("selvage: cannot write 'drawn.png': File too large\n", 0), 0u);
   EXPECT_EQ(files(), (Names{"err", "noise.png", "out", "texture.png"}));
   EXPECT_EQ(run(draw), 0);  // what would be right
 }

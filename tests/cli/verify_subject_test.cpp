@@ -96,7 +96,8 @@ TEST_F(VerifySubject, ReplaysACrash) {
   options_.seed = "";
   options_.case_hex = violation["case"];
   EXPECT_EQ(run("writes_before"), kExitLawFailed);
-  expect_contains(out(), violation["drawn"].get<std::string>());
+  const auto drawn = violation["drawn"].get<std::string>();
+  expect_contains(out(), drawn.substr(0, drawn.find(", with ")));  // memory of a sanitizer's
   EXPECT_EQ(run("right"), kExitFine);
 }
 
