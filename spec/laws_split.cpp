@@ -31,13 +31,6 @@ void map_affinely(std::vector<selvage_vertex>* vertices, int32_t factor_step, Ch
   }
 }
 
-// Moved down to multiples of a power of two.
-[[nodiscard]] selvage_vertex on_steps(selvage_vertex v, int32_t step_fx8) {
-  v.x &= ~(step_fx8 - 1);
-  v.y &= ~(step_fx8 - 1);
-  return v;
-}
-
 // A convex outline with a chord between vertices 0 and `end`, both parts with an area.
 struct Chord {
   std::vector<selvage_vertex> outline;
@@ -82,9 +75,10 @@ struct Chord {
 Judgement check_split(const Subject& subject, const Case& c) {
   Choices choices(c.choice);
   const int32_t grid_fx8 = mapped_step_fx8(profile_of(c), subject.claims);
-  Case on_grid = acceptable(subject.claims, c);
-  for (selvage_vertex& v : on_grid.vertices) v = on_steps(v, grid_fx8);
-  std::optional<Chord> chord = choose_chord(convex_hull(on_grid.vertices), grid_fx8, choices);
+  Capabilities on_grid = subject.claims;
+  on_grid.position_step_fx8 = grid_fx8;
+  const std::vector<selvage_vertex> hull = convex_hull(acceptable(on_grid, c).vertices);
+  std::optional<Chord> chord = choose_chord(hull, grid_fx8, choices);
   if (!chord) return {};
   std::vector<selvage_vertex>& outline = chord->outline;
   map_affinely(&outline, std::max(subject.claims.coordinate_step_fx16 / grid_fx8, 1), choices);

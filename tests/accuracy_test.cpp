@@ -277,6 +277,8 @@ TEST(AccuracyOfASubject, TakesSomeLawsTheirSay) {
   EXPECT_FALSE(is_promised_by(within(SELVAGE_SUBTEXELS / 4), "ORACLE"));
   EXPECT_TRUE(is_promised_by(within(SELVAGE_SUBTEXELS - 1), "SAME"));
   EXPECT_FALSE(is_promised_by(within(SELVAGE_SUBTEXELS), "SAME"));
+  EXPECT_EQ(verify(*find_law("SAME"), within(1 << 30), 1, 20).judged_px, 0u)
+      << "asked all the same";
   const Subject far = within(SELVAGE_SUBTEXELS);
   for (const char* law : {"MAP", "CLIP", "FILTER"}) {
     EXPECT_TRUE(is_promised_by(far, law));
