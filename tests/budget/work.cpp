@@ -215,4 +215,25 @@ std::optional<Work> work_of(std::string_view kind) {
   return adversarial(kind);
 }
 
+Work excerpt_of(Work work) {
+  constexpr size_t kMany = 8, kSomeTriangles = 64;
+  if (work.polygons.size() >= kMany) {
+    work.polygons.resize(
+        std::min(work.polygons.size(), work.unit == "triangle" ? kSomeTriangles : kMany));
+    return work;
+  }
+  int32_t top_fx8 = SELVAGE_X_END, bottom_fx8 = SELVAGE_X_MIN;
+  for (const Polygon& each : work.polygons) {
+    const auto [top, bottom] = std::ranges::minmax(each, {}, &selvage_vertex::y);
+    top_fx8 = std::min(top_fx8, top.y);
+    bottom_fx8 = std::max(bottom_fx8, bottom.y);
+  }
+  const int32_t top_px = std::max(top_fx8 / SELVAGE_SUBPIXELS, 0);
+  const int32_t bottom_px = std::min(bottom_fx8 / SELVAGE_SUBPIXELS + 1, work.target_height_px);
+  const int32_t rows = work.filter == SELVAGE_FILTER_AREA ? 2 : 8;
+  const int32_t first_px = std::max((top_px + bottom_px - rows) / 2, top_px);
+  work.rows_px = {first_px, std::min(first_px + rows, bottom_px)};
+  return work;
+}
+
 }  // namespace selvage::budget
