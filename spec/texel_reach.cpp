@@ -1,6 +1,7 @@
 #include "spec/texel_reach.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "spec/coordinate_texture.h"
 #include "spec/law_tools.h"
@@ -47,7 +48,8 @@ std::optional<Margin> margin_along(const Reaching& reach, int32_t texel, int32_t
 }
 
 void add(std::optional<Margin>* nearest, const std::optional<Margin>& other) {
-  if (other && (!*nearest || other->share() > (*nearest)->share())) *nearest = other;
+  const auto order = [](const Margin& m) { return std::pair(m.share(), m.bound); };
+  if (other && (!*nearest || order(*other) > order(**nearest))) *nearest = other;
 }
 
 namespace {

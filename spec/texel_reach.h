@@ -32,7 +32,8 @@ struct Reaching {
 [[nodiscard]] std::optional<Margin> margin_along(const Reaching& reach, int32_t texel, int32_t size,
                                                  selvage_address address);
 
-// Keeps the margin that is nearer to its bound.
+// Keeps the margin that is nearer to its bound; of equal ones the one with the larger, so that the
+// order in which they come makes no difference.
 void add(std::optional<Margin>* nearest, const std::optional<Margin>& other);
 
 // Equally far in every direction.

@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <utility>
+
 #include "spec/generate_historic.h"
 #include "spec/law_tools.h"
 #include "spec/model.h"
+#include "spec/texel_reach.h"
 #include "spec/verify.h"
 
 namespace selvage::spec {
@@ -219,6 +223,21 @@ TEST(Margin, IsTheLeastOfTheReachThatItTakes) {
   EXPECT_EQ(share(1, 2, SELVAGE_ADDRESS_CLAMP), 0) << "the last texel goes on";
   EXPECT_EQ(share(0, 3, SELVAGE_ADDRESS_WRAP), 0.5) << "texel 3, not 0";
   EXPECT_FALSE(margin_along({Rational(5, 2), 0, 0}, 2, 8, SELVAGE_ADDRESS_CLAMP));
+}
+
+TEST(Margin, IsTheSameInWhicheverOrderTheyCome) {
+  constexpr Margin none{0, 0.5}, none_of_more{0, 2}, half{1, 2}, half_of_less{0.25, 0.5};
+  const auto nearest = [](const Margin& first, const Margin& second) {
+    std::optional<Margin> margin;
+    for (const Margin& each : {first, second}) add(&margin, each);
+    add(&margin, std::nullopt);
+    return std::pair(margin->measured, margin->bound);
+  };
+  for (const auto& [less, more] : {std::pair(none, none_of_more), std::pair(half_of_less, half),
+                                   std::pair(none_of_more, half_of_less)}) {
+    EXPECT_EQ(nearest(less, more), std::pair(more.measured, more.bound));
+    EXPECT_EQ(nearest(more, less), std::pair(more.measured, more.bound));
+  }
 }
 
 }  // namespace
