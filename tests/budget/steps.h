@@ -16,14 +16,14 @@ inline constexpr bool kCountsSteps = true;
 // Instructions of `work` and some ten of the counting itself. The processor's trap flag raises a
 // signal behind each (Intel 64 and IA-32 Architectures Software Developer's Manual, 17.3.1.4), some
 // microseconds an instruction. On the calling thread alone; what the system does is not counted,
-// and of instructions with a repeat prefix each time is.
+// and of an instruction with a repeat prefix each repetition is.
 template <typename Function>
 [[nodiscard]] uint64_t instructions_of(Function&& work) {
   constexpr unsigned long long kTrapFlag = 0x100;
   static std::atomic<uint64_t> count;
   static_assert(std::atomic<uint64_t>::is_always_lock_free);  // a handler of signals may use it
-  struct sigaction on_trap {
-  }, before{};
+  using Action = struct sigaction;
+  Action on_trap{}, before{};
   on_trap.sa_handler = [](int) { count.fetch_add(1, std::memory_order_relaxed); };
   sigaction(SIGTRAP, &on_trap, &before);
   count = 0;
