@@ -33,6 +33,12 @@ HWY_INLINE void draw_by_vectors(const AffineSpans& spans, const Surface& surface
   draw_wide<Pixel, Address>(spans, surface, shape, of_pairs, inside, rest);
 }
 
+// So few pixels that finding their windows would cost more than they do one by one, as measured on
+// AMD's family 26: a fifth of a polygon of one pixel, nothing any more of four.
+[[nodiscard]] HWY_INLINE bool is_tiny(const SpanBatch& batch) {
+  return batch.rows <= 2 && batch.widest_px <= 2;
+}
+
 // Returns whether there were many near-ties.
 template <class Pixel, class Address>
 HWY_NOINLINE bool draw_affine_as(const AffineSpans& spans, const Surface& surface) {
@@ -50,6 +56,9 @@ HWY_NOINLINE bool draw_affine_as(const AffineSpans& spans, const Surface& surfac
 }  // namespace
 
 void draw_affine(const AffineSpans& spans, const Surface& surface) {
+  if (is_tiny(spans.batch)) {
+    return scalar_kernels(SELVAGE_FILTER_NEAREST).draw_affine(spans, surface);
+  }
   with_address(surface, [&](auto address) {
     with_pixel(surface.target.format, [&](auto pixel) {
       draw_affine_as<decltype(pixel), decltype(address)>(spans, surface);
