@@ -1,7 +1,7 @@
 #include "spec/texel_reach.h"
 
 #include <algorithm>
-#include <utility>
+#include <tuple>
 
 #include "spec/coordinate_texture.h"
 #include "spec/law_tools.h"
@@ -48,7 +48,7 @@ std::optional<Margin> margin_along(const Reaching& reach, int32_t texel, int32_t
 }
 
 void add(std::optional<Margin>* nearest, const std::optional<Margin>& other) {
-  const auto order = [](const Margin& m) { return std::pair(m.share(), m.bound); };
+  const auto order = [](const Margin& m) { return std::tuple(m.share(), m.bound, m.measured); };
   if (other && (!*nearest || order(*other) > order(**nearest))) *nearest = other;
 }
 

@@ -227,14 +227,18 @@ TEST(Margin, IsTheLeastOfTheReachThatItTakes) {
 
 TEST(Margin, IsTheSameInWhicheverOrderTheyCome) {
   constexpr Margin none{0, 0.5}, none_of_more{0, 2}, half{1, 2}, half_of_less{0.25, 0.5};
+  // Quotients are rounded: one share, of two errors.
+  constexpr Margin two_thirds{0x1.8000000000001p-1, 1.5}, a_bit_more{0x1.8000000000002p-1, 1.5};
+  static_assert(two_thirds.measured / 1.5 == a_bit_more.measured / 1.5);
   const auto nearest = [](const Margin& first, const Margin& second) {
     std::optional<Margin> margin;
     for (const Margin& each : {first, second}) add(&margin, each);
     add(&margin, std::nullopt);
     return std::pair(margin->measured, margin->bound);
   };
-  for (const auto& [less, more] : {std::pair(none, none_of_more), std::pair(half_of_less, half),
-                                   std::pair(none_of_more, half_of_less)}) {
+  for (const auto& [less, more] :
+       {std::pair(none, none_of_more), std::pair(half_of_less, half),
+        std::pair(none_of_more, half_of_less), std::pair(two_thirds, a_bit_more)}) {
     EXPECT_EQ(nearest(less, more), std::pair(more.measured, more.bound));
     EXPECT_EQ(nearest(more, less), std::pair(more.measured, more.bound));
   }

@@ -7,20 +7,32 @@ namespace selvage::budget {
 namespace {
 
 constexpr uint32_t kUntouched = 0xFFFFFFFF;
-constexpr int32_t kPixelBytes = 4;
+constexpr int32_t kPixelBytes = 4, kPadding_texel = 16;
 
 }  // namespace
 
-Texture::Texture(const Work& work) {
-  const int32_t side_texel = work.texture_side_texel, pitch_texel = side_texel + 16;
-  texels_.resize(static_cast<size_t>(pitch_texel * side_texel));
-  for (size_t i = 0; i < texels_.size(); ++i) {
-    texels_[i] = static_cast<uint32_t>(i) * 0x9E3779B1u >> 8;
-  }
-  texture_ = {texels_.data(),   side_texel,          side_texel, pitch_texel * kPixelBytes,
+Pixels::Pixels(size_t count, uint32_t value) : count_(count) {
+  constexpr size_t kPage_bytes = 4096;
+  const size_t bytes = count * sizeof(uint32_t);
+  first_.reset(
+      static_cast<uint32_t*>(std::aligned_alloc(kPage_bytes, bytes + (0 - bytes) % kPage_bytes)));
+  std::ranges::fill(get(), value);
+}
+
+void Pixels::Free::operator()(uint32_t* memory) const { std::free(memory); }
+
+Texture::Texture(const Work& work)
+    : texels_(
+          static_cast<size_t>((work.texture_side_texel + kPadding_texel) * work.texture_side_texel),
+          0) {
+  const int32_t side_texel = work.texture_side_texel, pitch_texel = side_texel + kPadding_texel;
+  uint32_t i = 0;
+  for (uint32_t& texel : texels_.get()) texel = i++ * 0x9E3779B1u >> 8;
+  uint32_t* const texels = texels_.get().data();
+  texture_ = {texels,           side_texel,          side_texel, pitch_texel * kPixelBytes,
               SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr};
   if (work.flips_texture) {
-    texture_.texels = texels_.data() + pitch_texel * (side_texel - 1);
+    texture_.texels = texels + pitch_texel * (side_texel - 1);
     texture_.pitch = -texture_.pitch;
   }
   if (work.with_sums) status_ = prepare();
@@ -28,18 +40,16 @@ Texture::Texture(const Work& work) {
 
 selvage_status Texture::prepare() {
   const size_t bytes = selvage_prepare_bytes(&texture_, SELVAGE_LAYOUT_ROWS, 1);
-  prepared_.reset(static_cast<char*>(std::aligned_alloc(
-      SELVAGE_PREPARED_ALIGNMENT, bytes + (0 - bytes) % SELVAGE_PREPARED_ALIGNMENT)));
-  return selvage_prepare(&texture_, SELVAGE_LAYOUT_ROWS, 1, prepared_.get(), bytes, &texture_);
+  prepared_.emplace(bytes / sizeof(uint32_t) + 1, 0);
+  return selvage_prepare(&texture_, SELVAGE_LAYOUT_ROWS, 1, prepared_->get().data(), bytes,
+                         &texture_);
 }
-
-void Texture::Free::operator()(char* memory) const { std::free(memory); }
 
 Drawing::Drawing(const Work& work, selvage_kernel kernel)
     : work_(work),
       texture_(work),
       pixels_(static_cast<size_t>(work.target_width_px * work.target_height_px), kUntouched),
-      target_{pixels_.data(), work.target_width_px, work.target_height_px,
+      target_{pixels_.get().data(), work.target_width_px, work.target_height_px,
               work.target_width_px * kPixelBytes, SELVAGE_RGBA8888} {
   options_.filter = work.filter;
   options_.address = work.address;
@@ -68,7 +78,7 @@ selvage_status Drawing::draw() {
 
 size_t Drawing::units() const {
   if (work_.unit == "triangle") return work_.polygons.size();
-  return pixels_.size() - static_cast<size_t>(std::ranges::count(pixels_, kUntouched));
+  return pixels_.get().size() - static_cast<size_t>(std::ranges::count(pixels_.get(), kUntouched));
 }
 
 }  // namespace selvage::budget

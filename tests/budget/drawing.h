@@ -4,12 +4,30 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "selvage.h"
 #include "work.h"
 
 namespace selvage::budget {
+
+// So many pixels or texels in memory of its own pages: how many instructions draw them depends on
+// where they lie in a vector's bytes.
+class Pixels {
+ public:
+  Pixels(size_t count, uint32_t value);
+  [[nodiscard]] std::span<uint32_t> get() const { return {first_.get(), count_}; }
+
+ private:
+  struct Free {
+    void operator()(uint32_t* memory) const;
+  };
+
+  std::unique_ptr<uint32_t, Free> first_;
+  size_t count_;
+};
 
 // Padded, as the benchmark's textures are; with sums if the work wants them.
 class Texture {
@@ -23,12 +41,9 @@ class Texture {
 
  private:
   [[nodiscard]] selvage_status prepare();
-  struct Free {
-    void operator()(char* memory) const;
-  };
 
-  std::vector<uint32_t> texels_;
-  std::unique_ptr<char, Free> prepared_;
+  Pixels texels_;
+  std::optional<Pixels> prepared_;
   selvage_texture texture_{};
   selvage_status status_ = SELVAGE_OK;
 };
@@ -47,7 +62,7 @@ class Drawing {
  private:
   const Work& work_;
   Texture texture_;
-  std::vector<uint32_t> pixels_;
+  Pixels pixels_;
   selvage_image target_;
   selvage_options options_{};
   std::vector<selvage_polygon> list_;

@@ -14,9 +14,9 @@ namespace selvage::budget {
 inline constexpr bool kCountsSteps = true;
 
 // Instructions of `work` and some ten of the counting itself. The processor's trap flag raises a
-// signal behind each (Intel 64 and IA-32 Architectures Software Developer's Manual, 17.3.1.4), some
-// microseconds an instruction. On the calling thread alone; what the system does is not counted,
-// and of an instruction with a repeat prefix each repetition is.
+// signal behind each (Intel 64 and IA-32 Architectures Software Developer's Manual, 17.3.1.4), up
+// to 12 us an instruction. On the calling thread alone; what the system does is not counted, and of
+// an instruction with a repeat prefix each repetition is.
 template <typename Function>
 [[nodiscard]] uint64_t instructions_of(Function&& work) {
   constexpr unsigned long long kTrapFlag = 0x100;
