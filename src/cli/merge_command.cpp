@@ -1,8 +1,8 @@
 #include "cli/merge_command.h"
 
 #include <algorithm>
-#include <map>
-#include <span>
+#include <sstream>
+#include <tuple>
 #include <utility>
 
 #include "cli/corpus.h"
@@ -15,53 +15,57 @@
 namespace selvage::cli {
 namespace {
 
-// What all shards of a run have in common.
-void demand_one_run(const VerifyRun& first, const std::string& first_name, const VerifyRun& other,
-                    const std::string& name) {
-  const auto demand = [&](bool same, const std::string& what, const std::string& one,
-                          const std::string& two) {
-    if (same) return;
-    throw UserError("these are shards of different runs: " + what + " is '" + one + "' in '" +
-                    first_name + "' and '" + two + "' in '" + name + "'");
-  };
-  const auto text = [](uint64_t number) { return std::to_string(number); };
-  demand(first.subject == other.subject, "the subject", first.subject, other.subject);
-  demand(first.profile == other.profile, "the profile", first.profile, other.profile);
-  demand(first.accuracy_fx16 == other.accuracy_fx16, "the accuracy in 1/65536 texel",
-         std::to_string(first.accuracy_fx16), std::to_string(other.accuracy_fx16));
-  demand(first.seed == other.seed, "the seed", text(first.seed), text(other.seed));
-  demand(first.cases == other.cases, "the number of cases", text(first.cases), text(other.cases));
-  demand(first.hunted == other.hunted, "the number of hunted cases", text(first.hunted),
-         text(other.hunted));
-  demand(first.arguments == other.arguments, "what the subject was told by", first.arguments,
-         other.arguments);
-  demand(first.shard.count == other.shard.count, "the number of shards", text(first.shard.count),
-         text(other.shard.count));
-  const auto laws = [](const VerifyRun& run) {
-    std::string names;
-    for (const Verdict& verdict : run.verdicts) names += std::string(verdict.found.law->name) + " ";
-    return names;
-  };
-  demand(laws(first) == laws(other), "the list of laws", laws(first), laws(other));
+// "COV MAP", and what else runs have lists of.
+template <class Items, class Text>
+[[nodiscard]] std::string listed(const Items& items, const Text& text) {
+  std::string list;
+  for (const auto& item : items) list += (list.empty() ? "" : " ") + std::string(text(item));
+  return list;
 }
 
-void demand_all_shards(const std::vector<VerifyRun>& runs, const std::vector<std::string>& names) {
-  const uint64_t count = runs.front().shard.count;
-  std::map<uint64_t, std::string> seen;
-  for (size_t i = 0; i < runs.size(); ++i) {
-    std::string& before = seen[runs[i].shard.index];
-    const std::string shard = std::to_string(runs[i].shard.index) + "/" + std::to_string(count);
-    if (!before.empty()) {
-      throw UserError("shard " + shard + " is there twice: '" + before + "' and '" + names[i] +
-                      "'");
-    }
-    before = names[i];
+// What all shards of a run have in common.
+void demand_one_run(const ShardFile& first, const ShardFile& other) {
+  const auto demand = [&](const std::string& what, const auto& told) {
+    std::ostringstream one, two;
+    one << told(first.run);
+    two << told(other.run);
+    if (one.str() == two.str()) return;
+    throw UserError("these are shards of different runs: " + what + " is '" + one.str() + "' in '" +
+                    first.name + "' and '" + two.str() + "' in '" + other.name + "'");
+  };
+  demand("the subject", [](const VerifyRun& run) { return run.subject; });
+  demand("the profile", [](const VerifyRun& run) { return run.profile; });
+  demand("the accuracy in 1/65536 texel", [](const VerifyRun& run) { return run.accuracy_fx16; });
+  demand("the seed", [](const VerifyRun& run) { return run.seed; });
+  demand("the number of cases", [](const VerifyRun& run) { return run.cases; });
+  demand("the number of hunted cases", [](const VerifyRun& run) { return run.hunted; });
+  demand("what the subject was told by", [](const VerifyRun& run) { return run.arguments; });
+  demand("the number of shards", [](const VerifyRun& run) { return run.shard.count; });
+  demand("the list of laws", [](const VerifyRun& run) {
+    return listed(run.verdicts, [](const Verdict& law) { return law.found.law->name; });
+  });
+  demand("the list of functions that are not exported", [](const VerifyRun& run) {
+    return listed(run.not_exported, [](const NotExported& missing) { return missing.function; });
+  });
+  demand("whether ORACLE is missing",
+         [](const VerifyRun& run) { return run.oracle_missing ? "yes" : "no"; });
+}
+
+// In order of their shards.
+void demand_all_shards(const std::vector<ShardFile>& files) {
+  const uint64_t count = files.front().run.shard.count;
+  const auto shard = [&](uint64_t index) {
+    return "shard " + std::to_string(index) + "/" + std::to_string(count);
+  };
+  uint64_t next = 1;
+  for (size_t i = 0; i < files.size(); ++i, ++next) {
+    const uint64_t index = files[i].run.shard.index;
+    if (index > next) break;
+    if (index == next) continue;
+    throw UserError(shard(index) + " is there twice: '" + files[i - 1].name + "' and '" +
+                    files[i].name + "'");
   }
-  uint64_t next = 1;  // at most one more than there are files, however many shards are said to be
-  while (seen.contains(next)) ++next;
-  if (next <= count) {
-    throw UserError("shard " + std::to_string(next) + "/" + std::to_string(count) + " is missing");
-  }
+  if (next <= count) throw UserError(shard(next) + " is missing");
 }
 
 // Which of two violations a run in one piece would have met first.
@@ -78,14 +82,19 @@ void add(spec::Hunted* total, const spec::Hunted& part) {
   if (part.best && (!total->best || *part.best > *total->best)) total->best = part.best;
 }
 
-[[nodiscard]] Verdict sum(const std::vector<VerifyRun>& runs, size_t law) {
+// What became of the known violations: of all that were there when the last shard began.
+[[nodiscard]] bool is_less(const Known& a, const Known& b) {
+  return std::tie(a.tried, a.not_judged) < std::tie(b.tried, b.not_judged);
+}
+
+[[nodiscard]] Verdict sum(const std::vector<ShardFile>& files, size_t law) {
   Verdict total;
-  total.found.law = runs.front().verdicts[law].found.law;
-  Known known;  // every shard tries all of them that were there when it began
+  total.found.law = files.front().run.verdicts[law].found.law;
+  Known known;
   uint64_t time_ns = 0;
-  for (const VerifyRun& run : runs) {
-    const Verdict& part = run.verdicts[law];
-    if (part.known.tried > known.tried) known = part.known;
+  for (const ShardFile& file : files) {
+    const Verdict& part = file.run.verdicts[law];
+    if (is_less(known, part.known)) known = part.known;
     time_ns += static_cast<uint64_t>(part.time_ns);
     if (is_before(part, total)) total = part;
     total.lacked_time |= part.lacked_time;
@@ -105,27 +114,27 @@ void add(spec::Hunted* total, const spec::Hunted& part) {
 
 }  // namespace
 
-VerifyRun merged(const std::vector<VerifyRun>& runs, const std::vector<std::string>& names) {
-  for (size_t i = 1; i < runs.size(); ++i) {
-    demand_one_run(runs.front(), names.front(), runs[i], names[i]);
-  }
-  demand_all_shards(runs, names);
-  VerifyRun whole = runs.front();
+VerifyRun merged(std::vector<ShardFile> files) {
+  std::ranges::stable_sort(files, {}, [](const ShardFile& file) { return file.run.shard.index; });
+  for (const ShardFile& file : files) demand_one_run(files.front(), file);
+  demand_all_shards(files);
+  VerifyRun whole = files.front().run;
   whole.shard = {};
-  const VerifyRun& last = *std::ranges::max_element(runs, {}, &VerifyRun::known_cases);
+  const auto known_cases = [](const ShardFile& file) { return file.run.known_cases; };
+  const VerifyRun& last = std::ranges::max_element(files, {}, known_cases)->run;
   whole.known_cases = last.known_cases;
   whole.known_of_others = last.known_of_others;
-  for (size_t law = 0; law < whole.verdicts.size(); ++law) whole.verdicts[law] = sum(runs, law);
+  for (size_t law = 0; law < whole.verdicts.size(); ++law) whole.verdicts[law] = sum(files, law);
   note_not_promised(&whole);
   return whole;
 }
 
 int run_merge(const MergeOptions& options, const Console& console) {
-  std::vector<VerifyRun> runs;
-  for (const std::string& file : options.files) {
-    runs.push_back(read_verdict(file, read_text_file(file)));
+  std::vector<ShardFile> files;
+  for (const std::string& name : options.files) {
+    files.push_back({name, read_verdict(name, read_text_file(name))});
   }
-  const VerifyRun whole = merged(runs, options.files);
+  const VerifyRun whole = merged(std::move(files));
   if (!options.junit.empty()) check_output(options.junit);
   if (!options.corpus.empty()) make_corpus(options.corpus, console);
   add_to_corpus(options.corpus, whole);

@@ -16,10 +16,14 @@ struct MergeOptions {
   bool json = false;
 };
 
-// The verdict of the run that was not sharded; times are added up. Throws UserError where they are
-// not all shards of one run; names[i] names runs[i] in it.
-[[nodiscard]] VerifyRun merged(const std::vector<VerifyRun>& runs,
-                               const std::vector<std::string>& names);
+struct ShardFile {
+  std::string name;
+  VerifyRun run;
+};
+
+// The verdict of the run that was not sharded, whatever the order of the files; times are added up.
+// Throws UserError where they are not all shards of one run.
+[[nodiscard]] VerifyRun merged(std::vector<ShardFile> files);
 
 // Returns kExitFine, kExitLawFailed or kExitNoTime.
 int run_merge(const MergeOptions& options, const Console& console);

@@ -74,6 +74,13 @@ template <std::integral Integer = uint64_t>
   return hunted;
 }
 
+[[nodiscard]] spec::Margin read_margin(const JsonNode& node) {
+  const JsonNode measured = node.at("measured"), bound = node.at("bound");
+  if (measured.number() < 0) measured.fail("no error is below 0");
+  if (!(bound.number() > 0)) bound.fail("a bound is above 0");
+  return {measured.number(), bound.number()};
+}
+
 [[nodiscard]] spec::Case read_case(const JsonNode& node) {
   const std::string& digits = node.text();
   const std::optional<spec::Case> c = spec::from_hex(digits);
@@ -139,10 +146,7 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
   verdict.time_ns = whole<int64_t>(node.at("time_ns"));
   const JsonNode told = node.at("verdict");
   verdict.lacked_time = told.text() == "not judged";
-  if (node.has("nearest")) {
-    const JsonNode margin = node.at("nearest");
-    found.margin = {margin.at("measured").number(), margin.at("bound").number()};
-  }
+  if (node.has("nearest")) found.margin = read_margin(node.at("nearest"));
   if (node.has("not_claimed")) found.not_claimed = read_counts(node.at("not_claimed"));
   if (node.has("hunted")) found.hunted = read_hunted(node.at("hunted"));
   if (node.has("known")) {

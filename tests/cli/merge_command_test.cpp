@@ -98,6 +98,28 @@ TEST_F(Merge, KeepsTheNearestMargin) {
   EXPECT_LE(nearest["measured"], nearest["bound"]);
 }
 
+// Shards that fail on the same known violation may have drawn it, each, into a file of its own.
+TEST_F(Merge, TellsTheSameInWhicheverOrderTheFilesCome) {
+  auto files = put_shards(blank(), 3, "exact", "9", "0");
+  for (const std::string& name : files) {
+    auto values = nlohmann::json::parse(get(name));
+    for (auto& law : values["laws"]) {
+      if (!law.contains("violation")) continue;
+      law["violation"]["found_by"] = "corpus";
+      law["violation"]["case_number"] = 0;
+      law["violation"]["picture"] = name;
+      law["known"] = {{"tried", 1}, {"not_judged", {{"of " + name, 1}}}};
+    }
+    put(name, values.dump());
+  }
+  const auto first = nlohmann::json::parse(merge(files, kExitLawFailed));
+  EXPECT_EQ(first["laws"][0]["violation"]["picture"], "1.json");
+  std::ranges::sort(files);
+  do {
+    EXPECT_EQ(nlohmann::json::parse(merge(files, kExitLawFailed)), first);
+  } while (std::ranges::next_permutation(files).found);
+}
+
 TEST_F(Merge, TellsOfWhichSubjectTheVerdictIs) {
   const auto shards = put_shards(spec::built_in(), 2, "abrash56", "10", "0");
   std::ostringstream out, err;
@@ -220,6 +242,18 @@ TEST_F(Merge, RefusesWhatIsNotAllOfOneRun) {
   put("accuracy.json", verified(inexact, "2/2"));
   expect_contains(refused({"1.json", "accuracy.json"}),
                   "the accuracy in 1/65536 texel is '0' in '1.json' and '64' in 'accuracy.json'");
+  const auto change = [&](const char* key, const nlohmann::json& value) {
+    auto values = nlohmann::json::parse(get("2.json"));
+    values[key] = value;
+    put("changed.json", values.dump());
+  };
+  change("not_exported", {{{"function", "selvage_prepare"}, {"law", "SAME"}}});
+  expect_contains(refused({"changed.json", "1.json"}),
+                  "the list of functions that are not exported is '' in '1.json' and "
+                  "'selvage_prepare' in 'changed.json'");
+  change("oracle_missing", true);
+  expect_contains(refused({"1.json", "changed.json"}),
+                  "whether ORACLE is missing is 'no' in '1.json' and 'yes' in 'changed.json'");
   EXPECT_EQ(refused({"none.json"}), "cannot read 'none.json': No such file or directory");
   put("text.json", std::string("no verdict"));
   expect_contains(refused({"text.json"}), "text.json:1: not JSON: ");
@@ -254,6 +288,10 @@ TEST_F(Merge, RefusesDamagedNumbers) {
     expect_contains(refused("/accuracy_fx16", wrong),
                     "a whole number from -2147483648 to 2147483647 is needed, not ");
   }
+  const char* negative = R"({"measured": -1, "bound": 1})";
+  expect_contains(refused("/laws/0/nearest", negative), "measured: no error is below 0");
+  const char* without = R"({"measured": 0, "bound": 0})";
+  expect_contains(refused("/laws/0/nearest", without), "bound: a bound is above 0");
   expect_contains(refused("/laws", "[]"), "it has no verdict of any law, and so shows nothing");
 }
 
