@@ -25,6 +25,7 @@
 #include "mapper/plane_footprint.h"
 #include "mapper/projective_plane.h"
 #include "mapper/projective_slab.h"
+#include "mapper/sums.h"
 #include "mapper/to_double.h"
 #include "mapper/tolerance.h"
 #include "mapper/vector/kernel.h"
@@ -248,6 +249,7 @@ inline constexpr double kSmallSum = 0x4.0001p-24;
       {"edge_reciprocal",
        {{"COLUMN_BITS", number(kColumnBits), "20"},
         {"DIVISOR_BITS", number(kColumnDivisorBits), "34"}}},
+      {"box_mean", {{"AREA_BITS", number(2 * kSummedSideBits), "42"}}},
       {"footprint", {{"ROUNDINGS", number(kFootprintRoundings), number(kFootprintRoundings - 2)}}},
       {"plane_footprint",
        {{"CONVERSION", number(kPlaneConversionRoundings * 0x1p-53), "0x5p-53"},

@@ -17,6 +17,8 @@ namespace selvage::mapper {
 
 using ChannelSums = std::array<uint32_t, 4>;  // bits 0 .. 7 of a texel first
 inline constexpr int64_t kMostSummed = UINT32_MAX / 255;
+// Of a side of the boxes that vectors look up, 1/256 texel: at most 2 to this power.
+inline constexpr int kSummedSideBits = 20;
 
 // How a table of sums lies in memory.
 struct SumsShape {

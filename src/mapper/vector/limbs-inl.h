@@ -123,7 +123,7 @@ struct OneLimb {
 // low + 2^n high, of which the low part is n bits at first, and carries nothing.
 struct LoosePair {
   uint64_t low, high;
-  friend HWY_INLINE LoosePair operator+(const LoosePair& a, const LoosePair& b) {
+  friend constexpr LoosePair operator+(const LoosePair& a, const LoosePair& b) {
     return {a.low + b.low, a.high + b.high};
   }
   friend HWY_INLINE LoosePair times(int64_t n, const LoosePair& a) {
