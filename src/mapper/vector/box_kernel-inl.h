@@ -13,7 +13,7 @@
 #include "mapper/box_row.h"
 #include "mapper/plane_footprint.h"
 #include "mapper/vector/blend_points-inl.h"
-#include "mapper/vector/box_mean-inl.h"
+#include "mapper/vector/box_sums-inl.h"
 #include "mapper/vector/entries-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -159,14 +159,21 @@ HWY_NOINLINE void draw_given_means(const BoxRow& boxes, const Span& piece, const
 }
 
 // Calls draw with the type of the means of such a surface.
+template <class Edge, class Layout, class Draw>
+HWY_INLINE void with_means_of(const Surface& surface, const Draw& draw) {
+  if (surface.texture.prepared == nullptr) {
+    return draw(std::type_identity<BoxMeans<Edge, Layout>>());
+  }
+  draw(std::type_identity<SummedMeans<Edge, Layout>>());
+}
 template <class Draw>
 HWY_INLINE void with_means(const Surface& surface, const Draw& draw) {
   with_layout(surface.texture.layout, [&](auto layout) {
     using Layout = decltype(layout);
     if (surface.address == SELVAGE_ADDRESS_CLAMP) {
-      return draw(std::type_identity<BoxMeans<ClampEdge, Layout>>());
+      return with_means_of<ClampEdge, Layout>(surface, draw);
     }
-    draw(std::type_identity<BoxMeans<WrapEdge, Layout>>());
+    with_means_of<WrapEdge, Layout>(surface, draw);
   });
 }
 

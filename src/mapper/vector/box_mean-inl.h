@@ -26,7 +26,6 @@
 #include "mapper/vector/blend_mix-inl.h"
 #include "mapper/vector/box_edges-inl.h"
 #include "mapper/vector/box_rounding-inl.h"
-#include "mapper/vector/box_sums-inl.h"
 #include "mapper/vector/words-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -185,17 +184,11 @@ class BoxMeans {
   HWY_INLINE explicit BoxMeans(const Surface& surface)
       : surface_(surface),
         columns_(surface.texture),
-        sums_(surface.texture),
-        least_summed_fx16_(least_summed_fx16(surface.texture)),
         is_large_(int64_t{surface.texture.width} * surface.texture.height > kLarge_texels) {}
 
   [[nodiscard]] HWY_INLINE bool is_large() const { return is_large_; }
   // Of a box inside the texture: others are few.
   HWY_INLINE void prefetch(const Box& box) const {
-    if (area_of(box) >= least_summed_fx16_) {
-      if (sums_.hold(box)) sums_.prefetch(box);
-      return;
-    }
     const BoxSide columns = BoxSide::of(box.left_fx8, box.width_fx8);
     const BoxSide rows = BoxSide::of(box.top_fx8, box.height_fx8);
     const selvage_texture& texture = surface_.texture;
@@ -205,11 +198,7 @@ class BoxMeans {
   }
 
   HWY_INLINE uint32_t operator()(const Box& box) const {
-    const int64_t area_fx16 = area_of(box);
-    if (area_fx16 >= least_summed_fx16_) {
-      const Box placed = in_period(box);
-      if (HWY_LIKELY(sums_.hold(placed))) return summed(placed);
-    }
+    const int64_t area_fx16 = int64_t{box.width_fx8} * box.height_fx8;
     if (HWY_UNLIKELY(area_fx16 > kMostSmallArea_fx16)) return large(box, area_fx16);
     const selvage_texture& texture = surface_.texture;
     const BoxSide columns = columns_of(box), rows = rows_of(box);
@@ -225,15 +214,6 @@ class BoxMeans {
   }
 
  private:
-  [[nodiscard]] static HWY_INLINE int64_t area_of(const Box& box) {
-    return int64_t{box.width_fx8} * box.height_fx8;
-  }
-  [[nodiscard]] HWY_INLINE Box in_period(const Box& box) const {
-    return {Edge::start(box.left_fx8, surface_.texture.width),
-            Edge::start(box.top_fx8, surface_.texture.height), box.width_fx8, box.height_fx8};
-  }
-  HWY_NOINLINE uint32_t summed(const Box& box) const { return sums_.mean(box); }
-
   [[nodiscard]] HWY_INLINE BoxSide columns_of(const Box& box) const {
     return BoxSide::of(Edge::start(box.left_fx8, surface_.texture.width), box.width_fx8);
   }
@@ -284,8 +264,6 @@ class BoxMeans {
 
   const Surface& surface_;
   BoxColumns<Layout> columns_;
-  BoxSums sums_;
-  int64_t least_summed_fx16_;
   bool is_large_;
 };
 

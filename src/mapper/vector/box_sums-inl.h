@@ -20,7 +20,7 @@
 
 #include "mapper/filter_box.h"
 #include "mapper/sums.h"
-#include "mapper/vector/kernel-inl.h"
+#include "mapper/vector/box_mean-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace selvage::mapper::HWY_NAMESPACE {
@@ -52,7 +52,6 @@ struct BoxEnd {
   }
 };
 
-// Of a texture that has none, nothing may be asked.
 class BoxSums {
  public:
   HWY_INLINE explicit BoxSums(const selvage_texture& texture)
@@ -173,14 +172,50 @@ class BoxSums {
   int32_t width_texel_, height_texel_;
 };
 
-// Looking up costs as much as visiting so many texels: measured, where the sums, of 16 bytes a
-// texel, lie in some cache and where they do not.
-[[nodiscard]] HWY_INLINE int64_t least_summed_fx16(const selvage_texture& texture) {
-  constexpr int64_t kCached_texels = 1 << 21;
-  if (texture.prepared == nullptr) return INT64_MAX;
-  const bool is_cached = int64_t{texture.width} * texture.height <= kCached_texels;
-  return (is_cached ? 48 : 128) * kTexel_fx8 * kTexel_fx8;
-}
+// Of a texture that has sums: a box is looked up or visited, whichever is faster.
+template <class Edge, class Layout>
+class SummedMeans {
+ public:
+  HWY_INLINE explicit SummedMeans(const Surface& surface)
+      : texture_(surface.texture),
+        sums_(surface.texture),
+        visited_(surface),
+        least_summed_fx16_(least_summed_fx16(surface.texture)) {}
+
+  [[nodiscard]] HWY_INLINE bool is_large() const { return visited_.is_large(); }
+  HWY_INLINE void prefetch(const Box& box) const {
+    if (!is_worth_summing(box)) return visited_.prefetch(box);
+    if (sums_.hold(box)) sums_.prefetch(box);
+  }
+
+  HWY_INLINE uint32_t operator()(const Box& box) const {
+    if (is_worth_summing(box)) {
+      const Box placed{Edge::start(box.left_fx8, texture_.width),
+                       Edge::start(box.top_fx8, texture_.height), box.width_fx8, box.height_fx8};
+      if (HWY_LIKELY(sums_.hold(placed))) return summed(placed);
+    }
+    return visited_(box);
+  }
+
+ private:
+  HWY_NOINLINE uint32_t summed(const Box& box) const { return sums_.mean(box); }
+
+  [[nodiscard]] HWY_INLINE bool is_worth_summing(const Box& box) const {
+    return int64_t{box.width_fx8} * box.height_fx8 >= least_summed_fx16_;
+  }
+  // Looking up costs as much as visiting so many texels: measured, where the sums, of 16 bytes a
+  // texel, lie in some cache and where they do not.
+  [[nodiscard]] static HWY_INLINE int64_t least_summed_fx16(const selvage_texture& texture) {
+    constexpr int64_t kCached_texels = 1 << 21;
+    const bool is_cached = int64_t{texture.width} * texture.height <= kCached_texels;
+    return (is_cached ? 48 : 128) * kTexel_fx8 * kTexel_fx8;
+  }
+
+  const selvage_texture& texture_;
+  BoxSums sums_;
+  BoxMeans<Edge, Layout> visited_;
+  int64_t least_summed_fx16_;
+};
 
 }  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE
