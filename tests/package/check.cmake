@@ -30,6 +30,12 @@ run(${WORK}/build/with_static)
 run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR}/embedded -B ${WORK}/embedded -G Ninja
     -DCMAKE_C_COMPILER=${C} -DCMAKE_CXX_COMPILER=${CXX}
     -DSELVAGE=${CMAKE_CURRENT_LIST_DIR}/../..)
+# Of a project that others install nothing of ours is, or all of it would have to be built.
+run(${CMAKE_COMMAND} --install ${WORK}/embedded --prefix ${WORK}/installed_around)
+file(GLOB_RECURSE installed_around ${WORK}/installed_around/*)
+if(installed_around)
+  message(FATAL_ERROR "a project around ours installs ${installed_around}")
+endif()
 # Where it was installed, and oneTBB with it.
 file(GLOB_RECURSE threads_library ${prefix}/*/libselvage_threads.a)
 if(threads_library)
@@ -49,6 +55,12 @@ execute_process(COMMAND ${PKG_CONFIG} --static --cflags --libs selvage
                 COMMAND_ERROR_IS_FATAL ANY)
 separate_arguments(flags UNIX_COMMAND "${flags}")
 separate_arguments(static_flags UNIX_COMMAND "${static_flags}")
+run(${C} -std=c11 ${consumer}/example.c ${flags} -Wl,-rpath,${libdir} -o ${WORK}/example)
+execute_process(COMMAND ${WORK}/example WORKING_DIRECTORY ${WORK} COMMAND_ERROR_IS_FATAL ANY)
+file(SIZE ${WORK}/triangle.ppm bytes)
+if(NOT bytes EQUAL 196623)  # "P6 256 256 255\n" and the pixels
+  message(FATAL_ERROR "the example's picture has ${bytes} bytes")
+endif()
 set(ENV{LD_LIBRARY_PATH} ${libdir})
 run(${C} -std=c11 ${consumer}/main.c ${flags} -o ${WORK}/by_pkg_config)
 run(${WORK}/by_pkg_config)
