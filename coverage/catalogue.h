@@ -58,6 +58,7 @@ void add_wrong_filters(Catalogue* catalogue);
 void add_wrong_tolerance(Catalogue* catalogue);
 void add_wrong_layouts(Catalogue* catalogue);
 void add_wrong_many(Catalogue* catalogue);
+void add_wrong_calls(Catalogue* catalogue);
 void add_wrong_historic_edges(Catalogue* catalogue);
 void add_wrong_historic_spans(Catalogue* catalogue);
 void add_wrong_historic_walks(Catalogue* catalogue);

@@ -26,6 +26,12 @@ struct ManyRecipe {
   // The polygons of a band, in the order of drawing.
   std::function<void(std::vector<selvage_polygon>&)> order = [](auto&) {};
 
+  // All polygons are checked before the first is drawn; which one is told of polygon i.
+  bool checks_first = true;
+  std::function<size_t(size_t i)> tell = [](size_t i) { return i; };
+  // As many threads as the machine has.
+  int32_t all_threads = 4;
+
   ManyRecipe();
 };
 

@@ -11,14 +11,15 @@ namespace {
 
 // In every profile: bands are cut in all of them alike.
 template <class Spoil>
-void add(Catalogue* catalogue, std::string_view name, std::string_view bug, Spoil spoil) {
+void add(Catalogue* catalogue, std::string_view name, std::string_view bug, Spoil spoil,
+         std::string_view killer = "SAME") {
   for (const spec::Profile& profile : spec::profiles()) {
     ManyRecipe recipe;
     spoil(recipe);
     spec::Subject subject = spec::built_in(profile.id);
     subject.draw_many = draw_many_by(std::move(recipe), subject);
     subject.name = std::string(profile.name) + "_" + std::string(name);
-    catalogue->add("SAME", bug, std::move(subject));
+    catalogue->add(killer, bug, std::move(subject));
   }
 }
 
@@ -37,6 +38,25 @@ void add_kernel_that_differs(Catalogue* catalogue) {
   };
   subject.name = "one_kernel_differs";
   catalogue->add("SAME", "one kernel draws a pixel off", std::move(subject));
+}
+
+// What is made of a list's arguments.
+void add_of_arguments(Catalogue* catalogue) {
+  add(
+      catalogue, "draws_until_one_is_refused", "polygons are drawn until one is refused",
+      [](ManyRecipe& r) { r.checks_first = false; }, "TOTAL");
+  add(
+      catalogue, "tells_the_next_one", "of a polygon that is refused the next one's index is told",
+      [](ManyRecipe& r) { r.tell = [](size_t i) { return i + 1; }; }, "TOTAL");
+  add(
+      catalogue, "no_threads_draw_nothing", "with as many threads as there are nothing is drawn",
+      [](ManyRecipe& r) {
+        r.all_threads = 0;
+        r.cut = [right = r.cut](int32_t height_px, int32_t threads) {
+          return threads == 0 ? std::vector<BandRows>() : right(height_px, threads);
+        };
+      },
+      "SAME");
 }
 
 }  // namespace
@@ -69,7 +89,26 @@ void add_wrong_many(Catalogue* catalogue) {
         };
       });
   add(catalogue, "first_polygon_lost", "the first polygon of the list is not drawn",
-      [](ManyRecipe& r) { r.prepare = [](auto& polygons) { polygons.erase(polygons.begin()); }; });
+      [](ManyRecipe& r) {
+        r.prepare = [](auto& polygons) {
+          if (!polygons.empty()) polygons.erase(polygons.begin());
+        };
+      });
+  add(catalogue, "no_more_than_eight", "of a long list the polygons from the ninth on are lost",
+      [](ManyRecipe& r) {
+        r.prepare = [](auto& polygons) {
+          if (polygons.size() > 8) polygons.resize(8);
+        };
+      });
+  add(catalogue, "one_count_for_all", "all polygons of a list have as few vertices as one of them",
+      [](ManyRecipe& r) {
+        r.prepare = [](auto& polygons) {
+          if (polygons.empty()) return;
+          const size_t least = std::ranges::min(polygons, {}, &selvage_polygon::count).count;
+          for (selvage_polygon& p : polygons) p.count = least;
+        };
+      });
+  add_of_arguments(catalogue);
 }
 
 }  // namespace selvage::coverage

@@ -16,6 +16,7 @@ std::span<const WrongMapper> wrong_mappers() {
     add_wrong_tolerance(&catalogue);
     add_wrong_layouts(&catalogue);
     add_wrong_many(&catalogue);
+    add_wrong_calls(&catalogue);
     add_wrong_historic_edges(&catalogue);
     add_wrong_historic_spans(&catalogue);
     add_wrong_historic_walks(&catalogue);

@@ -42,7 +42,10 @@ struct HostileOutcome {
 // filters or only nearest, prepared textures or none.
 [[nodiscard]] std::vector<HostileCall> hostile_calls(const Case& c, const Subject& subject);
 
-// Draws a good triangle with the case's images, spoiled.
-[[nodiscard]] HostileOutcome make(const Subject& subject, const Case& c, const HostileCall& call);
+// What is spoiled: a good triangle with the case's images.
+[[nodiscard]] Case good_drawing(const Subject& subject, const Case& c);
+// Draws it, spoiled.
+[[nodiscard]] HostileOutcome make(const Subject& subject, const Case& good,
+                                  const HostileCall& call);
 
 }  // namespace selvage::spec

@@ -24,8 +24,10 @@ namespace selvage::spec {
 [[nodiscard]] Judgement check_mem(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_total(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_same(const Subject& subject, const Case& c);
-// A part of law SAME.
+// Parts of law SAME.
 [[nodiscard]] Judgement check_same_layouts(const Subject& subject, const Case& c);
+[[nodiscard]] Judgement check_same_again(const Subject& subject, const Case& c);
+[[nodiscard]] Judgement check_same_place(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_oracle(const Subject& subject, const Case& c);
 
 }  // namespace selvage::spec

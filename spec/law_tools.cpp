@@ -63,6 +63,21 @@ void tell_coordinates(Violation* violation, const Case& shown, int32_t x_px, int
   violation->v = point->v.get_str();
 }
 
+namespace {
+
+// Of a texel of the coordinate texture.
+void tell_offset(Violation* violation, const MaybePixel& drawn) {
+  const Case& shown = violation->shown;
+  if (!drawn || violation->u.empty() || shown.filter != SELVAGE_FILTER_NEAREST) return;
+  const Texel texel = texel_of(*drawn);
+  if (texel.s >= shown.texture_width_texel || texel.t >= shown.texture_height_texel) return;
+  const Sample exact{Rational(violation->u), Rational(violation->v)};
+  const Offset offset = offset_to(texel, exact, shown);
+  if (offset.u_texel > 0 || offset.v_texel > 0) violation->off_by = offset;
+}
+
+}  // namespace
+
 std::string describe_colour(uint32_t pixel) {
   std::string text = "channels";
   for (int i = 0; i < 4; ++i) text += (i == 0 ? " " : ", ") + std::to_string(channel(pixel, i));
@@ -87,6 +102,7 @@ Violation violation_at(std::string_view law, std::string what, const Case& shown
                       .drawn = describe_pixel(shown, drawn),
                       .shown = shown};
   tell_coordinates(&violation, shown, x_px, y_px);
+  tell_offset(&violation, drawn);
   return violation;
 }
 
@@ -151,6 +167,7 @@ Judgement compare(std::string_view law, std::string_view what, const Case& shown
   if (!judgement.violation) return judgement;
   Violation& violation = *judgement.violation;
   violation.comparison = comparison_of(picture, other.shows_texels, judged_at);
+  if (!other.shows_texels) violation.off_by.reset();
   const auto told = [&](const Picture& of) {
     return describe(shown, other.shows_texels, of.at(violation.x_px, violation.y_px));
   };

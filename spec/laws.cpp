@@ -62,6 +62,13 @@ template <Judgement (*kCheck)(const Subject&, const Case&)>
   return text.str();
 }
 
+// Three digits are enough to tell a rounding from a prestep.
+[[nodiscard]] std::string texels_text(double texels) {
+  std::ostringstream text;
+  text << std::setprecision(3) << texels;
+  return text.str();
+}
+
 constexpr std::array kLaws = {
     Law{"COV", "the covered set is the specification's", held<check_cov>},
     Law{"PART", "polygons that tile a region cover each of its pixels once and no other",
@@ -124,6 +131,10 @@ std::string explain(const Violation& violation) {
   if (!violation.u.empty()) {
     text += "  exact u  " + with_decimals(violation.u) + "\n";
     text += "  exact v  " + with_decimals(violation.v) + "\n";
+  }
+  if (violation.off_by) {
+    text += "  off by   " + texels_text(violation.off_by->u_texel) + " texel in u, " +
+            texels_text(violation.off_by->v_texel) + " in v\n";
   }
   text += "  allowed  " + violation.allowed + "\n  drawn    " + violation.drawn + "\n";
   text += print(violation.shown);

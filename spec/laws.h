@@ -25,15 +25,21 @@ struct Comparison {
   bool shows_texels = true;  // by the coordinate texture, if the filter is nearest
 };
 
+// How far (u, v) would have to be moved, at the least, to come to a texel.
+struct Offset {
+  double u_texel = 0, v_texel = 0;
+};
+
 struct Violation {
   std::string law{};
-  std::string what{};            // one sentence: what should have held
-  int32_t x_px = -1, y_px = -1;  // the pixel, or -1, -1 where no single pixel is to blame
-  std::string u{}, v{};          // exact coordinates there, texels, as fractions; may be empty
-  std::string allowed{};         // what the law allows there
-  std::string scene{};           // what else was drawn besides the shown case; empty: nothing
-  std::string drawn{};           // what the subject drew
-  Case shown{};                  // the drawing in which it was seen, derived from the law's case
+  std::string what{};              // one sentence: what should have held
+  int32_t x_px = -1, y_px = -1;    // the pixel, or -1, -1 where no single pixel is to blame
+  std::string u{}, v{};            // exact coordinates there, texels, as fractions; may be empty
+  std::string allowed{};           // what the law allows there
+  std::optional<Offset> off_by{};  // from there to the texel that was drawn, if it is not in place
+  std::string scene{};             // what else was drawn besides the shown case; empty: nothing
+  std::string drawn{};             // what the subject drew
+  Case shown{};                    // the drawing in which it was seen, derived from the law's case
   bool is_of_call = false;  // a call did not end as calls do: whatever the law, it says the same
   // Where another drawing told what is allowed, and not the model.
   std::shared_ptr<const Comparison> comparison{};

@@ -211,7 +211,7 @@ Judgement check_gamut(const Subject& subject, const Case& any) {
       if (s.holds(texel.s) && t.holds(texel.t)) continue;
       judgement.violation =
           violation_at("GAMUT", "a texel lies within the range of the polygon's own coordinates", c,
-                       x, y, "columns " + s.text() + ", rows " + t.text() + ", addressed", pixel);
+                       x, y, "columns " + s.text() + ", rows " + t.text(), pixel);
       return judgement;
     }
   }

@@ -6,10 +6,12 @@
 #include <utility>
 #include <vector>
 
-#include "spec/canvas.h"
+#include "spec/filter_texture.h"
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
 #include "spec/tolerance.h"
+#include "spec/tolerant_subject.h"
+#include "spec/wide_rows.h"
 
 namespace selvage::spec {
 namespace {
@@ -18,76 +20,6 @@ constexpr std::string_view kLaw = "TOLERANCE";
 
 // Any tolerance may be asked for; beyond a few texels nothing new is drawn by it.
 inline constexpr int32_t kMostToleranceBits = 22;
-
-// Kernels need not draw the same within a tolerance: a case is drawn by one of them, or by the
-// fastest where the subject has no such one.
-struct Tolerance {
-  int32_t fx16;
-  selvage_kernel kernel;
-};
-
-// Calls call(options), which draws nothing where it answers that there is no such kernel.
-template <class Call>
-[[nodiscard]] selvage_status by_some_kernel(selvage_options options, const Call& call) {
-  const selvage_status status = call(options);
-  if (status != SELVAGE_ERROR_KERNEL) return status;
-  options.kernel = SELVAGE_KERNEL_FASTEST;
-  return call(options);
-}
-
-[[nodiscard]] Subject tolerating(const Subject& subject, const Tolerance& tolerance) {
-  Subject tolerant = subject;
-  tolerant.draw = [draw = subject.draw, tolerance](
-                      const selvage_image* target, const selvage_rect* clip,
-                      const selvage_vertex* vertices, size_t count, const selvage_texture* texture,
-                      const selvage_options* options) {
-    selvage_options changed = *options;
-    changed.tolerance = tolerance.fx16;
-    changed.kernel = tolerance.kernel;
-    return by_some_kernel(changed, [&](const selvage_options& by) {
-      return draw(target, clip, vertices, count, texture, &by);
-    });
-  };
-  return tolerant;
-}
-
-// Asks a subject what it would draw a case by.
-class Asked {
- public:
-  Asked(const Subject& subject, const Case& c, const Tolerance& tolerance)
-      : subject_(subject),
-        case_(c),
-        options_{c.profile, c.filter, c.address, tolerance.fx16, tolerance.kernel},
-        target_(c.format, c.target_width_px, c.target_height_px, c.padding_px, c.flip_target, 0),
-        texture_(c.format, c.texture_width_texel, c.texture_height_texel, c.padding_px,
-                 c.flip_texture, 0) {}
-
-  [[nodiscard]] selvage_choice all() { return by_clip(case_.has_clip ? &case_.clip : nullptr); }
-  [[nodiscard]] selvage_choice row(int32_t y_px) {
-    selvage_rect clip = case_.has_clip ? case_.clip : selvage_rect{0, 0, case_.target_width_px, 0};
-    const bool visible = !case_.has_clip || (clip.top <= y_px && y_px < clip.bottom);
-    clip.top = y_px;
-    clip.bottom = visible ? y_px + 1 : y_px;
-    return by_clip(&clip);
-  }
-
- private:
-  [[nodiscard]] selvage_choice by_clip(const selvage_rect* clip) {
-    const selvage_image image = target_.image();
-    const selvage_texture texture = texture_.texture();
-    selvage_choice choice{-1, -1, -1};  // stays, where an error is returned
-    (void)by_some_kernel(options_, [&](const selvage_options& by) {
-      return subject_.choose(&image, clip, case_.vertices.data(), case_.vertices.size(), &texture,
-                             &by, &choice);
-    });
-    return choice;
-  }
-
-  const Subject& subject_;
-  const Case& case_;
-  selvage_options options_;
-  Canvas target_, texture_;
-};
 
 [[nodiscard]] Rational to_texels(const Rational& fx16) { return fx16 / SELVAGE_SUBTEXELS; }
 
@@ -149,6 +81,7 @@ class TolerantCase {
   [[nodiscard]] Judgement judge() {
     const bool asks_rows = subject_.choose && subject_.claims.clip;
     Judgement judgement = judge_coverage();
+    if (!drawn_.memory_fault.empty()) return blame_memory();
     selvage_choice all{SELVAGE_METHOD_NONE, 0, 0};
     for (int32_t y = 0; !judgement.violation && y < case_.target_height_px; ++y) {
       const std::optional<ScanLine>& line = lines_[static_cast<size_t>(y)];
@@ -157,6 +90,7 @@ class TolerantCase {
       if (asks_rows) {
         const selvage_choice choice = asked_.row(y);
         const std::string fault = fault_of(choice, *line, tolerance_fx16_);
+        if (!asked_.fault().empty()) return blame(std::move(judgement), asked_.fault(), choice, y);
         if (!fault.empty()) return blame(std::move(judgement), fault, choice, y);
         all = together(all, choice);
         allowed = is_stepped(choice) ? std::min(to_texels(choice.bound),
@@ -167,10 +101,13 @@ class TolerantCase {
       allowed += accuracy_of(subject_);
       add(&judgement, judge_row(y, *line, allowed));
     }
-    if (judgement.violation || !asks_rows || same(asked_.all(), all)) return judgement;
+    if (judgement.violation || !asks_rows) return judgement;
+    const selvage_choice told = asked_.all();
+    if (!asked_.fault().empty()) return blame(std::move(judgement), asked_.fault(), told, -1);
+    if (same(told, all)) return judgement;
     return blame(std::move(judgement),
                  "of all rows the last method, the shortest segments, the greatest bound are told",
-                 asked_.all(), -1);
+                 told, -1);
   }
 
  private:
@@ -207,6 +144,18 @@ class TolerantCase {
     return judgement;
   }
 
+  // MEM draws without a tolerance.
+  [[nodiscard]] Judgement blame_memory() const {
+    Judgement judgement{.judged_px = drawn_.pixels.size()};
+    judgement.violation = violation_of_call(
+        kLaw,
+        "within " + to_texels(tolerance_fx16_).get_str() +
+            " texel, too, nothing but pixels of the target is written, and they do not depend on "
+            "what was there",
+        case_, "an untouched surrounding", drawn_.memory_fault);
+    return judgement;
+  }
+
   [[nodiscard]] Judgement blame(Judgement judgement, const std::string& fault,
                                 const selvage_choice& choice, int32_t y_px) const {
     judgement.violation = violation_of_call(
@@ -221,43 +170,10 @@ class TolerantCase {
   const Case& case_;
   int32_t tolerance_fx16_;
   Picture drawn_;
-  Asked asked_;
+  AskedChoice asked_;
   std::vector<std::optional<ScanLine>> lines_;  // of the rows
   std::vector<Columns> columns_;                // that they cover
 };
-
-// Linearly from [least, greatest] of the values to [to_least, to_greatest].
-void fit(std::vector<selvage_vertex>* vertices, int32_t selvage_vertex::*axis, int64_t to_least,
-         int64_t to_greatest) {
-  const auto [low, high] = std::ranges::minmax(*vertices, {}, axis);
-  const int64_t from = low.*axis, extent = std::max(int64_t{high.*axis} - from, int64_t{1});
-  for (selvage_vertex& v : *vertices) {
-    v.*axis = static_cast<int32_t>(to_least + (v.*axis - from) * (to_greatest - to_least) / extent);
-  }
-}
-
-// The case on wide rows and with milder depths: where tolerance has something to say.
-[[nodiscard]] Case made_wide(const Case& c, Choices& choices) {
-  Case wide = c;
-  wide.has_clip = choices.pick(0, 4) == 0;
-  wide.clip = {choices.pick(0, 60), 0, choices.pick(60, 400), 100};
-  wide.target_width_px = choices.pick(160, 400);
-  wide.target_height_px = choices.pick(1, 6);
-  const int32_t beyond = choices.pick(0, 2) * choices.pick(0, 1 << 16);
-  fit(&wide.vertices, &selvage_vertex::x, -beyond,
-      int64_t{wide.target_width_px} * SELVAGE_SUBPIXELS + beyond);
-  fit(&wide.vertices, &selvage_vertex::y, -choices.pick(0, 512),
-      int64_t{wide.target_height_px} * SELVAGE_SUBPIXELS + choices.pick(0, 512));
-  const int32_t base = 1 << choices.pick(4, 24);
-  const int32_t spread = std::max(base >> choices.pick(0, 10), 1);
-  const int halvings = choices.pick(0, 16);
-  for (selvage_vertex& v : wide.vertices) {
-    v.q = base - v.q % spread;
-    v.u >>= halvings;
-    v.v >>= halvings;
-  }
-  return wide;
-}
 
 // Powers of two in between, and what some row's own bound is, or just not.
 [[nodiscard]] int32_t some_tolerance(const Case& c, Choices& choices) {
@@ -280,6 +196,18 @@ void fit(std::vector<selvage_vertex>* vertices, int32_t selvage_vertex::*axis, i
   return static_cast<selvage_kernel>(choices.pick(SELVAGE_KERNEL_FASTEST, SELVAGE_KERNEL_NEON + 1));
 }
 
+// What it is drawn by within any tolerance, and without.
+[[nodiscard]] Judgement judge_filtered(const Subject& subject, const Case& c,
+                                       const Tolerance& tolerance) {
+  const TexelAt texel_at = filter_texture(c);
+  const Picture without = draw(subject, c, texel_at);
+  OtherDrawing other = drawing_of(subject, "without a tolerance it shows it");
+  other.shows_texels = false;
+  return compare(kLaw, "of filters nearest alone makes use of a tolerance", c,
+                 draw(tolerating(subject, tolerance), c, texel_at), other,
+                 [&](int32_t x, int32_t y) { return must_be(without.at(x, y)); });
+}
+
 }  // namespace
 
 Judgement check_tolerance(const Subject& subject, const Case& any) {
@@ -290,7 +218,11 @@ Judgement check_tolerance(const Subject& subject, const Case& any) {
   for (const Case& shown : {c, within(subject.claims, made_wide(c, choices))}) {
     if (!is_valid(shown)) continue;
     const Tolerance tolerance{some_tolerance(shown, choices), some_kernel(shown)};
-    if (add(&judgement, TolerantCase(subject, shown, tolerance).judge())) break;
+    if (add(&judgement, TolerantCase(subject, shown, tolerance).judge())) return judgement;
+  }
+  if (any.filter != SELVAGE_FILTER_NEAREST && can_be_filtered(any)) {
+    const Tolerance tolerance{some_tolerance(any, choices), SELVAGE_KERNEL_FASTEST};
+    add(&judgement, judge_filtered(subject, any, tolerance));
   }
   return judgement;
 }

@@ -1,6 +1,7 @@
 #include "spec/polygon_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "spec/law_tools.h"
@@ -10,6 +11,8 @@ namespace {
 
 inline constexpr int32_t kMostRowsAdded = 100;
 inline constexpr int32_t kMostPolygons = 8;
+inline constexpr std::array<int32_t, 6> kLongLists = {9, 16, 17, 33, 65, 100};
+inline constexpr size_t kMostTold = 8;
 
 // The case over more rows, so that there are tiles and bands to be cut.
 [[nodiscard]] Case heightened(const Case& c, int32_t longest_side_px, Choices& choices) {
@@ -47,7 +50,9 @@ inline constexpr int32_t kMostPolygons = 8;
 // All over the target and beyond; where a copy cannot be it stays.
 [[nodiscard]] std::vector<Pixel> moves_of(const Case& c, Choices& choices) {
   std::vector<Pixel> moves{{0, 0}};
-  const int32_t count = choices.pick(2, kMostPolygons + 1);
+  const bool is_long = choices.pick(0, 16) == 0 && c.target_width_px <= 64;
+  const int32_t count = is_long ? kLongLists[static_cast<size_t>(choices.pick(0, 6))]
+                                : choices.pick(2, kMostPolygons + 1);
   while (moves.size() < static_cast<size_t>(count)) {
     const int32_t dx_px = choices.pick(-c.target_width_px, c.target_width_px + 1) / 2;
     const int32_t dy_px = choices.pick(-c.target_height_px, c.target_height_px + 1);
@@ -64,36 +69,80 @@ inline constexpr int32_t kMostPolygons = 8;
   return heightened(c, subject.claims.longest_side_px, choices);
 }
 
+// Of another size where any (u, v) may be drawn, and as given where the first is prepared.
+[[nodiscard]] Case second_texture(const Subject& subject, Case c) {
+  Choices choices(c.choice + 3);
+  if (choices.pick(0, 3) == 0) c.layout = Layout::kGiven;
+  if (!subject.claims.outside_texels || choices.pick(0, 2) == 0) return c;
+  std::swap(c.texture_width_texel, c.texture_height_texel);
+  if (c.texture_width_texel == c.texture_height_texel) {
+    c.texture_width_texel = (c.texture_width_texel + 1) / 2;
+  }
+  return c;
+}
+
+// Three vertices of an outline, as far from each other as they can be in its list.
+[[nodiscard]] std::vector<selvage_vertex> triangle_of(const std::vector<selvage_vertex>& outline) {
+  const size_t third = outline.size() / 3;
+  return {outline[0], outline[third], outline[2 * third]};
+}
+
 }  // namespace
 
 PolygonScene::PolygonScene(const Subject& subject, const Case& c)
     : case_(scene_case(subject, c)),
-      textures_{TextureMemory(subject, c, texture_of(c, false), kSceneBackground),
-                TextureMemory(subject, c, texture_of(c, true), kSceneBackground)} {
+      second_(second_texture(subject, case_)),
+      textures_{TextureMemory(subject, case_, texture_of(c, false), kSceneBackground),
+                TextureMemory(subject, second_, texture_of(c, true), kSceneBackground)} {
   Choices choices(c.choice + 1);
   moves_ = moves_of(case_, choices);
+  const auto first_kind = static_cast<size_t>(choices.pick(0, 3));
   for (const Pixel& move : moves_) {
-    outlines_.push_back(moved(c.vertices, int64_t{move.x_px} * SELVAGE_SUBPIXELS,
-                              int64_t{move.y_px} * SELVAGE_SUBPIXELS)
-                            .value());
+    auto outline = moved(c.vertices, int64_t{move.x_px} * SELVAGE_SUBPIXELS,
+                         int64_t{move.y_px} * SELVAGE_SUBPIXELS)
+                       .value();
+    const auto kind = static_cast<Kind>((first_kind + kinds_.size()) % 3);
+    kinds_.push_back(kind);
+    if (kind == Kind::kTriangle) {
+      outline = triangle_of(outline);
+      make_visible(profile_of(c), subject.claims, &outline);
+    }
+    if (kind == Kind::kOneQ) {
+      for (selvage_vertex& v : outline) v.q = outline.front().q;
+    }
+    outlines_.push_back(std::move(outline));
   }
   if (is_last_turned()) {
     moves_.back() = moves_[moves_.size() - 2];
+    kinds_.back() = kinds_[kinds_.size() - 2];
     outlines_.back() = with_texels_turned(outlines_[outlines_.size() - 2]);
   }
 }
 
+Case PolygonScene::case_of(size_t i) const {
+  Case c = i % 2 == 0 ? case_ : second_;
+  c.vertices = outlines_[i];
+  return c;
+}
+
 std::string PolygonScene::copies() const {
-  std::string text = "and copies of it, moved by";
-  for (size_t i = 1; i < moves_.size(); ++i) {
-    text += (i > 1 ? ", (" : " (") + std::to_string(moves_[i].x_px) + ", " +
+  std::string text = "as copies of it, moved by";
+  for (size_t i = 0; i < std::min(moves_.size(), kMostTold); ++i) {
+    text += (i > 0 ? ", (" : " (") + std::to_string(moves_[i].x_px) + ", " +
             std::to_string(moves_[i].y_px) + ")";
+    if (kinds_[i] == Kind::kTriangle) text += " as a triangle of it";
+    if (kinds_[i] == Kind::kOneQ) text += " with its first q alone";
   }
   text += " px";
+  if (moves_.size() > kMostTold) {
+    text += ", and " + std::to_string(moves_.size() - kMostTold) + " more";
+  }
   if (is_last_turned()) text += ", the last with the (u, v) of each vertex at the one before";
   return text +
          ": every second polygon shows the second texture, some or all of whose texels are "
-         "the complement";
+         "the complement, of " +
+         std::to_string(second_.texture_width_texel) + " x " +
+         std::to_string(second_.texture_height_texel) + " texels";
 }
 
 Picture PolygonScene::picture_of(const Canvas& drawn) const {
@@ -137,10 +186,13 @@ TexelAt PolygonScene::texels_of(size_t i) const { return texture_of(case_, i % 2
 void PolygonScene::put_texture(const Subject& subject, size_t i,
                                std::optional<TextureMemory>* memory) const {
   const TexelAt texel_at = texels_of(i);
-  if (*memory) {
-    (*memory)->change(subject, case_, texel_at);
+  const Case& c = i % 2 == 0 ? case_ : second_;
+  const bool fits = case_.texture_width_texel == second_.texture_width_texel &&
+                    case_.texture_height_texel == second_.texture_height_texel;
+  if (*memory && fits) {
+    (*memory)->change(subject, c, texel_at);
   } else {
-    memory->emplace(subject, case_, texel_at, kSceneBackground);
+    memory->emplace(subject, c, texel_at, kSceneBackground);
   }
 }
 

@@ -18,7 +18,9 @@ namespace selvage::spec {
 
 inline constexpr uint8_t kSceneBackground = 0x5A;
 
-// Polygons over each other, of two textures that differ in every texel, in the order of drawing.
+// Polygons over each other in the order of drawing, no two of one kind in a row: copies of the
+// case's outline, triangles of its vertices, copies with one q; of two textures that differ in
+// every texel, and often in size.
 class PolygonScene {
  public:
   PolygonScene(const Subject& subject, const Case& c);
@@ -34,7 +36,9 @@ class PolygonScene {
     return {case_.profile, case_.filter, case_.address, 0, kernel};
   }
   [[nodiscard]] const std::vector<selvage_vertex>& outline(size_t i) const { return outlines_[i]; }
-  // "and copies of it, moved by (1, 0), (-2, 7) px: ..."
+  // Polygon i alone: its outline, and the size of its texture.
+  [[nodiscard]] Case case_of(size_t i) const;
+  // "as copies of it, moved by (0, 0), (-2, 7) as a triangle of it px: ..."
   [[nodiscard]] std::string copies() const;
   // The texture of polygon i.
   [[nodiscard]] TexelAt texels_of(size_t i) const;
@@ -56,9 +60,12 @@ class PolygonScene {
   // The last one is then where the one before is, with other (u, v); it hides that.
   [[nodiscard]] bool is_last_turned() const { return moves_.size() > 2 && case_.choice % 4 < 2; }
 
-  Case case_;
+  enum class Kind : uint8_t { kCopy, kTriangle, kOneQ };
+
+  Case case_, second_;  // the case with the size and layout of the second texture
   std::array<TextureMemory, 2> textures_;
   std::vector<Pixel> moves_;  // of the case's outline: of none to begin with, then of each copy
+  std::vector<Kind> kinds_;
   std::vector<std::vector<selvage_vertex>> outlines_;
 };
 

@@ -19,10 +19,11 @@ namespace {
 
 SceneModel::SceneModel(const PolygonScene& scene, const Rational& accuracy)
     : scene_(scene), background_(scene.blank().pixel(0, 0)) {
-  Case c = scene.shown();
-  pixels_.resize(static_cast<size_t>(c.target_width_px) * static_cast<size_t>(c.target_height_px));
+  const Case& shown = scene.shown();
+  pixels_.resize(static_cast<size_t>(shown.target_width_px) *
+                 static_cast<size_t>(shown.target_height_px));
   for (size_t polygon = scene.count(); polygon-- > 0;) {  // the last one is on top
-    c.vertices = scene.outline(polygon);
+    const Case c = scene.case_of(polygon);
     const TexelAt texel_at = scene.texels_of(polygon);
     size_t index = 0;
     for (int32_t y = 0; y < c.target_height_px; ++y) {

@@ -110,8 +110,10 @@ Subject wrong_in(const Spot& spot, selvage_profile profile) {
   subject.draw_many = [spot, many = std::move(subject.draw_many)](
                           const selvage_image* target, const selvage_rect* clip,
                           const selvage_polygon* polygons, size_t count,
-                          const selvage_options* options, int32_t threads) {
-    const auto right = [&] { return many(target, clip, polygons, count, options, threads); };
+                          const selvage_options* options, int32_t threads, size_t* failed) {
+    const auto right = [&] {
+      return many(target, clip, polygons, count, options, threads, failed);
+    };
     const bool is_this = spot.when.kind == Moment::Kind::kAny ||
                          (spot.when.kind == Moment::Kind::kThreads && threads == spot.when.number);
     return is_this ? spoil_after(spot, target, right) : right();

@@ -8,10 +8,11 @@ namespace {
 
 [[nodiscard]] selvage_status draw_many(const selvage_image* target, const selvage_rect* clip,
                                        const selvage_polygon* polygons, size_t count,
-                                       const selvage_options* options, int32_t threads) {
+                                       const selvage_options* options, int32_t threads,
+                                       size_t* failed) {
   std::vector<std::byte> scratch(selvage_draw_many_bytes(count));
   return selvage_draw_many(target, clip, polygons, count, options, threads, scratch.data(),
-                           scratch.size(), nullptr);
+                           scratch.size(), failed);
 }
 
 }  // namespace
@@ -32,11 +33,11 @@ void take_kernel(selvage_kernel kernel, Subject* subject) {
     return draw(target, clip, vertices, count, texture, &changed);
   };
   if (subject->draw_many) {
-    subject->draw_many = [options_with, draw = subject->draw_many](auto* target, auto* clip,
-                                                                   auto* polygons, size_t count,
-                                                                   auto* options, int32_t threads) {
+    subject->draw_many = [options_with, draw = subject->draw_many](
+                             auto* target, auto* clip, auto* polygons, size_t count, auto* options,
+                             int32_t threads, size_t* failed) {
       const selvage_options changed = options_with(options);
-      return draw(target, clip, polygons, count, &changed, threads);
+      return draw(target, clip, polygons, count, &changed, threads, failed);
     };
   }
   if (subject->choose) {

@@ -12,10 +12,10 @@
 
 namespace selvage::spec {
 
-// As selvage_draw_many, without what is not the laws' affair: scratch memory, who failed.
+// As selvage_draw_many, without what is not the laws' affair: scratch memory.
 using DrawMany =
     std::function<selvage_status(const selvage_image*, const selvage_rect*, const selvage_polygon*,
-                                 size_t, const selvage_options*, int32_t threads)>;
+                                 size_t, const selvage_options*, int32_t threads, size_t* failed)>;
 
 // selvage_prepare and selvage_prepare_bytes.
 struct Prepare {

@@ -21,7 +21,15 @@ bool TexelRange::holds(int32_t texel) const {
 }
 
 std::string TexelRange::text() const {
-  return std::to_string(first) + " .. " + std::to_string(last);
+  const auto between = [](int32_t a, int32_t b) {
+    return std::to_string(a) + (a == b ? "" : " .. " + std::to_string(b));
+  };
+  if (address == SELVAGE_ADDRESS_CLAMP) {
+    return between(std::clamp(first, 0, size - 1), std::clamp(last, 0, size - 1));
+  }
+  if (int64_t{last} - first >= size - 1) return between(0, size - 1);
+  const int32_t from = address_texel(first, size, address), to = address_texel(last, size, address);
+  return from <= to ? between(from, to) : between(from, size - 1) + " or " + between(0, to);
 }
 
 std::optional<Margin> margin_along(const Reaching& reach, int32_t texel, int32_t size,
@@ -66,7 +74,19 @@ namespace {
   return {floor(reach.exact - reach.below), floor(reach.exact + reach.above), size, address};
 }
 
+// 0 where it is in place.
+[[nodiscard]] double offset_along(const Rational& exact, int32_t texel, int32_t size,
+                                  const Case& c) {
+  const auto margin = margin_along(along(exact, 1, 1, c), texel, size, c.address);
+  return margin ? margin->measured : 0;
+}
+
 }  // namespace
+
+Offset offset_to(const Texel& texel, const Sample& exact, const Case& shown) {
+  return {offset_along(exact.u, texel.s, shown.texture_width_texel, shown),
+          offset_along(exact.v, texel.t, shown.texture_height_texel, shown)};
+}
 
 bool TexelLaw::judge(Pixel at, const Reach& reach, uint32_t drawn, Judgement* judgement) const {
   const Reaching u = along(reach.u, reach.u_below, reach.u_above, shown);
@@ -84,7 +104,7 @@ bool TexelLaw::judge(Pixel at, const Reach& reach, uint32_t drawn, Judgement* ju
   judgement->violation =
       violation_at(name, what, shown, at.x_px, at.y_px,
                    is_one ? describe_pixel(shown, addressed_value(shown, {s.first, t.first}))
-                          : "columns " + s.text() + ", rows " + t.text() + ", addressed",
+                          : "columns " + s.text() + ", rows " + t.text(),
                    drawn);
   return false;
 }

@@ -21,6 +21,7 @@ struct TexelRange {
 
   // The addressed texel is one of them.
   [[nodiscard]] bool holds(int32_t texel) const;
+  // As they are addressed: "3", "3 .. 5", "6 .. 7 or 0 .. 1".
   [[nodiscard]] std::string text() const;
 };
 
@@ -47,6 +48,9 @@ void add(std::optional<Margin>* nearest, const std::optional<Margin>& other);
   texels.canonicalize();
   return texels;
 }
+
+// From where the case's profile takes a texel at `exact` to this one, addressed.
+[[nodiscard]] Offset offset_to(const Texel& texel, const Sample& exact, const Case& shown);
 
 // A law that says of each pixel which texels it may show.
 struct TexelLaw {

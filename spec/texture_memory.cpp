@@ -38,8 +38,10 @@ void TextureMemory::change(const Subject& subject, const Case& c, const TexelAt&
 void TextureMemory::lay_out(const Subject& subject, const Case& c) {
   const Layout layout = layout_of(subject, c);
   if (layout == Layout::kGiven) return;
+  // Sums are there for the area filter, and change nothing for others.
+  const bool with_sums = c.filter == SELVAGE_FILTER_AREA || c.choice % 4 == 0;
   prepare(*subject.prepare, layout == Layout::kTiled ? SELVAGE_LAYOUT_TILES : SELVAGE_LAYOUT_ROWS,
-          c.filter == SELVAGE_FILTER_AREA && can_be_filtered(c));
+          with_sums && can_be_filtered(c));
 }
 
 TextureMemory::~TextureMemory() {

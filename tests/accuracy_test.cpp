@@ -220,11 +220,11 @@ TEST(AccuracyOfASubject, LetsSameRejectWhatIsWrongInOneCallAlone) {
     subject.draw_many = [right = subject.draw_many, to](
                             const selvage_image* target, const selvage_rect* clip,
                             const selvage_polygon* polygons, size_t count,
-                            const selvage_options* options, int32_t threads) {
+                            const selvage_options* options, int32_t threads, size_t* failed) {
       Polygons all(polygons, polygons + count);
       selvage_options changed = *options;
       to(all, changed, threads);
-      return right(target, clip, all.data(), count, &changed, threads);
+      return right(target, clip, all.data(), count, &changed, threads, failed);
     };
     return subject;
   };

@@ -22,7 +22,7 @@ struct Asked {
     asked->draw = options->kernel;
     return SELVAGE_OK;
   };
-  subject.draw_many = [asked](auto*, auto*, auto*, size_t, auto* options, int32_t) {
+  subject.draw_many = [asked](auto*, auto*, auto*, size_t, auto* options, int32_t, size_t*) {
     asked->draw_many = options->kernel;
     return SELVAGE_OK;
   };
@@ -35,7 +35,7 @@ struct Asked {
 
 void call_all(const Subject& subject, const selvage_options* options) {
   ASSERT_EQ(subject.draw(nullptr, nullptr, nullptr, 0, nullptr, options), SELVAGE_OK);
-  ASSERT_EQ(subject.draw_many(nullptr, nullptr, nullptr, 0, options, 1), SELVAGE_OK);
+  ASSERT_EQ(subject.draw_many(nullptr, nullptr, nullptr, 0, options, 1, nullptr), SELVAGE_OK);
   ASSERT_EQ(subject.choose(nullptr, nullptr, nullptr, 0, nullptr, options, nullptr), SELVAGE_OK);
 }
 

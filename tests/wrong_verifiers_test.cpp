@@ -151,10 +151,11 @@ template <class Theirs, class Right>
   };
   seen.draw_many = [=](const selvage_image* target, const selvage_rect* clip,
                        const selvage_polygon* polygons, size_t count,
-                       const selvage_options* options, int32_t threads) {
+                       const selvage_options* options, int32_t threads, size_t* failed) {
     const auto by = [&](const Subject& mapper) {
-      return mapper.draw_many(target, clip, polygons, count, options, threads);
+      return mapper.draw_many(target, clip, polygons, count, options, threads, failed);
     };
+    if (target == nullptr) return by(subject);
     return draw_in_window(
         *target, window, [&] { return by(subject); }, [&] { return by(right); });
   };
@@ -172,9 +173,10 @@ template <class Theirs, class Right>
   };
   seen.draw_many = [many = subject.draw_many](const selvage_image* target, const selvage_rect*,
                                               const selvage_polygon* polygons, size_t count,
-                                              const selvage_options* options, int32_t threads) {
+                                              const selvage_options* options, int32_t threads,
+                                              size_t* failed) {
     const selvage_rect nothing{0, 0, 0, 0};
-    return many(target, &nothing, polygons, count, options, threads);
+    return many(target, &nothing, polygons, count, options, threads, failed);
   };
   return seen;
 }

@@ -8,6 +8,7 @@
 
 #include "cli/error.h"
 #include "cli/text_columns.h"
+#include "testbed/printable.h"
 
 namespace selvage::cli {
 namespace {
@@ -135,7 +136,7 @@ Baseline parse_baseline(const std::string& source, const std::string& text) {
       else
         read_whole(baseline, document);
     } catch (const json::parse_error& error) {
-      throw UserError(std::string("not JSON: ") + error.what());
+      throw UserError("not JSON: " + testbed::printable(error.what()));
     } catch (const json::exception& error) {
       throw UserError(std::string("not the JSON of `selvage bench`: ") + error.what());
     }

@@ -81,8 +81,9 @@ constexpr const char* kStabilityExamples = R"(Examples:
   selvage stability --subject ./theirs.so      another mapper beside them: how wrong, and where
 
 A subject promises nothing here but the accuracy that it claims, if it does: it is measured, on
-scenes that it claims to draw. 'selvage verify' holds it to what it promises. Scene k of a run is
-the family's scene of seed S + k, so the seed of a worst case names it alone.
+scenes that it claims to draw; where it takes no perspective, on those in perspective without it,
+so that what it lacks is measured, too. 'selvage verify' holds it to what it promises. Scene k of a
+run is the family's scene of seed S + k, so the seed of a worst case names it alone.
 )";
 
 constexpr const char* kLawsExamples = R"(Examples:
@@ -133,11 +134,12 @@ void add_manner(CLI::App& draw, DrawOptions& options) {
                   "over the polygon file")
       ->type_name("NAME");
   draw.add_option("--tolerance", options.tolerance,
-                  "How far u and v may be off, in texels, for speed; 0, the default, is exact")
+                  "How far u and v may be off, in texels, for speed; 0, the default, is exact. "
+                  "Of use in perspective, by filter nearest and profile exact")
       ->type_name("TEXELS");
   draw.add_option("--profile", options.profile,
-                  "Conventions to draw by: exact (the default), abrash56, abrash57 or dkit; wins "
-                  "over the polygon file")
+                  "Conventions to draw by: exact (the default), abrash56, abrash57 or dkit, which "
+                  "draw clockwise outlines alone; wins over the polygon file")
       ->type_name("NAME");
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstring>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <utility>
@@ -75,6 +76,10 @@ namespace {
     const Colour colour = about("--background", [&] { return parse_colour(options.background); });
     if (!size) throw UserError("--size is needed, for the background is not a picture");
     return filled(size->width_px, size->height_px, colour);
+  }
+  if (!std::filesystem::exists(options.background)) {
+    throw UserError("--background: '" + options.background +
+                    "' is neither a colour (#rgb, #rrggbb or #rrggbbaa) nor a file");
   }
   Raster picture = read_picture(options.background);
   if (size && (size->width_px != picture.width_px || size->height_px != picture.height_px)) {

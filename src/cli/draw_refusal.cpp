@@ -33,6 +33,8 @@ namespace {
       return " (--filter nearest, or --format rgba8888)";
     case SELVAGE_ERROR_FILTER_PROFILE:
       return " (--filter nearest, or --profile exact)";
+    case SELVAGE_ERROR_NOT_MONOTONE:
+      return " (cut it into convex pieces: those that share an edge leave no gap)";
     case SELVAGE_ERROR_VERTEX_Q_DIFFERS:
       return " (q is 1/w: leave w out, or --profile exact)";
     default:

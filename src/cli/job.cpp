@@ -102,7 +102,11 @@ std::vector<std::vector<selvage_vertex>> snap(const Job& job) {
       const selvage_status status =
           selvage_snap(at.x_px, at.y_px, at.u_texel, at.v_texel, at.w, w_near, &vertex);
       if (status != SELVAGE_OK) {
-        throw UserError(describe_vertex(job, p, i) + ": " + selvage_status_text(status));
+        throw UserError(
+            describe_vertex(job, p, i) + ": " +
+            (status == SELVAGE_ERROR_SNAP_W
+                 ? "w must be above 0, and at most 2^25 times the least w of all vertices"
+                 : selvage_status_text(status)));
       }
     }
   }

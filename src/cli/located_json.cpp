@@ -1,4 +1,5 @@
 #include "cli/located_json.h"
+#include "testbed/printable.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -107,7 +108,7 @@ class Lines {
     const size_t column = what.find(", ");
     if (column != std::string::npos) what.erase(0, column + 2);
   }
-  fail_at(file, std::max(line, 1), "not JSON: " + what);
+  fail_at(file, std::max(line, 1), "not JSON: " + testbed::printable(what));
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ void expect_used(const SceneFiles& files, const scene::Scene& scene) {
     std::string these;
     for (const std::string& material : known) these += (these.empty() ? "" : ", ") + material;
     throw UserError(
-        "'" + path.string() + "': '" + name +
+        "--texture " + name + "=" + path.string() + ": '" + name +
         "' is no material with a texture; these are: " + (these.empty() ? "none" : these));
   }
 }

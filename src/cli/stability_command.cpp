@@ -132,6 +132,7 @@ int run_stability(const StabilityOptions& options, const spec::Subject& mapper,
 
   const bool show = !options.json;
   if (show) {
+    if (judged.host) console.out << "subject: " << run.subject << '\n';
     console.out << "seed " << run.seed << ", " << run.cases
                 << (run.cases == 1 ? " scene" : " scenes") << " of each family\n\n"
                 << std::flush;

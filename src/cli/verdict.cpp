@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 
 #include "cli/console.h"
 #include "spec/exact.h"
@@ -195,13 +196,34 @@ std::string margin_text(const Verdict& verdict) {
 
 namespace {
 
-[[nodiscard]] std::string parts_summary(const VerifyRun& run) {
+// A line for each of the reasons, which most laws share.
+using LawsByReason = std::map<std::string, std::string>;
+[[nodiscard]] std::string reason_lines(const char* kind, const LawsByReason& laws) {
   std::string text;
-  for (const Verdict& verdict : run.verdicts) {
-    if (verdict.in_part.empty()) continue;
-    text += "in part: " + std::string(verdict.found.law->name) + ": " + verdict.in_part + "\n";
-  }
+  for (const auto& [why, which] : laws) text += std::string(kind) + ": " + why + ":" + which + "\n";
   return text;
+}
+
+[[nodiscard]] std::string claims_summary(const VerifyRun& run) {
+  LawsByReason laws;
+  for (const Verdict& verdict : run.verdicts) {
+    for (const auto& [what, cases] : verdict.found.not_claimed) {
+      laws[what] += " " + std::string(verdict.found.law->name) + " in " + std::to_string(cases) +
+                    " of " + std::to_string(verdict.found.cases) + " cases,";
+    }
+  }
+  for (auto& [what, which] : laws) which.pop_back();
+  return reason_lines("not claimed", laws);
+}
+
+[[nodiscard]] std::string parts_summary(const VerifyRun& run) {
+  LawsByReason laws;
+  for (const Verdict& verdict : run.verdicts) {
+    if (!verdict.in_part.empty()) {
+      laws[verdict.in_part] += " " + std::string(verdict.found.law->name);
+    }
+  }
+  return reason_lines("in part", laws);
 }
 
 }  // namespace
@@ -245,14 +267,7 @@ std::string table_summary(const VerifyRun& run) {
     text += ", " + std::to_string(n) + " not judged: the time was over (more --time is needed)";
   }
   text += ".\n";
-  for (const Verdict& verdict : run.verdicts) {
-    for (const auto& [what, cases] : verdict.found.not_claimed) {
-      text += "not claimed: " + std::string(verdict.found.law->name) + ": " +
-              std::to_string(cases) + " of " + std::to_string(verdict.found.cases) +
-              " cases: " + what + "\n";
-    }
-  }
-  text += hunt_summary(run) + known_summary(run) + parts_summary(run);
+  text += claims_summary(run) + hunt_summary(run) + known_summary(run) + parts_summary(run);
   for (const NotPromised& law : run.not_promised) {
     text += "not promised: " + law.law + ": " + law.why + "\n";
   }

@@ -23,6 +23,9 @@ using nlohmann::ordered_json;
     values["u_texel"] = violation.u;
     values["v_texel"] = violation.v;
   }
+  if (violation.off_by) {
+    values["off_by_texel"] = {{"u", violation.off_by->u_texel}, {"v", violation.off_by->v_texel}};
+  }
   if (violation.x_px >= 0) {
     values["pixel_px"] = {violation.x_px, violation.y_px};
     if (violation.scene.empty())

@@ -111,6 +111,10 @@ void read_pixel(const JsonNode& node, spec::Violation* violation) {
     violation.u = read_text(node.at("u_texel"));
     violation.v = read_text(node.at("v_texel"));
   }
+  if (node.has("off_by_texel")) {
+    const JsonNode off_by = node.at("off_by_texel");
+    violation.off_by = {off_by.at("u").number(), off_by.at("v").number()};
+  }
   if (node.has("scene")) violation.scene = read_text(node.at("scene"));
   if (node.has("pixel_px")) read_pixel(node.at("pixel_px"), &violation);
   return violation;

@@ -254,7 +254,9 @@ int run_verify(const VerifyOptions& options, const spec::Subject& built_in,
   if (show) console.out << table_summary(run);
   const bool hangs =
       std::ranges::any_of(run.verdicts, [](const Verdict& verdict) { return verdict.found.hung; });
-  write_pictures(options, for_pictures(chosen.subject, hangs && plan.time), run, console);
+  if (options.draws_pictures) {
+    write_pictures(options, for_pictures(chosen.subject, hangs && plan.time), run, console);
+  }
   if (run.shard.count == 1) add_to_corpus(options.corpus, run);
   if (!options.junit.empty()) write_text_file(options.junit, junit_xml(run));
   console.out << (show ? explanations(run) : verdict_json(run));

@@ -123,9 +123,11 @@ CLI::App* add_verify(CLI::App& program, VerifyOptions& options) {
   add_cases(*verify, options);
   verify
       ->add_option("--picture", options.picture,
-                   "PNG for the counterexample (drawn | expected | difference); "
-                   "selvage-<law>.png if left out")
+                   "PNG for the counterexample (drawn | expected | difference), of a second law "
+                   "and on with the law in its name; selvage-<law>.png if left out")
       ->type_name("FILE");
+  verify->add_flag_callback(
+      "--no-picture", [&options] { options.draws_pictures = false; }, "Write no pictures");
   verify->add_flag_callback(
       "--no-shrink", [&options] { options.shrinks = false; },
       "Tell counterexamples as they were found, not the smallest ones");

@@ -80,6 +80,7 @@ struct Call {
   int32_t with_sums = 0;
   void* memory = nullptr;  // to prepare in, or scratch
   size_t bytes = 0;        // of it
+  size_t* failed = nullptr;
   selvage_choice* choice = nullptr;
   selvage_texture* prepared = nullptr;
 };

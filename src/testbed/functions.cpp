@@ -78,7 +78,7 @@ Answer carry_out(const Functions& functions, const Call& call) {
                                call.options, call.choice)};
     case Function::kDrawMany:
       return {functions.draw_many(call.target, call.clip, call.polygons, call.count, call.options,
-                                  call.threads, call.memory, call.bytes, nullptr)};
+                                  call.threads, call.memory, call.bytes, call.failed)};
     case Function::kDrawManyBytes:
       return {.bytes = functions.draw_many_bytes(call.count)};
     case Function::kPrepare:

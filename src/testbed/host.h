@@ -44,7 +44,8 @@ class Host {
   // These are there to be called where the library exports them.
   [[nodiscard]] selvage_status draw_many(const selvage_image* target, const selvage_rect* clip,
                                          const selvage_polygon* polygons, size_t count,
-                                         const selvage_options* options, int32_t threads);
+                                         const selvage_options* options, int32_t threads,
+                                         size_t* failed);
   [[nodiscard]] selvage_status choose(const selvage_image* target, const selvage_rect* clip,
                                       const selvage_vertex* vertices, size_t count,
                                       const selvage_texture* texture,

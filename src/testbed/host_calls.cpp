@@ -71,7 +71,7 @@ selvage_status Host::choose(const selvage_image* target, const selvage_rect* cli
 
 selvage_status Host::draw_many(const selvage_image* target, const selvage_rect* clip,
                                const selvage_polygon* polygons, size_t count,
-                               const selvage_options* options, int32_t threads) {
+                               const selvage_options* options, int32_t threads, size_t* failed) {
   const size_t bytes = call({.function = Function::kDrawManyBytes, .count = count}).bytes;
   const Range room = arenas().scratch.range();
   const auto at = Packer(room, at_end_).place(bytes, 0, alignof(std::max_align_t));
@@ -85,7 +85,8 @@ selvage_status Host::draw_many(const selvage_image* target, const selvage_rect* 
                               .options = options,
                               .threads = threads,
                               .memory = reinterpret_cast<void*>(*at),
-                              .bytes = bytes});
+                              .bytes = bytes,
+                              .failed = failed});
   const std::string fault = fence.fault("scratch memory");
   if (!fault.empty()) throw failure(Function::kDrawMany, fault);
   return answer.status;

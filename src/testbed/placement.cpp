@@ -129,6 +129,10 @@ Call Placement::copy_in() const {
     call.choice = at_end_of<selvage_choice>(arenas_.results);
     *call.choice = *call_.choice;
   }
+  if (call_.failed != nullptr) {
+    call.failed = at_end_of<size_t>(arenas_.results);
+    *call.failed = *call_.failed;
+  }
   if (call_.prepared != nullptr) {
     call.prepared = at_end_of<selvage_texture>(arenas_.results);
     *call.prepared = *call_.prepared;
@@ -170,6 +174,7 @@ selvage_polygon* Placement::copy_polygons_in(uintptr_t* at) const {
 void Placement::copy_out() const {
   copy(target_.from.begin, target_.at, target_.from.bytes());
   if (call_.choice != nullptr) *call_.choice = *at_end_of<selvage_choice>(arenas_.results);
+  if (call_.failed != nullptr) *call_.failed = *at_end_of<size_t>(arenas_.results);
   if (call_.prepared != nullptr) *call_.prepared = *at_end_of<selvage_texture>(arenas_.results);
 }
 

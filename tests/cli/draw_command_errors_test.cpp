@@ -9,8 +9,9 @@ namespace {
 
 TEST_F(Draw, RefusesWhatItCannotDraw) {
   options_.polygons = {kQuad, "0,0,0,0 40,40,0,0 80,0,0,0 80,80,0,0 40,20,0,0 0,80,0,0"};
-  EXPECT_EQ(refusal(),
-            std::string("polygon 2: ") + selvage_status_text(SELVAGE_ERROR_NOT_MONOTONE));
+  EXPECT_EQ(refusal(), std::string("polygon 2: ") +
+                           selvage_status_text(SELVAGE_ERROR_NOT_MONOTONE) +
+                           " (cut it into convex pieces: those that share an edge leave no gap)");
   options_.polygons = {"0,0,0,0 99999,0,0,0 80,0,0,0"};
   expect_contains(refusal(), "vertex 2 (x 99999, ");
 }

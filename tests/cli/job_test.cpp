@@ -63,7 +63,7 @@ TEST(Snap, RefusesDistancesTooFarApart) {
     static_cast<void>(snap(job_of({{{0, 0, 0, 0, 1}, {1, 0, 0, 0, 1e9}, {0, 1, 0, 0, 1}}})));
   });
   expect_contains(error, "vertex 2 ");
-  expect_contains(error, selvage_status_text(SELVAGE_ERROR_SNAP_W));
+  expect_contains(error, "w must be above 0, and at most 2^25 times the least w");
 }
 
 TEST(Options, HaveNames) {

@@ -326,7 +326,7 @@ TEST(VerdictTable, CountsWhatIsNotClaimed) {
   VerifyRun run = run_of({holding("COV")});
   run.verdicts[0].found.not_claimed = {{"perspective", 3}};
   run.not_promised = {{"CLIP", "it does not clip"}};
-  expect_contains(table_summary(run), "not claimed: COV: 3 of 20 cases: perspective\n");
+  expect_contains(table_summary(run), "not claimed: perspective: COV in 3 of 20 cases\n");
   expect_contains(table_summary(run), "not promised: CLIP: it does not clip\n");
 }
 

@@ -40,7 +40,7 @@ TEST_F(VerifyClaims, IsHeldToTheAccuracyThatItClaims) {
   expect_contains(out(), "subject off_within.so, profile exact, within 1/256 texel\n");
   options_.junit = "verdict.xml";
   EXPECT_EQ(run("off_beyond"), kExitLawFailed) << out();
-  expect_contains(out(), "in part: CLIP: the coverage; texels are within its accuracy (MAP)\n");
+  expect_contains(out(), "in part: the coverage; texels are within its accuracy (MAP): CLIP\n");
   expect_contains(get("verdict.xml"), "; in part: each drawing within its accuracy</system-out>");
   expect_contains(out(), "1 of 3 laws hold, 2 violated.");
   expect_contains(out(),

@@ -1,0 +1,181 @@
+// Law SAME, of what comes before: a drawing is the same after another one that differs from it in
+// one thing alone. What a mapper keeps from call to call must know all of what it was made from.
+#include <algorithm>
+#include <array>
+#include <string>
+#include <vector>
+
+#include "spec/canvas.h"
+#include "spec/filter_texture.h"
+#include "spec/law_list.h"
+#include "spec/law_tools.h"
+#include "spec/status_name.h"
+#include "spec/texture_memory.h"
+
+namespace selvage::spec {
+namespace {
+
+// The arguments of a call whose pointers stay where they are.
+struct CallState {
+  std::vector<selvage_vertex> vertices;
+  selvage_texture texture;
+  selvage_options options;
+  bool has_clip;
+  selvage_rect clip;
+};
+
+struct Change {
+  const char* what;                          // "its q"
+  void (*make)(const Subject&, CallState*);  // leaves alone what the subject does not take
+};
+
+void change_q(const Subject& subject, CallState* call) {
+  if (!subject.claims.perspective || call->options.profile != SELVAGE_PROFILE_EXACT) return;
+  int32_t more = 1;
+  for (selvage_vertex& v : call->vertices) v.q = std::max(v.q / 2, more++);
+}
+
+void change_filter(const Subject& subject, CallState* call) {
+  const bool is_nearest = call->options.filter == SELVAGE_FILTER_NEAREST;
+  const bool can_mix = call->texture.format == SELVAGE_RGBA8888 &&
+                       call->options.profile == SELVAGE_PROFILE_EXACT &&
+                       holds(subject.claims.filters, SELVAGE_FILTER_BILINEAR);
+  if (!is_nearest) call->options.filter = SELVAGE_FILTER_NEAREST;
+  if (is_nearest && can_mix) call->options.filter = SELVAGE_FILTER_BILINEAR;
+}
+
+void change_address(const Subject& subject, CallState* call) {
+  const selvage_address other = SELVAGE_ADDRESS_WRAP - call->options.address;
+  if (holds(subject.claims.addresses, other)) call->options.address = other;
+}
+
+void change_tolerance(const Subject&, CallState* call) {
+  call->options.tolerance = 4 * SELVAGE_SUBTEXELS;
+}
+
+void change_clip(const Subject& subject, CallState* call) {
+  if (!subject.claims.clip) return;
+  if (!call->has_clip) call->clip = {1, 1, 2, 2};
+  call->has_clip = !call->has_clip;
+}
+
+// Fewer columns of the same rows.
+void change_width(const Subject& subject, CallState* call) {
+  const bool is_given =
+      call->texture.layout == SELVAGE_LAYOUT_ROWS && call->texture.prepared == nullptr;
+  if (is_given && subject.claims.outside_texels) {
+    call->texture.width = (call->texture.width + 1) / 2;
+  }
+}
+
+constexpr std::array kChanges = {
+    Change{"its q", change_q},
+    Change{"its filter", change_filter},
+    Change{"its address mode", change_address},
+    Change{"its tolerance", change_tolerance},
+    Change{"its clip rectangle", change_clip},
+    Change{"the width of its texture", change_width},
+};
+
+// What keeps more than the last call is found out where nothing was drawn before; that takes a
+// subject long which has much to begin with.
+inline constexpr uint32_t kAnewOneIn = 16;
+
+// A case, drawn again and again from the same memory.
+class SameCall {
+ public:
+  SameCall(const Subject& subject, const Case& c)
+      : subject_(subject),
+        case_(c),
+        texture_(subject, c, filter_texture(c), 0xEE),
+        call_(right()) {}
+
+  // After a drawing elsewhere, so that nothing is kept of the call itself, and then one with the
+  // change, if there is one. What is drawn is over a background of its own.
+  [[nodiscard]] Canvas draw(const Change* change) {
+    if (subject_.start_anew && case_.choice % kAnewOneIn == 0) subject_.start_anew();
+    Canvas target(case_.format, case_.target_width_px, case_.target_height_px, case_.padding_px,
+                  case_.flip_target, 0x5A);
+    const Canvas blank = target;
+    // Whatever these answer: they may be refused.
+    call_.vertices = elsewhere();
+    static_cast<void>(draw_on(&target));
+    if (change != nullptr) {
+      call_ = right();
+      change->make(subject_, &call_);
+      static_cast<void>(draw_on(&target));
+    }
+    call_ = right();
+    target = blank;
+    status_ = draw_on(&target);
+    return target;
+  }
+  [[nodiscard]] selvage_status status() const { return status_; }
+  [[nodiscard]] bool is_prepared() const { return texture_.status() == SELVAGE_OK; }
+
+ private:
+  [[nodiscard]] CallState right() const {
+    return {case_.vertices,
+            texture_.view(),
+            {case_.profile, case_.filter, case_.address, 0, SELVAGE_KERNEL_FASTEST},
+            case_.has_clip,
+            case_.clip};
+  }
+  [[nodiscard]] std::vector<selvage_vertex> elsewhere() const {
+    const auto right_of_it = moved(case_.vertices, SELVAGE_SUBPIXELS, 0);
+    if (right_of_it) return *right_of_it;
+    return moved(case_.vertices, -SELVAGE_SUBPIXELS, 0).value_or(case_.vertices);
+  }
+  [[nodiscard]] selvage_status draw_on(Canvas* target) const {
+    if (subject_.begin_case) subject_.begin_case();  // else it would be given memory in turn
+    const selvage_image image = target->image();
+    return with_shown(case_, [&] {
+      return subject_.draw(&image, call_.has_clip ? &call_.clip : nullptr, call_.vertices.data(),
+                           call_.vertices.size(), &call_.texture, &call_.options);
+    });
+  }
+
+  const Subject& subject_;
+  const Case& case_;
+  TextureMemory texture_;
+  CallState call_;
+  selvage_status status_ = SELVAGE_OK;
+};
+
+[[nodiscard]] Picture picture_of(const Case& c, const Canvas& canvas) {
+  Picture picture{c.target_width_px, c.target_height_px};
+  for (int32_t y = 0; y < c.target_height_px; ++y) {
+    for (int32_t x = 0; x < c.target_width_px; ++x) picture.pixels.push_back(canvas.pixel(x, y));
+  }
+  return picture;
+}
+
+}  // namespace
+
+// Two of the changes, for each costs two drawings.
+Judgement check_same_again(const Subject& subject, const Case& c) {
+  constexpr uint32_t kEach = 2;
+  Judgement judgement;
+  SameCall call(subject, c);
+  if (!call.is_prepared()) return judgement;  // of which the layouts tell
+  const Canvas first = call.draw(nullptr);
+  const Picture wanted = picture_of(c, first);
+  const selvage_status status = call.status();
+  for (uint32_t i = 0; i < kEach && !judgement.violation; ++i) {
+    const Change& change = kChanges[(c.choice + i) % kChanges.size()];
+    const std::string what =
+        std::string("a drawing is the same after one that differs in ") + change.what + " alone";
+    const Canvas again = call.draw(&change);
+    if (call.status() != status) {
+      judgement.violation = violation_of_call("SAME", what, c, "status " + status_name(status),
+                                              "status " + status_name(call.status()));
+      break;
+    }
+    OtherDrawing other{"by itself it shows it", false};
+    add(&judgement, compare("SAME", what, c, picture_of(c, again), other,
+                            [&](int32_t x, int32_t y) { return must_be(wanted.at(x, y)); }));
+  }
+  return judgement;
+}
+
+}  // namespace selvage::spec
