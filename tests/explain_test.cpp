@@ -4,9 +4,11 @@
 
 #include <string>
 
+#include "spec/coordinate_texture.h"
 #include "spec/law_tools.h"
 #include "spec/laws.h"
 #include "spec/sample_place.h"
+#include "spec/texel_reach.h"
 
 namespace selvage::spec {
 namespace {
@@ -73,6 +75,55 @@ TEST(Explain, TellsLongFractionsInDecimalsAndOnWhichSideOfAWholeNumber) {
   for (const char* as_it_is : {"3/2", "1/0", "", "<u>", "1/-300", "300000000000000001/100"}) {
     EXPECT_EQ(told(as_it_is).find("about"), std::string::npos) << as_it_is;
   }
+}
+
+// u = x and v = y, of 4 x 4 texels.
+[[nodiscard]] Case copy_of_texels() {
+  constexpr int32_t kFour_px = 4 * SELVAGE_SUBPIXELS, kFour_texels = 4 * SELVAGE_SUBTEXELS;
+  Case c;
+  c.target_width_px = c.target_height_px = 4;
+  c.texture_width_texel = c.texture_height_texel = 4;
+  c.vertices = {{0, 0, 0, 0, 1},
+                {kFour_px, 0, kFour_texels, 0, 1},
+                {kFour_px, kFour_px, kFour_texels, kFour_texels, 1},
+                {0, kFour_px, 0, kFour_texels, 1}};
+  return c;
+}
+
+TEST(Explain, TellsHowFarOffATexelIs) {
+  const auto off_by = [](const Case& c, int32_t s, int32_t t) {
+    const Violation violation =
+        violation_at("MAP", "it is", c, 1, 2, "that one", coordinate_texel(s, t));
+    const std::string text = explain(violation);
+    const size_t at = text.find("  off by   ");
+    return at == std::string::npos ? "" : text.substr(at + 11, text.find('\n', at) - at - 11);
+  };
+  const Case c = copy_of_texels();  // (1.5, 2.5) texels at pixel (1, 2)
+  EXPECT_EQ(off_by(c, 1, 2), "");
+  EXPECT_EQ(off_by(c, 2, 2), "0.5 texel in u, 0 in v");
+  EXPECT_EQ(off_by(c, 0, 0), "0.5 texel in u, 1.5 in v");
+  EXPECT_EQ(off_by(c, 9, 2), "") << "no texel of the texture";
+  Case wrapped = c;
+  wrapped.address = SELVAGE_ADDRESS_WRAP;
+  EXPECT_EQ(off_by(c, 3, 0), "1.5 texel in u, 1.5 in v");
+  EXPECT_EQ(off_by(wrapped, 3, 0), "1.5 texel in u, 1.5 in v");
+  for (selvage_vertex& v : wrapped.vertices) v.u -= SELVAGE_SUBTEXELS;
+  EXPECT_EQ(off_by(wrapped, 3, 2), "0.5 texel in u, 0 in v") << "the copy to the left is nearer";
+  Case filtered = c;
+  filtered.filter = SELVAGE_FILTER_FOUR;
+  EXPECT_EQ(off_by(filtered, 2, 2), "") << "a mean is no texel";
+}
+
+TEST(TexelRange, IsToldAsItIsAddressed) {
+  const auto text = [](int32_t first, int32_t last, selvage_address address) {
+    return TexelRange{first, last, 8, address}.text();
+  };
+  EXPECT_EQ(text(15123, 15124, SELVAGE_ADDRESS_CLAMP), "7");
+  EXPECT_EQ(text(-3, 2, SELVAGE_ADDRESS_CLAMP), "0 .. 2");
+  EXPECT_EQ(text(16, 17, SELVAGE_ADDRESS_WRAP), "0 .. 1");
+  EXPECT_EQ(text(-2, 1, SELVAGE_ADDRESS_WRAP), "6 .. 7 or 0 .. 1");
+  EXPECT_EQ(text(-1, 0, SELVAGE_ADDRESS_WRAP), "7 or 0");
+  EXPECT_EQ(text(3, 10, SELVAGE_ADDRESS_WRAP), "0 .. 7");
 }
 
 TEST(Explain, TellsTexelsThatAreNone) {

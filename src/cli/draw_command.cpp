@@ -163,15 +163,15 @@ void draw_all(const Job& job, const std::vector<std::vector<selvage_vertex>>& ve
   return all;
 }
 
-void report(const DrawOptions& options, const Job& job, const Raster& picture, int64_t time_ns,
-            nlohmann::ordered_json methods, const Console& console) {
+void report(const DrawOptions& options, const Job& job, const Raster& picture, int64_t covered,
+            int64_t time_ns, nlohmann::ordered_json methods, const Console& console) {
   const nlohmann::ordered_json values = {
       {"output", options.output},
       {"width_px", picture.width_px},
       {"height_px", picture.height_px},
       {"format", format_name(parse_format(options.format))},
       {"polygons", job.size()},
-      {"covered_px", covered_px(job, picture.width_px, picture.height_px)},
+      {"covered_px", covered},
       {"draw_ns", time_ns},
       {"methods", std::move(methods)},
   };
@@ -191,7 +191,9 @@ int64_t covered_px(const Job& job, int32_t width_px, int32_t height_px) {
   const size_t area = static_cast<size_t>(width_px) * static_cast<size_t>(height_px);
   const Bitmap ones{SELVAGE_INDEX8, 1, 1, {1}};
   Bitmap mask{SELVAGE_INDEX8, width_px, height_px, std::vector<uint8_t>(area)};
-  draw_all(job, snap(job), ones, mask, /*threads=*/0);
+  Job plain = job;  // which pixels are covered depends on no filter, and INDEX8 takes none
+  for (JobPolygon& polygon : plain) polygon.options.filter = SELVAGE_FILTER_NEAREST;
+  draw_all(plain, snap(plain), ones, mask, /*threads=*/0);
   return std::count(mask.bytes.begin(), mask.bytes.end(), uint8_t{1});
 }
 
@@ -213,7 +215,15 @@ int run_draw(const DrawOptions& options, const Console& console) {
   status.show("writing " + options.output);
   const Raster picture = to_raster(std::move(target));
   write_picture(options.output, encode_png(picture), console);
-  if (options.json) report(options, job, picture, time_ns, std::move(drawn_by), console);
+  const int64_t covered = covered_px(job, picture.width_px, picture.height_px);
+  if (covered == 0) {
+    console.err << "selvage: nothing was drawn: no polygon covers a visible pixel's sample point"
+                << (job.front().options.profile == SELVAGE_PROFILE_EXACT
+                        ? ""
+                        : ", or it runs counter-clockwise, which this profile does not draw")
+                << '\n';
+  }
+  if (options.json) report(options, job, picture, covered, time_ns, std::move(drawn_by), console);
   return kExitFine;
 }
 

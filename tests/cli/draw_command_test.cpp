@@ -259,5 +259,31 @@ TEST_F(Draw, TellsATerminalWhatItDoesAndWipesIt) {
   EXPECT_TRUE(err.str().ends_with("\r\x1b[K"));
 }
 
+// Coverage is counted whatever the filter, and the format that it wants.
+TEST_F(Draw, ReportsThroughEachFilter) {
+  options_.polygons = {"0,0,0,0 10,0,7,0 10,5,7,9 0,5,0,9"};
+  options_.json = true;
+  for (const char* filter : {"nearest", "four", "bilinear", "area"}) {
+    options_.filter = filter;
+    out_.str("");
+    ASSERT_EQ(run(), kExitFine) << filter;
+    EXPECT_EQ(nlohmann::json::parse(out_.str())["covered_px"], 50) << filter;
+  }
+}
+
+TEST_F(Draw, TellsThatNothingWasDrawn) {
+  EXPECT_EQ(run(), kExitFine);
+  EXPECT_EQ(err_.str(), "");
+  options_.clip = "0,0,5,5";
+  EXPECT_EQ(run(), kExitFine);
+  expect_contains(err_.str(),
+                  "nothing was drawn: no polygon covers a visible pixel's sample point\n");
+  options_.clip.clear();
+  options_.polygons = {"10,10,0,0 4,60,0,18 90,70,24,18"};
+  options_.profile = "abrash56";
+  EXPECT_EQ(run(), kExitFine);
+  expect_contains(err_.str(), "counter-clockwise, which this profile does not draw");
+}
+
 }  // namespace
 }  // namespace selvage::cli::test

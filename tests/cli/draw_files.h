@@ -28,8 +28,8 @@ class Draw : public InDirectory {
   }
 
   int run() {
-    std::ostringstream err;
-    return run_draw(options_, {out_, err});
+    err_.str("");
+    return run_draw(options_, {out_, err_});
   }
   // Runs, which must fail, and leave nothing but what was there.
   std::string refusal() {
@@ -46,7 +46,7 @@ class Draw : public InDirectory {
 
   const Raster texture_ = sample_raster(24, 18);
   DrawOptions options_;
-  std::ostringstream out_;
+  std::ostringstream out_, err_;
 };
 
 }  // namespace selvage::cli::test

@@ -1,4 +1,6 @@
 // `selvage verify` of libraries: what they claim, by themselves and on the command line.
+#include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "verify_subject.h"
@@ -31,6 +33,22 @@ TEST_F(VerifyClaims, IsToldOtherwiseOnTheCommandLine) {
   expect_contains(out(),
                   " --call-limit 20 --name mine --winding counter-clockwise --formats "
                   "rgb565,index8 --clip --law PART --case ");
+}
+
+TEST_F(VerifyClaims, IsDrawnInPicturesUnlessNoneAreWanted) {
+  const auto pictures = [] {
+    return std::ranges::count_if(std::filesystem::directory_iterator("."), [](const auto& entry) {
+      return entry.path().extension() == ".png";
+    });
+  };
+  options_.laws = {"MAP"};
+  options_.cases = "200";
+  options_.draws_pictures = false;
+  EXPECT_EQ(run("off_beyond"), kExitLawFailed);
+  EXPECT_EQ(pictures(), 0);
+  options_.draws_pictures = true;
+  EXPECT_EQ(run("off_beyond"), kExitLawFailed);
+  EXPECT_EQ(pictures(), 1);
 }
 
 TEST_F(VerifyClaims, IsHeldToTheAccuracyThatItClaims) {
