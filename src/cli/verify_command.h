@@ -24,8 +24,8 @@ struct VerifyOptions {
   std::string case_file;  // or the same from raw bytes
   std::string picture;    // empty: selvage-<law>.png
   bool draws_pictures = true;
-  std::string junit;      // a file for JUnit XML
-  bool shrinks = true;    // the counterexamples
+  std::string junit;    // a file for JUnit XML
+  bool shrinks = true;  // the counterexamples
   bool json = false;
   SubjectOptions subject;
 };
