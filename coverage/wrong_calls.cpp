@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -57,30 +56,32 @@ void add(Catalogue* catalogue, const char* name, const char* killer, const char*
 
 // Keeps the last call's set-up, and knows it again by less than it was made from.
 void add_keepers(Catalogue* catalogue) {
-  const auto last = [] { return std::make_shared<std::optional<DrawCall>>(); };
   add(catalogue, "keeps_q", "SAME", "a set-up is known again by everything but q",
-      [last = last()](DrawCall& call) {
-        if (*last && same_places((*last)->vertices, call.vertices)) {
-          call.vertices = (*last)->vertices;
+      [](DrawCall& call) {
+        thread_local std::optional<DrawCall> last;  // mappers are tried by several threads
+        if (last && same_places(last->vertices, call.vertices)) {
+          call.vertices = last->vertices;
         }
-        *last = call;
+        last = call;
       });
   add(catalogue, "keeps_the_filter", "SAME", "a set-up is known again by its vertices alone",
-      [last = last()](DrawCall& call) {
-        if (*last && same_places((*last)->vertices, call.vertices) &&
-            (*last)->texture.format == call.texture.format &&
-            (*last)->options.profile == call.options.profile) {
-          call.options.filter = (*last)->options.filter;
+      [](DrawCall& call) {
+        thread_local std::optional<DrawCall> last;
+        if (last && same_places(last->vertices, call.vertices) &&
+            last->texture.format == call.texture.format &&
+            last->options.profile == call.options.profile) {
+          call.options.filter = last->options.filter;
         }
-        *last = call;
+        last = call;
       });
   add(catalogue, "keeps_the_width", "SAME",
       "a set-up is known again by its vertices, with the width of the texture in it",
-      [last = last()](DrawCall& call) {
-        if (*last && same_places((*last)->vertices, call.vertices)) {
-          call.texture.width = std::min(call.texture.width, (*last)->texture.width);
+      [](DrawCall& call) {
+        thread_local std::optional<DrawCall> last;
+        if (last && same_places(last->vertices, call.vertices)) {
+          call.texture.width = std::min(call.texture.width, last->texture.width);
         }
-        *last = call;
+        last = call;
       });
 }
 

@@ -72,8 +72,7 @@ void tell_offset(Violation* violation, const MaybePixel& drawn) {
   const Texel texel = texel_of(*drawn);
   if (texel.s >= shown.texture_width_texel || texel.t >= shown.texture_height_texel) return;
   const Sample exact{Rational(violation->u), Rational(violation->v)};
-  const Offset offset = offset_to(texel, exact, shown);
-  if (offset.u_texel > 0 || offset.v_texel > 0) violation->off_by = offset;
+  violation->off_by = offset_to(texel, exact, shown);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ class Placed {
 
 // Rows so far apart that 16 bits do not tell it, where these are not too many bytes.
 [[nodiscard]] std::optional<Place> far_apart(const Case& c, Choices& choices) {
-  constexpr int64_t kMostBytes = int64_t{8} << 20;
+  constexpr int64_t kMostBytes = int64_t{4} << 20;
   const int64_t pitch_bytes = choices.pick(33000, 140000);
   if (pitch_bytes * c.target_height_px > kMostBytes) return std::nullopt;
   Place place = own_place(c);
@@ -81,10 +81,11 @@ class Placed {
   return place;
 }
 
-// In the far corner of a screen, or of a long strip.
+// In the far corner of a small screen, or of a long strip: of more than 2^16 pixels, and hardly
+// more, for all of them are looked at.
 [[nodiscard]] std::optional<Place> far_corner(const Subject& subject, const Case& c,
                                               Choices& choices) {
-  constexpr std::array<Pixel, 4> kSizes = {{{640, 480}, {1024, 300}, {6000, 40}, {40, 6000}}};
+  constexpr std::array<Pixel, 4> kSizes = {{{320, 240}, {1024, 72}, {5000, 14}, {14, 5000}}};
   const Pixel size = kSizes[static_cast<size_t>(choices.pick(0, 4))];
   const int32_t longest = subject.claims.longest_side_px;
   Place place{std::max(size.x_px, c.target_width_px),

@@ -74,18 +74,25 @@ namespace {
   return {floor(reach.exact - reach.below), floor(reach.exact + reach.above), size, address};
 }
 
-// 0 where it is in place.
-[[nodiscard]] double offset_along(const Rational& exact, int32_t texel, int32_t size,
-                                  const Case& c) {
-  const auto margin = margin_along(along(exact, 1, 1, c), texel, size, c.address);
-  return margin ? margin->measured : 0;
+// One axis of an offset.
+struct Step {
+  double texels;
+  bool is_in_place;
+};
+[[nodiscard]] Step step_along(const Rational& exact, int32_t texel, int32_t size, const Case& c) {
+  const Reaching reach = along(exact, 1, 1, c);
+  const auto margin = margin_along(reach, texel, size, c.address);
+  return {margin ? margin->measured : 0,
+          address_texel(floor(reach.exact), size, c.address) == texel};
 }
 
 }  // namespace
 
-Offset offset_to(const Texel& texel, const Sample& exact, const Case& shown) {
-  return {offset_along(exact.u, texel.s, shown.texture_width_texel, shown),
-          offset_along(exact.v, texel.t, shown.texture_height_texel, shown)};
+std::optional<Offset> offset_to(const Texel& texel, const Sample& exact, const Case& shown) {
+  const Step u = step_along(exact.u, texel.s, shown.texture_width_texel, shown);
+  const Step v = step_along(exact.v, texel.t, shown.texture_height_texel, shown);
+  if (u.is_in_place && v.is_in_place) return std::nullopt;
+  return Offset{u.texels, v.texels};
 }
 
 bool TexelLaw::judge(Pixel at, const Reach& reach, uint32_t drawn, Judgement* judgement) const {

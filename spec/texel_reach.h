@@ -49,8 +49,10 @@ void add(std::optional<Margin>* nearest, const std::optional<Margin>& other);
   return texels;
 }
 
-// From where the case's profile takes a texel at `exact` to this one, addressed.
-[[nodiscard]] Offset offset_to(const Texel& texel, const Sample& exact, const Case& shown);
+// From where the case's profile takes a texel at `exact` to this one, addressed; empty if it is the
+// one that is taken there. It may be 0 all the same, for a texel ends before its right border.
+[[nodiscard]] std::optional<Offset> offset_to(const Texel& texel, const Sample& exact,
+                                              const Case& shown);
 
 // A law that says of each pixel which texels it may show.
 struct TexelLaw {

@@ -103,6 +103,10 @@ TEST(Explain, TellsHowFarOffATexelIs) {
   EXPECT_EQ(off_by(c, 2, 2), "0.5 texel in u, 0 in v");
   EXPECT_EQ(off_by(c, 0, 0), "0.5 texel in u, 1.5 in v");
   EXPECT_EQ(off_by(c, 9, 2), "") << "no texel of the texture";
+  Case tied = c;
+  for (selvage_vertex& v : tied.vertices) v.u += SELVAGE_SUBTEXELS / 2;  // 2 texels at pixel (1, 2)
+  EXPECT_EQ(off_by(tied, 1, 2), "0 texel in u, 0 in v") << "the border is the next one's";
+  EXPECT_EQ(off_by(tied, 2, 2), "");
   Case wrapped = c;
   wrapped.address = SELVAGE_ADDRESS_WRAP;
   EXPECT_EQ(off_by(c, 3, 0), "1.5 texel in u, 1.5 in v");
