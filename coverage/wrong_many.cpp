@@ -40,29 +40,7 @@ void add_kernel_that_differs(Catalogue* catalogue) {
   catalogue->add("SAME", "one kernel draws a pixel off", std::move(subject));
 }
 
-// What is made of a list's arguments.
-void add_of_arguments(Catalogue* catalogue) {
-  add(
-      catalogue, "draws_until_one_is_refused", "polygons are drawn until one is refused",
-      [](ManyRecipe& r) { r.checks_first = false; }, "TOTAL");
-  add(
-      catalogue, "tells_the_next_one", "of a polygon that is refused the next one's index is told",
-      [](ManyRecipe& r) { r.tell = [](size_t i) { return i + 1; }; }, "TOTAL");
-  add(
-      catalogue, "no_threads_draw_nothing", "with as many threads as there are nothing is drawn",
-      [](ManyRecipe& r) {
-        r.all_threads = 0;
-        r.cut = [right = r.cut](int32_t height_px, int32_t threads) {
-          return threads == 0 ? std::vector<BandRows>() : right(height_px, threads);
-        };
-      },
-      "SAME");
-}
-
-}  // namespace
-
-void add_wrong_many(Catalogue* catalogue) {
-  add_kernel_that_differs(catalogue);
+void add_of_bands(Catalogue* catalogue) {
   add(catalogue, "order_reversed_in_bands", "a band draws its polygons last to first",
       [](ManyRecipe& r) { r.order = [](auto& polygons) { std::ranges::reverse(polygons); }; });
   add(catalogue, "bands_lose_a_row", "the last row of a band is taken for the next one's",
@@ -88,6 +66,9 @@ void add_wrong_many(Catalogue* catalogue) {
           return first == band && first < end;
         };
       });
+}
+
+void add_of_lists(Catalogue* catalogue) {
   add(catalogue, "first_polygon_lost", "the first polygon of the list is not drawn",
       [](ManyRecipe& r) {
         r.prepare = [](auto& polygons) {
@@ -108,6 +89,33 @@ void add_wrong_many(Catalogue* catalogue) {
           for (selvage_polygon& p : polygons) p.count = least;
         };
       });
+}
+
+// What is made of a list's arguments.
+void add_of_arguments(Catalogue* catalogue) {
+  add(
+      catalogue, "draws_until_one_is_refused", "polygons are drawn until one is refused",
+      [](ManyRecipe& r) { r.checks_first = false; }, "TOTAL");
+  add(
+      catalogue, "tells_the_next_one", "of a polygon that is refused the next one's index is told",
+      [](ManyRecipe& r) { r.tell = [](size_t i) { return i + 1; }; }, "TOTAL");
+  add(
+      catalogue, "no_threads_draw_nothing", "with as many threads as there are nothing is drawn",
+      [](ManyRecipe& r) {
+        r.all_threads = 0;
+        r.cut = [right = r.cut](int32_t height_px, int32_t threads) {
+          return threads == 0 ? std::vector<BandRows>() : right(height_px, threads);
+        };
+      },
+      "SAME");
+}
+
+}  // namespace
+
+void add_wrong_many(Catalogue* catalogue) {
+  add_kernel_that_differs(catalogue);
+  add_of_bands(catalogue);
+  add_of_lists(catalogue);
   add_of_arguments(catalogue);
 }
 

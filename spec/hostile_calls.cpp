@@ -128,9 +128,12 @@ void spoil_wholeness(Calls* calls, size_t index) {
                     [=](Arguments& a) { a.vertices[index].q += 1; }});
 }
 
-void leave_out(Calls* calls) {
-  calls->push_back({"no options: all of them zero", SELVAGE_OK,
-                    [](Arguments& a) { a.options_pointer = nullptr; }});
+void leave_out(Calls* calls, const Case& c, const Capabilities& claims) {
+  // Zeros are the exact profile and clamp.
+  if (c.profile == SELVAGE_PROFILE_EXACT && holds(claims.addresses, SELVAGE_ADDRESS_CLAMP)) {
+    calls->push_back({"no options: all of them zero", SELVAGE_OK,
+                      [](Arguments& a) { a.options_pointer = nullptr; }});
+  }
   calls->push_back(
       {"no clip: the whole target", SELVAGE_OK, [](Arguments& a) { a.clip_pointer = nullptr; }});
   for (const int32_t tolerance : {1, int32_t{SELVAGE_SUBTEXELS}, kInt32Max}) {
@@ -149,16 +152,15 @@ std::vector<HostileCall> hostile_calls(const Case& c, const Subject& subject) {
   spoil_pointers(&calls, c.format, subject.claims);
   spoil_vertices(&calls, c.choice % 3, subject.claims);
   if (profile_of(c).whole_px) spoil_wholeness(&calls, c.choice % 3);
-  if (subject.prepare) spoil_preparation(&calls, c);
-  share_memory(&calls, c);
-  leave_out(&calls);
+  if (subject.prepare) spoil_preparation(&calls, c, subject.claims);
+  share_memory(&calls, c, subject.claims);
+  leave_out(&calls, c, subject.claims);
   return calls;
 }
 
 Case good_drawing(const Subject& subject, const Case& c) {
   Case good = c;
   good.filter = SELVAGE_FILTER_NEAREST;
-  good.address = SELVAGE_ADDRESS_CLAMP;
   good.layout = Layout::kGiven;
   good.has_clip = subject.claims.clip;
   good.clip = {0, 0, c.target_width_px, c.target_height_px};

@@ -1,5 +1,7 @@
 #include "spec/hostile_images.h"
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
@@ -53,11 +55,11 @@ void spoil_image(Calls* calls, const ImageErrors& errors, selvage_format format,
       [](auto& image) { image.pitch += image.pitch > 0 ? 1 : -1; });
 }
 
-// A texture of three texels that starts so many pixels before the target's first.
+// A texture of two texels that starts so many pixels before the target's first.
 void start_before(Arguments& a, ptrdiff_t distance_px) {
   a.target.height = 1;
   a.target.pitch = std::abs(a.target.pitch);
-  a.texture.width = 3;
+  a.texture.width = 2;
   a.texture.height = 1;
   a.texture.pitch = 1024;
   a.texture.texels =
@@ -65,15 +67,14 @@ void start_before(Arguments& a, ptrdiff_t distance_px) {
 }
 
 // One bitmap of two columns: the target is the left one, and the texture is beside it or meets it.
-// Of all rows but the one that comes last in memory.
-void share_rows(Arguments& a, int32_t column_px) {
+// Of so many rows, but the one that comes last in memory.
+void share_rows(Arguments& a, int32_t column_px, int32_t rows) {
   const ptrdiff_t pixel = bytes_per_pixel(a.target.format);
   char* const first =
       static_cast<char*>(a.target.pixels) + (a.target.pitch < 0 ? a.target.pitch : 0);
   a.target.width = 1;
-  a.texture = {
-      first + column_px * pixel, 1,      a.target.height - 1, a.target.pitch, a.target.format,
-      SELVAGE_LAYOUT_ROWS,       nullptr};
+  a.texture = {first + column_px * pixel, 1,      rows, a.target.pitch, a.target.format,
+               SELVAGE_LAYOUT_ROWS,       nullptr};
 }
 
 }  // namespace
@@ -91,7 +92,7 @@ void spoil_images(Calls* calls, selvage_format format) {
       format, [](Arguments& a) -> selvage_texture& { return a.texture; });
 }
 
-void spoil_preparation(Calls* calls, const Case& c) {
+void spoil_preparation(Calls* calls, const Case& c, const Capabilities& claims) {
   const auto add = [&](std::string what, selvage_status wanted, auto spoil) {
     calls->push_back({std::move(what), wanted, spoil});
   };
@@ -106,10 +107,12 @@ void spoil_preparation(Calls* calls, const Case& c) {
     a.texture.prepared = static_cast<const char*>(a.texture.texels) +
                          a.texture.pitch * (ptrdiff_t{a.texture.height} + 1);
   });
+  constexpr int32_t kTiled_texel = 8;
   const ptrdiff_t tile = 16 * bytes_per_pixel(c.format);
   const auto tiled = [=](Arguments& a, ptrdiff_t pitch) {
     alignas(64) static const char texels[16 * 4 * 4 * 4] = {};
-    a.texture = {texels + 16 * 4, 8, 5, pitch, c.format, SELVAGE_LAYOUT_TILES, nullptr};
+    a.texture = {texels + 16 * 4, kTiled_texel,         kTiled_texel / 2, pitch,
+                 c.format,        SELVAGE_LAYOUT_TILES, nullptr};
   };
   add("tiles at a pitch short of a row of them", SELVAGE_ERROR_TEXTURE_PITCH,
       [=](Arguments& a) { tiled(a, tile); });
@@ -121,21 +124,26 @@ void spoil_preparation(Calls* calls, const Case& c) {
     tiled(a, 2 * tile);
     a.texture.texels = static_cast<const char*>(a.texture.texels) + tile / 4;
   });
+  if (claims.longest_side_texel < kTiled_texel) return;
   const bool exact = c.profile == SELVAGE_PROFILE_EXACT;
   add("tiles", exact ? SELVAGE_OK : SELVAGE_ERROR_LAYOUT_PROFILE,
       [=](Arguments& a) { tiled(a, 2 * tile); });
 }
 
-void share_memory(Calls* calls, const Case& c) {
+void share_memory(Calls* calls, const Case& c, const Capabilities& claims) {
   calls->push_back({"a texture whose last texel is the target's first pixel", SELVAGE_ERROR_OVERLAP,
-                    [](Arguments& a) { start_before(a, 2); }});
-  calls->push_back({"a texture that ends where the target begins", SELVAGE_OK,
-                    [](Arguments& a) { start_before(a, 3); }});
+                    [](Arguments& a) { start_before(a, 1); }});
+  if (claims.longest_side_texel >= 2) {
+    calls->push_back({"a texture that ends where the target begins", SELVAGE_OK,
+                      [](Arguments& a) { start_before(a, 2); }});
+  }
   if (c.target_height_px < 2 || c.target_width_px + c.padding_px < 2) return;
+  const int32_t most = std::min(c.target_height_px - 1, claims.longest_side_texel);
+  const auto rows = static_cast<int32_t>(std::bit_floor(static_cast<uint32_t>(most)));
   calls->push_back({"a texture in other columns of the target's bitmap", SELVAGE_OK,
-                    [](Arguments& a) { share_rows(a, 1); }});
+                    [=](Arguments& a) { share_rows(a, 1, rows); }});
   calls->push_back({"a texture in the target's own columns of one bitmap", SELVAGE_ERROR_OVERLAP,
-                    [](Arguments& a) { share_rows(a, 0); }});
+                    [=](Arguments& a) { share_rows(a, 0, rows); }});
 }
 
 }  // namespace selvage::spec

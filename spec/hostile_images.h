@@ -17,9 +17,10 @@ using Calls = std::vector<HostileCall>;
 
 // Each of both images with one number that is wrong.
 void spoil_images(Calls* calls, selvage_format format);
-// Rows as given, said to be what they are not.
-void spoil_preparation(Calls* calls, const Case& c);
-// Where the two share memory, and where they only seem to.
-void share_memory(Calls* calls, const Case& c);
+// Rows as given, said to be what they are not. What is legal all the same is asked of a subject
+// that takes such textures.
+void spoil_preparation(Calls* calls, const Case& c, const Capabilities& claims);
+// Where the two share memory, and where they only seem to; likewise.
+void share_memory(Calls* calls, const Case& c, const Capabilities& claims);
 
 }  // namespace selvage::spec

@@ -22,6 +22,7 @@ struct CallState {
   selvage_options options;
   bool has_clip;
   selvage_rect clip;
+  bool is_given;  // the texture's rows are the case's own
 };
 
 struct Change {
@@ -61,11 +62,8 @@ void change_clip(const Subject& subject, CallState* call) {
 
 // Fewer columns of the same rows.
 void change_width(const Subject& subject, CallState* call) {
-  const bool is_given =
-      call->texture.layout == SELVAGE_LAYOUT_ROWS && call->texture.prepared == nullptr;
-  if (is_given && subject.claims.outside_texels) {
-    call->texture.width = (call->texture.width + 1) / 2;
-  }
+  if (!call->is_given || !subject.claims.outside_texels) return;
+  call->texture.width = (call->texture.width + 1) / 2;
 }
 
 constexpr std::array kChanges = {
@@ -119,7 +117,8 @@ class SameCall {
             texture_.view(),
             {case_.profile, case_.filter, case_.address, 0, SELVAGE_KERNEL_FASTEST},
             case_.has_clip,
-            case_.clip};
+            case_.clip,
+            layout_of(subject_, case_) == Layout::kGiven};
   }
   [[nodiscard]] std::vector<selvage_vertex> elsewhere() const {
     const auto right_of_it = moved(case_.vertices, SELVAGE_SUBPIXELS, 0);
@@ -171,9 +170,12 @@ Judgement check_same_again(const Subject& subject, const Case& c) {
                                               "status " + status_name(call.status()));
       break;
     }
-    OtherDrawing other{"by itself it shows it", false};
+    const OtherDrawing other{"by itself it shows it", false};
     add(&judgement, compare("SAME", what, c, picture_of(c, again), other,
                             [&](int32_t x, int32_t y) { return must_be(wanted.at(x, y)); }));
+    if (judgement.violation || again.guards_are_intact()) continue;
+    judgement.violation =
+        violation_of_call("SAME", what, c, "the bytes beside the pixels as they were", "others");
   }
   return judgement;
 }

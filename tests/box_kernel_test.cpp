@@ -180,5 +180,35 @@ TEST(BoxKernel, RoundsHalvesUpAndWhatIsBarelyBelowDown) {
   }
 }
 
+// Textures so long that 1/256 texels of them are no 32-bit number, and as wide as a box's windows.
+// Of their texels those about the seam between two copies are written, the others are as they come.
+TEST(BoxKernel, IsExactInTexturesLongerThanCoordinatesReach) {
+  constexpr int32_t kShort = 8, kWritten = 2000, kSeam_fx8 = -120000;
+  spec::Random random(12);
+  const std::vector<uint32_t> noise = noise_texels(random, kWritten * kShort);
+  for (const int32_t length : {8388607, 8388608, 16777716}) {
+    const size_t all = static_cast<size_t>(length) * kShort;
+    const auto texels = std::make_unique_for_overwrite<uint32_t[]>(all);
+    for (const bool is_row : {true, false}) {
+      for (int32_t i = 0; i < kWritten * kShort; ++i) {
+        const int32_t along = i / kShort, at = along < kWritten / 2 ? along : length - along + 999;
+        const int32_t s = is_row ? at : i % kShort, t = is_row ? i % kShort : at;
+        texels[static_cast<size_t>(t) * static_cast<size_t>(is_row ? length : kShort) +
+               static_cast<size_t>(s)] = noise[static_cast<size_t>(i)];
+      }
+      const int32_t width = is_row ? length : kShort, height = is_row ? kShort : length;
+      const selvage_texture texture{
+          texels.get(),        width,  height, ptrdiff_t{4} * width, SELVAGE_RGBA8888,
+          SELVAGE_LAYOUT_ROWS, nullptr};
+      for (const int32_t side : {300, 5000, 51200}) {
+        const BoxSides sides{is_row ? side : 300, is_row ? 300 : side};
+        const FilterPoint start{is_row ? kSeam_fx8 : 700, is_row ? 700 : kSeam_fx8};
+        expect_line_means({start, {is_row ? 6000 : 0, is_row ? 0 : 6000}, sides}, 40, texture);
+        ASSERT_FALSE(HasFatalFailure()) << length << ", side " << side;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace selvage::mapper

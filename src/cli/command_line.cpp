@@ -138,8 +138,8 @@ void add_manner(CLI::App& draw, DrawOptions& options) {
                   "Of use in perspective, by filter nearest and profile exact")
       ->type_name("TEXELS");
   draw.add_option("--profile", options.profile,
-                  "Conventions to draw by: exact (the default), abrash56, abrash57 or dkit, which "
-                  "draw clockwise outlines alone; wins over the polygon file")
+                  "Conventions to draw by: exact (the default), abrash56 and abrash57, which draw "
+                  "clockwise outlines alone, or dkit; wins over the polygon file")
       ->type_name("NAME");
 }
 

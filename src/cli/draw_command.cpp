@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include "cli/draw_refusal.h"
@@ -77,7 +78,8 @@ namespace {
     if (!size) throw UserError("--size is needed, for the background is not a picture");
     return filled(size->width_px, size->height_px, colour);
   }
-  if (!std::filesystem::exists(options.background)) {
+  std::error_code unreadable;
+  if (!std::filesystem::exists(options.background, unreadable) || unreadable) {
     throw UserError("--background: '" + options.background +
                     "' is neither a colour (#rgb, #rrggbb or #rrggbbaa) nor a file");
   }

@@ -1,9 +1,10 @@
 #include "cli/located_json.h"
-#include "testbed/printable.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
+
+#include "testbed/printable.h"
 
 namespace selvage::cli {
 namespace {

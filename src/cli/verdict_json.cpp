@@ -12,6 +12,18 @@ namespace {
 
 using nlohmann::ordered_json;
 
+// Where the model takes the texel of the pixel, and how far off the one that was drawn is.
+void add_coordinates(const spec::Violation& violation, ordered_json* values) {
+  if (!violation.u.empty()) {
+    (*values)["u_texel"] = violation.u;
+    (*values)["v_texel"] = violation.v;
+  }
+  if (violation.off_by) {
+    (*values)["off_by_texel"] = {{"u", violation.off_by->u_texel},
+                                 {"v", violation.off_by->v_texel}};
+  }
+}
+
 [[nodiscard]] ordered_json violation_json(const VerifyRun& run, const Verdict& verdict) {
   const spec::Violation& violation = *verdict.found.violation;
   ordered_json values = {{"what", violation.what},
@@ -19,13 +31,7 @@ using nlohmann::ordered_json;
                          {"drawn", violation.drawn},
                          {"shown", case_json(violation.shown)},
                          {"shown_case", spec::to_hex(violation.shown)}};
-  if (!violation.u.empty()) {
-    values["u_texel"] = violation.u;
-    values["v_texel"] = violation.v;
-  }
-  if (violation.off_by) {
-    values["off_by_texel"] = {{"u", violation.off_by->u_texel}, {"v", violation.off_by->v_texel}};
-  }
+  add_coordinates(violation, &values);
   if (violation.x_px >= 0) {
     values["pixel_px"] = {violation.x_px, violation.y_px};
     if (violation.scene.empty())

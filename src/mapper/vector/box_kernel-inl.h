@@ -168,6 +168,9 @@ HWY_INLINE void with_means_of(const Surface& surface, const Draw& draw) {
 }
 template <class Draw>
 HWY_INLINE void with_means(const Surface& surface, const Draw& draw) {
+  if (HWY_UNLIKELY(PlainMeans::is_for(surface.texture))) {
+    return draw(std::type_identity<PlainMeans>());
+  }
   with_layout(surface.texture.layout, [&](auto layout) {
     using Layout = decltype(layout);
     if (surface.address == SELVAGE_ADDRESS_CLAMP) {

@@ -267,6 +267,24 @@ class BoxMeans {
   bool is_large_;
 };
 
+// Of a texture so long that 32 bits do not count 1/256 texels of it.
+class PlainMeans {
+ public:
+  HWY_INLINE explicit PlainMeans(const Surface& surface) : surface_(surface) {}
+  [[nodiscard]] static HWY_INLINE bool is_for(const selvage_texture& texture) {
+    return HWY_MAX(texture.width, texture.height) > INT32_MAX >> kGridBits;
+  }
+
+  [[nodiscard]] HWY_INLINE bool is_large() const { return false; }
+  HWY_INLINE void prefetch(const Box& /*box*/) const {}
+  HWY_INLINE uint32_t operator()(const Box& box) const {
+    return box_mean(surface_.texture, surface_.address, box);
+  }
+
+ private:
+  const Surface& surface_;
+};
+
 }  // namespace
 }  // namespace selvage::mapper::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
