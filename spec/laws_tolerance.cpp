@@ -190,7 +190,9 @@ class TolerantCase {
   return bound < (1 << kMostToleranceBits) ? std::max(floor(bound) + choices.pick(-2, 3), 1) : any;
 }
 
-[[nodiscard]] selvage_kernel some_kernel(const Case& c) {
+// Which may be none that it has: only who names errors is asked for it.
+[[nodiscard]] selvage_kernel some_kernel(const Subject& subject, const Case& c) {
+  if (!subject.claims.named_errors) return SELVAGE_KERNEL_FASTEST;
   constexpr uint32_t kOwnChoices = 0x9E3779B9;  // apart from those that make the case
   Choices choices(c.choice ^ kOwnChoices);
   return static_cast<selvage_kernel>(choices.pick(SELVAGE_KERNEL_FASTEST, SELVAGE_KERNEL_NEON + 1));
@@ -217,7 +219,7 @@ Judgement check_tolerance(const Subject& subject, const Case& any) {
   Choices choices(c.choice);
   for (const Case& shown : {c, within(subject.claims, made_wide(c, choices))}) {
     if (!is_valid(shown)) continue;
-    const Tolerance tolerance{some_tolerance(shown, choices), some_kernel(shown)};
+    const Tolerance tolerance{some_tolerance(shown, choices), some_kernel(subject, shown)};
     if (add(&judgement, TolerantCase(subject, shown, tolerance).judge())) return judgement;
   }
   if (any.filter != SELVAGE_FILTER_NEAREST && can_be_filtered(any)) {
