@@ -13,7 +13,7 @@ namespace selvage::spec {
 namespace {
 
 // Cases that are drawn over a wide row, too, which takes longer than most of them.
-inline constexpr int32_t kOneIn = 3;
+inline constexpr int32_t kWideOneIn = 3;
 
 [[nodiscard]] Violation filter_violation(std::string what, const Case& shown, Pixel at,
                                          std::string allowed, uint32_t drawn) {
@@ -149,7 +149,7 @@ Judgement check_filter(const Subject& subject, const Case& c) {
   if (add(&judgement, judge_formula_of(subject, c))) return judgement;
   // The area filter's boxes may be many texels there, and the model slow.
   const bool mixes_few = c.filter == SELVAGE_FILTER_FOUR || c.filter == SELVAGE_FILTER_BILINEAR;
-  if (!mixes_few || choices.pick(0, kOneIn) != 0) return judgement;
+  if (!mixes_few || choices.pick(0, kWideOneIn) != 0) return judgement;
   const Case wide = within(subject.claims, wide_row(c, choices));
   if (is_valid(wide)) add(&judgement, judge_formula_of(subject, wide));
   return judgement;

@@ -150,10 +150,10 @@ class Placed {
 
 // Of some cases, for a large target takes longer than most of them do.
 Judgement check_same_place(const Subject& subject, const Case& c) {
-  constexpr int32_t kOneIn = 8;
+  constexpr int32_t kElsewhereOneIn = 8;
   constexpr uint32_t kOwnChoices = 0x85EBCA6B;  // apart from those of the law's other parts
   Choices choices(c.choice ^ kOwnChoices);
-  const int32_t kind = choices.pick(0, kOneIn);
+  const int32_t kind = choices.pick(0, kElsewhereOneIn);
   if (kind > 1) return {};
   const auto place = kind == 0 ? far_apart(c, choices) : far_corner(subject, c, choices);
   if (!place) return {};
