@@ -42,7 +42,8 @@ class Quarters {
     for (const int32_t t : entries(box.top_fx8, box.height_fx8)) {
       for (const int32_t s : entries(box.left_fx8, box.width_fx8)) {
         const ChannelSums sums = at(s, t);
-        std::memcpy(memory_.get() + t * pitch_bytes_ + s * sizeof sums, &sums, sizeof sums);
+        std::memcpy(memory_.get() + t * pitch_bytes_ + s * ptrdiff_t{sizeof sums}, &sums,
+                    sizeof sums);
       }
     }
   }
