@@ -111,6 +111,22 @@ TEST(BoxSums, AreThoseUpToTheLastTexel) {
   }
 }
 
+// Along a row, where those of the pixels to come are asked for ahead.
+TEST(BoxSums, AreThoseOfARow) {
+  constexpr int32_t kCount = 40;
+  constexpr uint32_t kColour = 0x10F0207F;
+  Quarters quarters(kColour, kColour);
+  const BoxLine line{{40000, 40000}, {700, -300}, {8191, 8193}};
+  for (int32_t i = 0; i < kCount; ++i) quarters.provide(box_of(line, i));
+  for (const selvage_address address : {SELVAGE_ADDRESS_CLAMP, SELVAGE_ADDRESS_WRAP}) {
+    for (const selvage_kernel kernel : usable_kernels()) {
+      EXPECT_EQ(drawn_boxes(line, kCount, quarters.texture(), address, kernel),
+                std::vector<uint32_t>(kCount, kColour))
+          << "kernel " << kernel;
+    }
+  }
+}
+
 // About the corner of the quarters a box has a mean of 254.5, or less by as little as can be: by
 // 1 / (2 area).
 TEST(BoxSums, RoundHalvesUpAndWhatIsBarelyBelowDown) {
