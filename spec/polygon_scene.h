@@ -18,9 +18,9 @@ namespace selvage::spec {
 
 inline constexpr uint8_t kSceneBackground = 0x5A;
 
-// Polygons over each other in the order of drawing, no two of one kind in a row: copies of the
-// case's outline, triangles of its vertices, copies with one q; of two textures that differ in
-// every texel, and often in size.
+// Polygons over each other in the order of drawing, of three kinds in turn: copies of the case's
+// outline, triangles of its vertices, copies with one q; of two textures that differ in every
+// texel, and often in size.
 class PolygonScene {
  public:
   PolygonScene(const Subject& subject, const Case& c);
