@@ -120,13 +120,14 @@ inline constexpr uint64_t kCallsPerDrawing = 2;
 // What an audit asks: a check, and by mappers of which claims.
 struct Question {
   const Check& check;
-  int32_t accuracy_fx16;
+  Accuracy accuracy;
 
   [[nodiscard]] Judgement of(Subject subject, const Case& c) const {
-    subject.claims.accuracy_fx16 = accuracy_fx16;
+    subject.claims.accuracy_fx16 = accuracy.texels_fx16;
+    subject.claims.coverage_accuracy_fx16 = accuracy.coverage_fx16;
     return check(subject, c);
   }
-  [[nodiscard]] bool is_exact() const { return accuracy_fx16 == 0; }
+  [[nodiscard]] bool shows_exact() const { return accuracy.texels_fx16 == 0; }
 };
 
 [[nodiscard]] std::vector<Pixel> pixels_within(int32_t width_px, int32_t height_px) {
@@ -161,7 +162,7 @@ struct Question {
 
 [[nodiscard]] std::optional<std::string> first_missed(std::string_view law,
                                                       const Question& question, const Case& c) {
-  for (const Due& due : due_of(law, question.is_exact())) {
+  for (const Due& due : due_of(law, question.shows_exact())) {
     for (const Pixel p : pixels_of(c, due.region)) {
       for (const Moment when : due.moments) {
         for (const Spoiling how : due.spoilings) {
@@ -211,11 +212,11 @@ inline constexpr uint32_t kChoicesPerPixel = 12;
 
 }  // namespace
 
-Audit audit(std::string_view law, const Check& check, const Case& c, int32_t accuracy_fx16) {
+Audit audit(std::string_view law, const Check& check, const Case& c, const Accuracy& accuracy) {
   const auto known = std::ranges::find(kCounts, law, &Count::law);
   if (known == kCounts.end()) return {};  // nothing is due, and that is no pass
-  const Question question{check, accuracy_fx16};
-  const Count count = question.is_exact() ? *known : without_texels(*known);
+  const Question question{check, accuracy};
+  const Count count = question.shows_exact() ? *known : without_texels(*known);
   if (law == "PINWHEEL" || law == "VERT") return audit_by_choices(question, c, count);
   Audit result;
   judge_right(question, c, count, &result);

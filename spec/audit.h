@@ -31,6 +31,11 @@ struct Audit {
   }
 };
 
+// What the mappers claim of what they draw, each in 1/65536: texel, px.
+struct Accuracy {
+  int32_t texels_fx16 = 0, coverage_fx16 = 0;
+};
+
 using Check = std::function<Judgement(const Subject&, const Case&)>;
 
 // Of a verifier that claims to check the named law, which is promised by the case's profile. The
@@ -42,8 +47,9 @@ using Check = std::function<Judgement(const Subject&, const Case&)>;
 //   MIRROR, a triangle without a vertex half way between pixels or an edge through a centre
 //   ORACLE, q that differ
 // PINWHEEL and VERT look where Case::choice says: they are asked again and again until they have
-// looked everywhere. The mappers claim this accuracy: what is promised of the law then is due.
+// looked everywhere. The mappers claim this accuracy: what is promised of the law then is due; that
+// of coverage is to leave no pixel of the case in doubt.
 [[nodiscard]] Audit audit(std::string_view law, const Check& check, const Case& c,
-                          int32_t accuracy_fx16 = 0);
+                          const Accuracy& accuracy = {});
 
 }  // namespace selvage::spec

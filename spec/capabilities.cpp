@@ -122,7 +122,7 @@ void take_outline(const Capabilities& claims, Case* c) {
 
 std::optional<std::string> beyond(const Capabilities& claims, const Case& c) {
   const auto longest = [](int32_t a, int32_t b) { return std::max(a, b); };
-  const std::array<std::pair<bool, const char*>, 12> reasons = {{
+  const std::array<std::pair<bool, const char*>, 13> reasons = {{
       {!holds(claims.formats, c.format), "a format that it does not draw"},
       {!holds(claims.filters, c.filter), "a filter that it does not have"},
       {!holds(claims.addresses, c.address), "an address mode that it does not have"},
@@ -137,6 +137,7 @@ std::optional<std::string> beyond(const Capabilities& claims, const Case& c) {
            !(is_power_of_two(c.texture_width_texel) && is_power_of_two(c.texture_height_texel)),
        "a texture whose sides are no powers of two"},
       {!claims.outside_texels && !lies_inside(c), "texture coordinates outside the texture"},
+      {!lies_in_guard_band(claims, c), "vertices too far from the target for it"},
       {!are_on_steps(claims, c.vertices), "vertices between the places that it takes"},
       {!claims.named_errors && !is_valid(c), "an outline to be refused"},
   }};
@@ -171,6 +172,7 @@ Case within(const Capabilities& claims, const Case& c) {
       v.v = inside(v.v, taken.texture_height_texel);
     }
   }
+  take_into_guard_band(claims, &taken);
   for (selvage_vertex& v : taken.vertices) v = to_steps(v, claims);
   if (!taken.vertices.empty()) take_outline(claims, &taken);
   return taken;
@@ -191,97 +193,32 @@ int32_t mapped_step_fx8(const Profile& profile, const Capabilities& claims) {
   return std::max(position_step_fx8(profile, claims), claims.coordinate_step_fx16 / kFx16PerFx8);
 }
 
+int32_t in_guard_band(const Capabilities& claims, int32_t at_fx8, int32_t side_px) {
+  const int64_t band_fx8 = int64_t{claims.guard_band_px} * SELVAGE_SUBPIXELS;
+  const int64_t end_fx8 = int64_t{side_px} * SELVAGE_SUBPIXELS + band_fx8;
+  return static_cast<int32_t>(std::clamp<int64_t>(at_fx8, -band_fx8, end_fx8));
+}
+
+void take_into_guard_band(const Capabilities& claims, Case* c) {
+  for (selvage_vertex& v : c->vertices) {
+    v.x = in_guard_band(claims, v.x, c->target_width_px);
+    v.y = in_guard_band(claims, v.y, c->target_height_px);
+  }
+}
+
+bool lies_in_guard_band(const Capabilities& claims, const Case& c) {
+  return std::ranges::all_of(c.vertices, [&](const selvage_vertex& v) {
+    return v.x == in_guard_band(claims, v.x, c.target_width_px) &&
+           v.y == in_guard_band(claims, v.y, c.target_height_px);
+  });
+}
+
 void make_visible(const Profile& profile, const Capabilities& claims,
                   std::vector<selvage_vertex>* vertices) {
   make_visible(profile, vertices);
   if (!profile.clockwise_only && !is_right_way(claims.winding, *vertices)) {
     std::ranges::reverse(*vertices);
   }
-}
-
-namespace {
-
-// How much of a law is promised by a subject whose texels are within its accuracy alone.
-[[nodiscard]] Promise of_inexact_texels(std::string_view law, const Capabilities& claims,
-                                        const Promise& limited) {
-  constexpr std::string_view kTexels = "within its accuracy";
-  constexpr std::string_view kCoverage = "the coverage; texels are within its accuracy (MAP)";
-  constexpr std::string_view kOneColour = "of a texture of one colour, which stays so";
-  const std::pair<std::string_view, std::string_view> parts[] = {
-      {"VERT", kTexels},
-      {"MAP", kTexels},
-      {"GAMUT", kTexels},
-      {"TOLERANCE", "within the tolerance and its accuracy together"},
-      {"ORACLE", "where its accuracy leaves OpenCV no other texel"},
-      {"CLIP", kCoverage},
-      {"SHIFT", kCoverage},
-      {"ORDER", kCoverage},
-      {"MIRROR", kCoverage},
-      {"SPLIT", kCoverage},
-      {"AFFINE", kCoverage},
-      {"IDENTITY", "with the nearest filter"},
-      {"FILTER", claims.accuracy_fx16 < SELVAGE_SUBTEXELS ? kTexels : kOneColour},
-      {"SAME", "each drawing within its accuracy"},
-  };
-  const auto part =
-      std::ranges::find(parts, law, &std::pair<std::string_view, std::string_view>::first);
-  return part == std::end(parts) ? limited : Promise{Standing::kPromised, part->second};
-}
-
-}  // namespace
-
-Promise promise(selvage_profile id, const Capabilities& claims, std::string_view law) {
-  struct Limit {
-    std::string_view law;
-    bool applies;
-    Promise promise;
-  };
-  constexpr auto no = Standing::kNotPromised, part = Standing::kPromised;
-  const Limit limits[] = {
-      {"CLIP", !claims.clip, {no, "it does not clip"}},
-      {"TOTAL", !claims.named_errors, {no, "it does not name errors"}},
-      {"IDENTITY", claims.most_vertices < 4, {no, "it draws triangles alone, and no rectangle"}},
-      {"FILTER",
-       !holds(claims.formats, SELVAGE_RGBA8888),
-       {no, "it does not draw RGBA8888, which has the channels that filters mix"}},
-      {"IDENTITY",
-       !claims.outside_texels,
-       {no, "it lays its rectangle anywhere, mostly beyond the texture"}},
-      {"SPLIT",
-       !claims.outside_texels,
-       {no, "it lays texture coordinates over the plane, and the texture ends"}},
-      {"IDENTITY",
-       claims.accuracy_fx16 >= SELVAGE_SUBTEXELS / 2,
-       {no, "its texels may be off by half a texel or more"}},
-      {"SAME",
-       claims.accuracy_fx16 >= SELVAGE_SUBTEXELS,
-       {no, "its texels may be off by a texel or more"}},
-      {"ORACLE",
-       claims.accuracy_fx16 >= SELVAGE_SUBTEXELS / 4,
-       {no, "its texels may be off by a quarter of a texel or more, which decides little"}},
-      {"PINWHEEL",
-       claims.position_step_fx8 > SELVAGE_SUBPIXELS / 2,
-       {no, "no vertex of its lies on a sample point"}},
-      {"VERT",
-       claims.position_step_fx8 > SELVAGE_SUBPIXELS / 2,
-       {no, "no vertex of its lies on a sample point"}},
-      {"ORDER", claims.winding != Winding::kBoth, {part, "which vertex comes first"}},
-      {"SHIFT",
-       !holds(claims.addresses, SELVAGE_ADDRESS_WRAP) || !claims.outside_texels,
-       {part, "shifts of the polygon; those of the texture are seen in wrap mode, beyond it"}},
-      {"AFFINE", !claims.perspective, {part, "equal q"}},
-      {"TOLERANCE",
-       !claims.clip,
-       {part, "the tolerance; bounds are asked for row by row, by clips"}},
-      {"SAME", !claims.clip, {part, "kernels; tiles are drawn through clip rectangles"}},
-  };
-  const Promise whole = promise(id, law);
-  if (whole.standing != Standing::kPromised) return whole;
-  const auto limit =
-      std::ranges::find_if(limits, [&](const Limit& one) { return one.law == law && one.applies; });
-  const Promise limited = limit == std::end(limits) ? whole : limit->promise;
-  if (limited.standing != Standing::kPromised || shows_exact_texels(claims)) return limited;
-  return of_inexact_texels(law, claims, limited);
 }
 
 }  // namespace selvage::spec

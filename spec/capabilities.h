@@ -9,7 +9,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "spec/case.h"
@@ -44,7 +43,9 @@ struct Capabilities {
   int32_t most_vertices = kAnyNumber;       // at least 3
   int32_t position_step_fx8 = 1;            // x, y are multiples of it, a power of two up to 1 px
   int32_t coordinate_step_fx16 = 1;         // u, v likewise, up to 1 texel
+  int32_t guard_band_px = kAnyNumber;       // how far beyond the target x, y may lie
   int32_t accuracy_fx16 = 0;                // of the exact profile: how far u and v may be off
+  int32_t coverage_accuracy_fx16 = 0;       // and the outline, in x and in y, up to 1 px
 
   friend bool operator==(const Capabilities&, const Capabilities&) = default;
 };
@@ -56,13 +57,17 @@ struct Capabilities {
 [[nodiscard]] constexpr bool shows_exact_texels(const Capabilities& claims) {
   return claims.accuracy_fx16 == 0;
 }
+// Its coverage, too.
+[[nodiscard]] constexpr bool draws_exactly(const Capabilities& claims) {
+  return shows_exact_texels(claims) && claims.coverage_accuracy_fx16 == 0;
+}
 
 // The case as the subject can take it: other formats, filters and address modes become claimed
 // ones, in turn by Case::choice; q are made equal; clip and negative pitches are left out; sides
-// are cut, and those of textures made powers of two; u and v are brought into the texture; outlines
-// become their convex hull, with as many corners as are drawn, in the right winding. What is within
-// the claims stays as it is, and so does an outline that must be refused by a subject that names no
-// errors: it cannot be mapped.
+// are cut, and those of textures made powers of two; u and v are brought into the texture, x and y
+// into the guard band; outlines become their convex hull, with as many corners as are drawn, in the
+// right winding. What is within the claims stays as it is, and so does an outline that must be
+// refused by a subject that names no errors: it cannot be mapped.
 [[nodiscard]] Case within(const Capabilities& claims, const Case& c);
 
 // The vertices alone as the profile and the subject accept them: x, y, u, v down to their steps.
@@ -74,11 +79,15 @@ void make_acceptable(const Profile& profile, const Capabilities& claims,
 // The same, no shorter than from one u or v to the next at a texel a pixel.
 [[nodiscard]] int32_t mapped_step_fx8(const Profile& profile, const Capabilities& claims);
 
+// No vertex lies further beyond the case's target than the subject takes it.
+[[nodiscard]] bool lies_in_guard_band(const Capabilities& claims, const Case& c);
+// Moves those that do to its border.
+void take_into_guard_band(const Capabilities& claims, Case* c);
+// x or y, in 1/256 px, of a target so long in its direction.
+[[nodiscard]] int32_t in_guard_band(const Capabilities& claims, int32_t at_fx8, int32_t side_px);
+
 // Reverses an outline that the profile or the subject would not draw this way round.
 void make_visible(const Profile& profile, const Capabilities& claims,
                   std::vector<selvage_vertex>* vertices);
-
-// How a law stands with a profile, of which so much is claimed.
-[[nodiscard]] Promise promise(selvage_profile id, const Capabilities& claims, std::string_view law);
 
 }  // namespace selvage::spec

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "spec/outline_distance.h"
+
 namespace selvage::spec {
 
 // The finalizer of SplitMix64 (Steele, Lea, Flood 2014) over a Weyl sequence.
@@ -53,6 +55,15 @@ std::optional<std::vector<selvage_vertex>> moved(std::span<const selvage_vertex>
     v.y = static_cast<int32_t>(v.y + dy_fx8);
   }
   return result;
+}
+
+std::optional<std::vector<selvage_vertex>> moved_in_band(const Capabilities& claims, const Case& c,
+                                                         int64_t dx_fx8, int64_t dy_fx8) {
+  Case there = c;
+  const auto vertices = moved(c.vertices, dx_fx8, dy_fx8);
+  if (!vertices) return std::nullopt;
+  there.vertices = *vertices;
+  return lies_in_guard_band(claims, there) ? vertices : std::nullopt;
 }
 
 void tell_coordinates(Violation* violation, const Case& shown, int32_t x_px, int32_t y_px) {
@@ -114,6 +125,28 @@ Violation violation_of_call(std::string_view law, std::string what, const Case& 
           .shown = shown};
 }
 
+bool is_in_doubt(int32_t coverage_accuracy_fx16, const Case& shown, Pixel at) {
+  return coverage_accuracy_fx16 > 0 && is_visible(shown, at) &&
+         is_near_outline(sample_point(shown, at), shown.vertices, coverage_accuracy_fx16);
+}
+
+void tell_outline_offset(Violation* violation, bool is_drawn) {
+  const Case& shown = violation->shown;
+  const Pixel at{violation->x_px, violation->y_px};
+  if (!is_valid(shown) || !is_visible(shown, at)) return;
+  if (ModelRow(shown, at.y_px).coordinates(at.x_px).has_value() == is_drawn) return;
+  violation->off_by_px = outline_distance_px(sample_point(shown, at), shown.vertices).get_d();
+}
+
+WantedAt without_doubt(int32_t coverage_accuracy_fx16, const Case& shown, const Picture& picture,
+                       WantedAt wanted_at) {
+  return [&, coverage_accuracy_fx16, wanted_at = std::move(wanted_at)](int32_t x, int32_t y) {
+    const Wanted wanted = wanted_at(x, y);
+    const bool differs = wanted.judged && wanted.pixel != picture.at(x, y);
+    return differs && is_in_doubt(coverage_accuracy_fx16, shown, {x, y}) ? unjudged() : wanted;
+  };
+}
+
 Judgement compare(std::string_view law, std::string_view what, const Case& shown,
                   const Picture& picture, const WantedAt& wanted_at) {
   Judgement judgement;
@@ -125,6 +158,7 @@ Judgement compare(std::string_view law, std::string_view what, const Case& shown
       if (wanted.pixel == picture.at(x, y)) continue;
       judgement.violation = violation_at(law, std::string(what), shown, x, y,
                                          describe_pixel(shown, wanted.pixel), picture.at(x, y));
+      tell_outline_offset(&*judgement.violation, picture.at(x, y).has_value());
       return judgement;
     }
   }
@@ -156,12 +190,14 @@ namespace {
 
 Judgement compare(std::string_view law, std::string_view what, const Case& shown,
                   const Picture& picture, const OtherDrawing& other, const WantedAt& wanted_at) {
-  const auto judged_at = [&](int32_t x, int32_t y) {
+  const auto of_texels_judged = [&](int32_t x, int32_t y) {
     Wanted wanted = wanted_at(x, y);
     const MaybePixel& drawn = picture.at(x, y);
     if (!other.judges_texels && wanted.pixel && drawn) wanted.pixel = drawn;
     return wanted;
   };
+  const WantedAt judged_at =
+      without_doubt(other.coverage_accuracy_fx16, shown, picture, of_texels_judged);
   Judgement judgement = compare(law, what, shown, picture, judged_at);
   if (!judgement.violation) return judgement;
   Violation& violation = *judgement.violation;

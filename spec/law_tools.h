@@ -40,6 +40,12 @@ class Choices {
 // The case as the laws that read texels back draw it: a mixed pixel tells no texel.
 [[nodiscard]] Case with_nearest(const Case& c);
 
+// Whether the clip leaves the pixel in.
+[[nodiscard]] inline bool is_visible(const Case& c, Pixel at) {
+  return !c.has_clip || (c.clip.left <= at.x_px && at.x_px < c.clip.right &&
+                         c.clip.top <= at.y_px && at.y_px < c.clip.bottom);
+}
+
 // A vertex at another place.
 [[nodiscard]] inline selvage_vertex vertex_at(Point p, const selvage_vertex& like) {
   return {static_cast<int32_t>(p.x), static_cast<int32_t>(p.y), like.u, like.v, like.q};
@@ -62,6 +68,12 @@ class Choices {
 [[nodiscard]] std::optional<std::vector<selvage_vertex>> moved(
     std::span<const selvage_vertex> vertices, int64_t dx_fx8, int64_t dy_fx8);
 
+// The same, empty too where the subject does not take them so far from the case's target.
+[[nodiscard]] std::optional<std::vector<selvage_vertex>> moved_in_band(const Capabilities& claims,
+                                                                       const Case& c,
+                                                                       int64_t dx_fx8,
+                                                                       int64_t dy_fx8);
+
 // The exact coordinates at a pixel as text, for a violation; empty if it is not covered.
 void tell_coordinates(Violation* violation, const Case& shown, int32_t x_px, int32_t y_px);
 
@@ -75,6 +87,14 @@ void tell_coordinates(Violation* violation, const Case& shown, int32_t x_px, int
 [[nodiscard]] Violation violation_of_call(std::string_view law, std::string what, const Case& shown,
                                           std::string allowed, std::string drawn);
 
+// Whether a pixel of a drawing may be there or not, by a subject whose outlines may be so far off:
+// it is visible, and its sample point lies no further from the outline.
+[[nodiscard]] bool is_in_doubt(int32_t coverage_accuracy_fx16, const Case& shown, Pixel at);
+
+// How far the outline would have to be off for the pixel to be as it was drawn, where it is not as
+// the model has it.
+void tell_outline_offset(Violation* violation, bool is_drawn);
+
 using MaybePixel = std::optional<uint32_t>;
 
 // What a law demands at a pixel.
@@ -87,6 +107,9 @@ struct Wanted {
 
 // Compares picture (drawn for `shown`) with what is wanted at each pixel of its target.
 using WantedAt = std::function<Wanted(int32_t x_px, int32_t y_px)>;
+// But for pixels that are not as wanted where that is in doubt.
+[[nodiscard]] WantedAt without_doubt(int32_t coverage_accuracy_fx16, const Case& shown,
+                                     const Picture& picture, WantedAt wanted_at);
 [[nodiscard]] Judgement compare(std::string_view law, std::string_view what, const Case& shown,
                                 const Picture& picture, const WantedAt& wanted_at);
 
@@ -97,10 +120,12 @@ struct OtherDrawing {
   std::string_view clause;
   bool shows_texels = true;
   bool judges_texels = true;
+  int32_t coverage_accuracy_fx16 = 0;  // of both; what is in doubt is not judged
 };
-// By the same subject: where it claims no exact texels, two drawings may differ in them.
+// By the same subject: where it claims no exact texels or coverage, two drawings may differ in
+// them.
 [[nodiscard]] inline OtherDrawing drawing_of(const Subject& subject, std::string_view clause) {
-  return {clause, true, shows_exact_texels(subject.claims)};
+  return {clause, true, shows_exact_texels(subject.claims), subject.claims.coverage_accuracy_fx16};
 }
 [[nodiscard]] Judgement compare(std::string_view law, std::string_view what, const Case& shown,
                                 const Picture& picture, const OtherDrawing& other,

@@ -63,7 +63,7 @@ template <Judgement (*kCheck)(const Subject&, const Case&)>
 }
 
 // Three digits are enough to tell a rounding from a prestep.
-[[nodiscard]] std::string texels_text(double texels) {
+[[nodiscard]] std::string decimal_text(double texels) {
   std::ostringstream text;
   text << std::setprecision(3) << texels;
   return text.str();
@@ -133,8 +133,11 @@ std::string explain(const Violation& violation) {
     text += "  exact v  " + with_decimals(violation.v) + "\n";
   }
   if (violation.off_by) {
-    text += "  off by   " + texels_text(violation.off_by->u_texel) + " texel in u, " +
-            texels_text(violation.off_by->v_texel) + " in v\n";
+    text += "  off by   " + decimal_text(violation.off_by->u_texel) + " texel in u, " +
+            decimal_text(violation.off_by->v_texel) + " in v\n";
+  }
+  if (violation.off_by_px) {
+    text += "  off by   " + decimal_text(*violation.off_by_px) + " px, the outline\n";
   }
   text += "  allowed  " + violation.allowed + "\n  drawn    " + violation.drawn + "\n";
   text += print(violation.shown);

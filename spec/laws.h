@@ -37,9 +37,10 @@ struct Violation {
   std::string u{}, v{};            // exact coordinates there, texels, as fractions; may be empty
   std::string allowed{};           // what the law allows there
   std::optional<Offset> off_by{};  // from there to the texel that was drawn, if it is not in place
-  std::string scene{};             // what else was drawn besides the shown case; empty: nothing
-  std::string drawn{};             // what the subject drew
-  Case shown{};                    // the drawing in which it was seen, derived from the law's case
+  std::optional<double> off_by_px{};  // from the sample to the outline that is on its wrong side
+  std::string scene{};                // what else was drawn besides the shown case; empty: nothing
+  std::string drawn{};                // what the subject drew
+  Case shown{};             // the drawing in which it was seen, derived from the law's case
   bool is_of_call = false;  // a call did not end as calls do: whatever the law, it says the same
   // Where another drawing told what is allowed, and not the model.
   std::shared_ptr<const Comparison> comparison{};

@@ -96,6 +96,7 @@ struct Interval {
   for (int32_t y = 0; y < fine.target_height_px; ++y) {
     for (int32_t x = 0; x < fine.target_width_px; ++x) {
       if (!picture.at(x, y)) continue;
+      if (is_in_doubt(subject.claims.coverage_accuracy_fx16, fine, {x, y})) continue;
       rows[static_cast<size_t>(y)].push_back({x, y});
       columns[static_cast<size_t>(x)].push_back({x, y});
     }

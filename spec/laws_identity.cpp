@@ -20,12 +20,14 @@ struct Side {
 };
 
 // Over the whole target, where what steps lose shows at the far end, or anywhere.
-[[nodiscard]] Side pick_side(int32_t step_fx8, Choices& choices, int32_t size_px) {
+[[nodiscard]] Side pick_side(const Capabilities& claims, int32_t step_fx8, Choices& choices,
+                             int32_t size_px) {
   if (choices.pick(0, 4) == 0) return {0, std::min(size_px, 8192) * SELVAGE_SUBPIXELS};
   const int32_t grid = ~(step_fx8 - 1);
   const int32_t reach = std::min(size_px + 2, 8192) * SELVAGE_SUBPIXELS;
   const int32_t begin = choices.pick(-2 * SELVAGE_SUBPIXELS, reach) & grid;
-  return {begin, begin + (choices.pick(0, reach) & grid)};
+  const int32_t end = begin + (choices.pick(0, reach) & grid);
+  return {in_guard_band(claims, begin, size_px), in_guard_band(claims, end, size_px)};
 }
 
 // A rectangle whose u - x and v - y are whole texels; where texels lie about whole u, its far side
@@ -57,22 +59,20 @@ Judgement check_identity(const Subject& subject, const Case& any) {
   Choices choices(c.choice);
   const Profile& profile = profile_of(c);
   const int32_t step_fx8 = mapped_step_fx8(profile, subject.claims);
-  const Side columns = pick_side(step_fx8, choices, c.target_width_px);
-  const Side rows = pick_side(step_fx8, choices, c.target_height_px);
+  const Side columns = pick_side(subject.claims, step_fx8, choices, c.target_width_px);
+  const Side rows = pick_side(subject.claims, step_fx8, choices, c.target_height_px);
   const int32_t ds = choices.pick(-c.texture_width_texel, c.texture_width_texel + 1) % 1024;
   const int32_t dt = choices.pick(-c.texture_height_texel, c.texture_height_texel + 1) % 1024;
   const Case shown = visible(subject, block_rectangle(subject.claims, c, columns, rows, ds, dt));
   const bool is_flat = rows.begin_fx8 == rows.end_fx8;
-  return compare(
-      "IDENTITY", "an axis-aligned one-to-one rectangle is a block copy", shown,
-      draw(subject, shown), [&](int32_t x, int32_t y) {
-        const bool clipped = c.has_clip && (x < c.clip.left || c.clip.right <= x ||
-                                            y < c.clip.top || c.clip.bottom <= y);
-        if (clipped || is_flat || !columns.covers(profile, x) || !rows.covers(profile, y)) {
-          return must_be(std::nullopt);
-        }
-        return must_be(addressed_value(c, {x + ds, y + dt}));
-      });
+  const Picture drawn = draw(subject, shown);
+  const auto wanted = [&](int32_t x, int32_t y) {
+    const bool is_covered = !is_flat && columns.covers(profile, x) && rows.covers(profile, y);
+    if (!is_covered || !is_visible(c, {x, y})) return must_be(std::nullopt);
+    return must_be(addressed_value(c, {x + ds, y + dt}));
+  };
+  return compare("IDENTITY", "an axis-aligned one-to-one rectangle is a block copy", shown, drawn,
+                 without_doubt(subject.claims.coverage_accuracy_fx16, shown, drawn, wanted));
 }
 
 }  // namespace selvage::spec

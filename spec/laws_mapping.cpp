@@ -39,6 +39,12 @@ namespace {
   return std::nullopt;
 }
 
+// A pixel that is drawn, but is not covered, by a subject that may do so: it may show any texel.
+[[nodiscard]] bool is_extra(const Subject& subject, const Case& triangle, Pixel at) {
+  return is_in_doubt(subject.claims.coverage_accuracy_fx16, triangle, at) &&
+         !ModelRow(triangle, at.y_px).coordinates(at.x_px);
+}
+
 // Judges the drawn pixels of a triangle whose sample points lie there.
 [[nodiscard]] Judgement judge_outline(const Subject& subject, const Case& triangle) {
   const Picture picture = draw(subject, triangle);
@@ -51,7 +57,7 @@ namespace {
       const MaybePixel& pixel = picture.at(x, y);
       if (!pixel) continue;
       const auto exact = sample_on_outline(sample_point(triangle, {x, y}), triangle);
-      if (!exact) continue;
+      if (!exact || is_extra(subject, triangle, {x, y})) continue;
       if (!law.judge({x, y}, reach_around(*exact, accuracy), *pixel, &judgement)) return judgement;
     }
   }
@@ -107,6 +113,7 @@ Judgement check_vert(const Subject& subject, const Case& any) {
       const auto outline = turned(*side, quarters);
       if (!outline) continue;
       Case shown = with_vertices(subject.claims, c, *outline);
+      take_into_guard_band(subject.claims, &shown);
       make_visible(profile_of(c), subject.claims, &shown.vertices);
       if (add(&judgement, judge_outline(subject, shown))) return judgement;
     }
@@ -209,6 +216,7 @@ Judgement check_gamut(const Subject& subject, const Case& any) {
       const Texel texel = texel_of(*pixel);
       ++judgement.judged_px;
       if (s.holds(texel.s) && t.holds(texel.t)) continue;
+      if (is_in_doubt(subject.claims.coverage_accuracy_fx16, c, {x, y})) continue;
       judgement.violation =
           violation_at("GAMUT", "a texel lies within the range of the polygon's own coordinates", c,
                        x, y, "columns " + s.text() + ", rows " + t.text(), pixel);

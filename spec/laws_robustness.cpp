@@ -20,9 +20,7 @@ Judgement check_mem(const Subject& subject, const Case& c) {
     return judgement;
   }
   const auto wanted = [&](int32_t x, int32_t y) {
-    const bool clipped = c.has_clip && (x < c.clip.left || c.clip.right <= x || y < c.clip.top ||
-                                        c.clip.bottom <= y);
-    return clipped ? must_be(std::nullopt) : unjudged();
+    return is_visible(c, {x, y}) ? unjudged() : must_be(std::nullopt);
   };
   add(&judgement,
       compare("MEM", "nothing outside the clip rectangle is written", c, picture, wanted));

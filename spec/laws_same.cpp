@@ -149,13 +149,13 @@ struct Drawn {
 }
 
 // Holds drawings of a scene against the one that draws a polygon after another, or, where a subject
-// does not show exact texels and two drawings may differ by them, all of them against the model.
+// does not draw exactly and two drawings may differ by that, all of them against the model.
 class SceneJudge {
  public:
   SceneJudge(const Subject& subject, const PolygonScene& scene)
       : scene_(scene), in_turn_(draw_in_turn(subject, scene)) {
     demand_drawn(in_turn_.status, scene.shown());
-    if (!shows_exact_texels(subject.claims)) model_.emplace(scene, accuracy_of(subject));
+    if (!draws_exactly(subject.claims)) model_.emplace(scene, subject.claims);
   }
 
   [[nodiscard]] Judgement judge_in_turn() const {
@@ -221,8 +221,8 @@ Judgement check_same(const Subject& subject, const Case& c) {
   if (judgement.violation) return judgement;
   demand_claimed(subject, c);
   // Nor is it promised that what was rounded once is rounded the same again, or elsewhere.
-  if (shows_exact_texels(subject.claims) && (add(&judgement, check_same_again(subject, c)) ||
-                                             add(&judgement, check_same_place(subject, c)))) {
+  if (draws_exactly(subject.claims) && (add(&judgement, check_same_again(subject, c)) ||
+                                        add(&judgement, check_same_place(subject, c)))) {
     return judgement;
   }
   add(&judgement, check_scene(subject, c));

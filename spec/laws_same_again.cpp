@@ -121,9 +121,11 @@ class SameCall {
             layout_of(subject_, case_) == Layout::kGiven};
   }
   [[nodiscard]] std::vector<selvage_vertex> elsewhere() const {
-    const auto right_of_it = moved(case_.vertices, SELVAGE_SUBPIXELS, 0);
-    if (right_of_it) return *right_of_it;
-    return moved(case_.vertices, -SELVAGE_SUBPIXELS, 0).value_or(case_.vertices);
+    for (const int32_t dx_px : {1, -1}) {
+      const auto vertices = moved_in_band(subject_.claims, case_, dx_px * SELVAGE_SUBPIXELS, 0);
+      if (vertices) return *vertices;
+    }
+    return case_.vertices;
   }
   [[nodiscard]] selvage_status draw_on(Canvas* target) const {
     if (subject_.begin_case) subject_.begin_case();  // else it would be given memory in turn

@@ -62,9 +62,21 @@ Judgement check_clip(const Subject& subject, const Case& c) {
 
 namespace {
 
+// Along one axis alone where a subject that takes no vertices far from the target leaves no more.
+[[nodiscard]] Pixel choose_shift(const Subject& subject, const Case& c, Choices& choices) {
+  const Pixel both{choices.pick(-4, 5), choices.pick(-4, 5)};
+  for (const Pixel by : {both, Pixel{both.x_px, 0}, Pixel{0, both.y_px}}) {
+    if (moved_in_band(subject.claims, c, int64_t{by.x_px} * SELVAGE_SUBPIXELS,
+                      int64_t{by.y_px} * SELVAGE_SUBPIXELS)) {
+      return by;
+    }
+  }
+  return both;
+}
+
 [[nodiscard]] Judgement judge_target_shift(const Subject& subject, const Case& c,
                                            Choices& choices) {
-  const int32_t dx = choices.pick(-4, 5), dy = choices.pick(-4, 5);
+  const auto [dx, dy] = choose_shift(subject, c, choices);
   const auto vertices =
       moved(c.vertices, int64_t{dx} * SELVAGE_SUBPIXELS, int64_t{dy} * SELVAGE_SUBPIXELS);
   if (!vertices) return {};

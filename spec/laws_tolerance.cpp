@@ -112,20 +112,19 @@ class TolerantCase {
 
  private:
   [[nodiscard]] bool is_due(int32_t x, int32_t y) const {
-    const bool clipped = case_.has_clip && (x < case_.clip.left || case_.clip.right <= x ||
-                                            y < case_.clip.top || case_.clip.bottom <= y);
     const Columns& columns = columns_[static_cast<size_t>(y)];
-    return !clipped && columns.first_px <= x && x < columns.end_px;
+    return is_visible(case_, {x, y}) && columns.first_px <= x && x < columns.end_px;
   }
 
   // Which pixels are drawn is exact whatever the tolerance.
   [[nodiscard]] Judgement judge_coverage() const {
+    const auto wanted = [&](int32_t x, int32_t y) {
+      const bool due = is_due(x, y);
+      if (due == drawn_.at(x, y).has_value()) return must_be(drawn_.at(x, y));
+      return must_be(due ? expected_pixel(case_, x, y) : MaybePixel());
+    };
     return compare(kLaw, "which pixels are drawn does not depend on the tolerance", case_, drawn_,
-                   [&](int32_t x, int32_t y) {
-                     const bool due = is_due(x, y);
-                     if (due == drawn_.at(x, y).has_value()) return must_be(drawn_.at(x, y));
-                     return must_be(due ? expected(case_).at(x, y) : MaybePixel());
-                   });
+                   without_doubt(subject_.claims.coverage_accuracy_fx16, case_, drawn_, wanted));
   }
 
   [[nodiscard]] Judgement judge_row(int32_t y, const ScanLine& line,

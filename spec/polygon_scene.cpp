@@ -48,7 +48,8 @@ inline constexpr size_t kMostTold = 8;
 }
 
 // All over the target and beyond; where a copy cannot be it stays.
-[[nodiscard]] std::vector<Pixel> moves_of(const Case& c, Choices& choices) {
+[[nodiscard]] std::vector<Pixel> moves_of(const Capabilities& claims, const Case& c,
+                                          Choices& choices) {
   std::vector<Pixel> moves{{0, 0}};
   const bool is_long = choices.pick(0, 16) == 0 && c.target_width_px <= 64;
   const int32_t count = is_long ? kLongLists[static_cast<size_t>(choices.pick(0, 6))]
@@ -56,9 +57,9 @@ inline constexpr size_t kMostTold = 8;
   while (moves.size() < static_cast<size_t>(count)) {
     const int32_t dx_px = choices.pick(-c.target_width_px, c.target_width_px + 1) / 2;
     const int32_t dy_px = choices.pick(-c.target_height_px, c.target_height_px + 1);
-    const bool can_be =
-        moved(c.vertices, int64_t{dx_px} * SELVAGE_SUBPIXELS, int64_t{dy_px} * SELVAGE_SUBPIXELS)
-            .has_value();
+    const bool can_be = moved_in_band(claims, c, int64_t{dx_px} * SELVAGE_SUBPIXELS,
+                                      int64_t{dy_px} * SELVAGE_SUBPIXELS)
+                            .has_value();
     moves.push_back(can_be ? Pixel{dx_px, dy_px} : Pixel{0, 0});
   }
   return moves;
@@ -95,7 +96,7 @@ PolygonScene::PolygonScene(const Subject& subject, const Case& c)
       textures_{TextureMemory(subject, case_, texture_of(c, false), kSceneBackground),
                 TextureMemory(subject, second_, texture_of(c, true), kSceneBackground)} {
   Choices choices(c.choice + 1);
-  moves_ = moves_of(case_, choices);
+  moves_ = moves_of(subject.claims, case_, choices);
   const auto first_kind = static_cast<size_t>(choices.pick(0, 3));
   for (const Pixel& move : moves_) {
     auto outline = moved(c.vertices, int64_t{move.x_px} * SELVAGE_SUBPIXELS,

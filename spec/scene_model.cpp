@@ -8,20 +8,14 @@
 #include "spec/model.h"
 
 namespace selvage::spec {
-namespace {
 
-[[nodiscard]] bool is_visible(const Case& c, int32_t x, int32_t y) {
-  return !c.has_clip ||
-         (c.clip.left <= x && x < c.clip.right && c.clip.top <= y && y < c.clip.bottom);
-}
-
-}  // namespace
-
-SceneModel::SceneModel(const PolygonScene& scene, const Rational& accuracy)
+SceneModel::SceneModel(const PolygonScene& scene, const Capabilities& claims)
     : scene_(scene), background_(scene.blank().pixel(0, 0)) {
   const Case& shown = scene.shown();
+  const Rational accuracy = accuracy_of(claims);
   pixels_.resize(static_cast<size_t>(shown.target_width_px) *
                  static_cast<size_t>(shown.target_height_px));
+  in_doubt_.resize(pixels_.size());
   for (size_t polygon = scene.count(); polygon-- > 0;) {  // the last one is on top
     const Case c = scene.case_of(polygon);
     const TexelAt texel_at = scene.texels_of(polygon);
@@ -29,7 +23,9 @@ SceneModel::SceneModel(const PolygonScene& scene, const Rational& accuracy)
     for (int32_t y = 0; y < c.target_height_px; ++y) {
       const ModelRow row(c, y);
       for (int32_t x = 0; x < c.target_width_px; ++x, ++index) {
-        if (pixels_[index] || !is_visible(c, x, y)) continue;
+        if (pixels_[index] || in_doubt_[index] || !is_visible(c, {x, y})) continue;
+        in_doubt_[index] = is_in_doubt(claims.coverage_accuracy_fx16, c, {x, y});
+        if (in_doubt_[index]) continue;
         const std::optional<Sample> exact = row.coordinates(x);
         if (exact) pixels_[index].emplace(c, Pixel{x, y}, *exact, texel_at, accuracy);
       }
@@ -38,6 +34,7 @@ SceneModel::SceneModel(const PolygonScene& scene, const Rational& accuracy)
 }
 
 bool SceneModel::is_allowed(size_t index, uint32_t value) const {
+  if (in_doubt_[index]) return true;
   const std::optional<AllowedPixel>& allowed = pixels_[index];
   return allowed ? allowed->holds(value) : value == background_;
 }

@@ -1,5 +1,5 @@
 // What law SAME's scene may look like where no drawing of it tells: by the model, of a mapper that
-// claims an accuracy.
+// claims an accuracy, of texels or of coverage.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ namespace selvage::spec {
 
 class SceneModel {
  public:
-  // `accuracy` in texels, below 1.
-  SceneModel(const PolygonScene& scene, const Rational& accuracy);
+  // Of accuracies that are claimed; that of texels is below 1.
+  SceneModel(const PolygonScene& scene, const Capabilities& claims);
 
   // Whether each pixel is one of the polygon on top there, or as it was, and every byte beside.
   [[nodiscard]] Judgement judge(const std::string& what, const Canvas& drawn) const;
@@ -28,6 +28,7 @@ class SceneModel {
   const PolygonScene& scene_;
   uint32_t background_;
   std::vector<std::optional<AllowedPixel>> pixels_;  // that some polygon covers
+  std::vector<bool> in_doubt_;  // which the polygon on top, or one above it, may draw or not
 };
 
 }  // namespace selvage::spec

@@ -43,10 +43,13 @@ void add(std::optional<Margin>* nearest, const std::optional<Margin>& other);
 }
 
 // How far off the subject claims its texels to be at most, in texels.
-[[nodiscard]] inline Rational accuracy_of(const Subject& subject) {
-  Rational texels(subject.claims.accuracy_fx16, SELVAGE_SUBTEXELS);
+[[nodiscard]] inline Rational accuracy_of(const Capabilities& claims) {
+  Rational texels(claims.accuracy_fx16, SELVAGE_SUBTEXELS);
   texels.canonicalize();
   return texels;
+}
+[[nodiscard]] inline Rational accuracy_of(const Subject& subject) {
+  return accuracy_of(subject.claims);
 }
 
 // From where the case's profile takes a texel at `exact` to this one, addressed; empty if it is the

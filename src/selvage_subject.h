@@ -39,7 +39,8 @@ enum {
   SELVAGE_LACKS_NAMED_ERRORS = 16,     /* bad arguments: none are given */
   SELVAGE_LACKS_ANY_TEXTURE_SIDE = 32, /* textures whose sides are no powers of two */
   SELVAGE_LACKS_OUTSIDE_TEXELS = 64,   /* vertices whose u, v lie beyond [0, width] x [0, height] */
-  SELVAGE_LACKS_ALL = 127
+  SELVAGE_LACKS_OUTSIDE_VERTICES = 128, /* vertices beyond [0, width] x [0, height] of the target */
+  SELVAGE_LACKS_ALL = 255
 };
 
 /* What a call may answer, drawing nothing, where it is beyond the subject in a way that no field
@@ -66,6 +67,10 @@ typedef struct selvage_claims {
   int32_t position_step;      /* 1/256 px: x, y are multiples of it: a power of two up to 256, which
                                  takes whole pixels alone; 0: 1 */
   int32_t coordinate_step;    /* 1/65536 texel: u, v likewise, up to 65536: whole texels; 0: 1 */
+  int32_t coverage_accuracy;  /* 1/65536 px, up to 65536: a pixel may be drawn or not where its
+                                 centre lies no further from the outline, in x and in y; 0: exact.
+                                 Of SELVAGE_PROFILE_EXACT */
+  int32_t guard_band_px;      /* x, y lie so far beyond the target at most; 0: anywhere */
 } selvage_claims;
 
 /* Must stay valid; called once, before anything is drawn. */

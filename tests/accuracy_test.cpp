@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "spec/law_tools.h"
+#include "spec/promise.h"
 #include "spec/verify.h"
 
 namespace selvage::spec {

@@ -8,6 +8,7 @@
 #include "spec/generate_historic.h"
 #include "spec/law_tools.h"
 #include "spec/model.h"
+#include "spec/promise.h"
 #include "spec/texel_reach.h"
 #include "spec/verify.h"
 
@@ -15,7 +16,7 @@ namespace selvage::spec {
 namespace {
 
 [[nodiscard]] std::vector<Capabilities> some_claims() {
-  std::vector<Capabilities> some(16);
+  std::vector<Capabilities> some(18);
   some[0].winding = Winding::kClockwise;
   some[1].winding = Winding::kCounterClockwise;
   some[2].formats = only(SELVAGE_RGB565);
@@ -39,6 +40,10 @@ namespace {
   some[15].winding = Winding::kCounterClockwise;
   some[15].most_vertices = 3;
   some[15].outside_texels = false;
+  some[16].guard_band_px = 0;
+  some[17].guard_band_px = 5;
+  some[17].position_step_fx8 = 16;
+  some[17].most_vertices = 3;
   some[9].winding = Winding::kClockwise;
   some[9].most_vertices = 4;
   some[9].perspective = false;
@@ -138,6 +143,50 @@ TEST(CapabilitiesAtLength, AskForNoVertexBetweenItsSteps) {
   }
 }
 
+// Nor one that lies too far from the target, in any drawing and in any call.
+TEST(CapabilitiesAtLength, AskForNoVertexBeyondTheGuardBand) {
+  for (const auto& [band_px, step_fx8] : {std::pair{0, 1}, {0, 16}, {3, 1}, {1000, 128}}) {
+    const auto expect_near = [=](const selvage_image* target, const selvage_vertex* vertices,
+                                 size_t count) {
+      const auto is_near = [=](int32_t at_fx8, int32_t side_px) {
+        return -256 * band_px <= at_fx8 && at_fx8 <= 256 * (side_px + band_px);
+      };
+      for (const selvage_vertex& v : std::span(vertices, count)) {
+        if (is_near(v.x, target->width) && is_near(v.y, target->height)) continue;
+        throw SubjectFailure{"was given a vertex that it does not take"};
+      }
+    };
+    Subject subject = built_in();
+    subject.claims.guard_band_px = band_px;
+    subject.claims.position_step_fx8 = step_fx8;
+    subject.claims.named_errors = false;
+    subject.draw = [=](const selvage_image* target, const selvage_rect* clip,
+                       const selvage_vertex* vertices, size_t count, const selvage_texture* texture,
+                       const selvage_options* options) {
+      expect_near(target, vertices, count);
+      return selvage_draw(target, clip, vertices, count, texture, options);
+    };
+    subject.draw_many = [=, many = subject.draw_many](
+                            const selvage_image* target, const selvage_rect* clip,
+                            const selvage_polygon* polygons, size_t count,
+                            const selvage_options* options, int32_t threads, size_t* failed) {
+      for (size_t i = 0; i < count; ++i)
+        expect_near(target, polygons[i].vertices, polygons[i].count);
+      return many(target, clip, polygons, count, options, threads, failed);
+    };
+    for (const Law& law : laws()) {
+      if (promise(subject.profile, subject.claims, law.name).standing != Standing::kPromised)
+        continue;
+      const LawVerdict verdict = verify(law, subject, 1, 200);
+      EXPECT_FALSE(verdict.violation) << explain(*verdict.violation);
+      EXPECT_GT(verdict.judged_px, 0u) << law.name;
+      for (const auto& [what, cases] : verdict.not_claimed) {
+        EXPECT_LE(cases, law.name == "SHIFT" ? 120u : 20u) << law.name << " " << what;
+      }
+    }
+  }
+}
+
 // Not even to ask what it draws by.
 TEST(Capabilities, AskNoClipOfASubjectWithoutClips) {
   Subject subject = built_in();
@@ -177,8 +226,9 @@ TEST(CapabilitiesAtLength, LeaveARightMapperRight) {
       EXPECT_FALSE(verdict.violation) << explain(*verdict.violation);
       EXPECT_GT(verdict.judged_px, 0u) << law.name;
       for (const auto& [what, cases] : verdict.not_claimed) {
-        // Laws that move or make texture coordinates leave the texture often.
-        EXPECT_LE(cases, claims.outside_texels ? 20u : 60u)
+        // Laws that move or make texture coordinates leave the texture often, and a polygon that
+        // fills its target cannot be shifted.
+        EXPECT_LE(cases, claims.outside_texels && claims.guard_band_px > 100 ? 20u : 60u)
             << law.name << " is left out for " << what;
       }
     }

@@ -118,6 +118,24 @@ TEST(Explain, TellsHowFarOffATexelIs) {
   EXPECT_EQ(off_by(filtered, 2, 2), "") << "a mean is no texel";
 }
 
+// How far its sample point lies from the outline that it is on the wrong side of.
+TEST(Explain, TellsHowFarOffAnOutlineIs) {
+  const auto off_by = [](const Case& c, int32_t x, int32_t y, bool is_drawn) {
+    Violation violation = violation_at("COV", "it is", c, x, y, "that", std::nullopt);
+    tell_outline_offset(&violation, is_drawn);
+    const std::string text = explain(violation);
+    const size_t at = text.find("  off by   ");
+    return at == std::string::npos ? "" : text.substr(at + 11, text.find('\n', at) - at - 11);
+  };
+  Case c = copy_of_texels();  // 4 x 4 px
+  EXPECT_EQ(off_by(c, 0, 1, false), "0.5 px, the outline");
+  EXPECT_EQ(off_by(c, 0, 1, true), "") << "it is right";
+  EXPECT_EQ(off_by(c, 5, 1, true), "1.5 px, the outline");
+  c.has_clip = true;
+  c.clip = {2, 0, 9, 9};
+  EXPECT_EQ(off_by(c, 0, 1, true), "") << "the clip is wrong, and no outline";
+}
+
 TEST(TexelRange, IsToldAsItIsAddressed) {
   const auto text = [](int32_t first, int32_t last, selvage_address address) {
     return TexelRange{first, last, 8, address}.text();

@@ -233,8 +233,11 @@ TEST_P(Audits, IsPassedByTheLawWithinAnAccuracy) {
   const Law& law = GetParam();
   for (const Case& c : cases_for(law.name)) {
     if (c.profile != SELVAGE_PROFILE_EXACT) continue;
-    const Audit result = audit(law.name, law.check, c, /*accuracy_fx16=*/1);
-    EXPECT_TRUE(result.is_passed()) << told(result) << "\n" << print(c);
+    for (const Accuracy& accuracy : {Accuracy{.texels_fx16 = 1}, Accuracy{.coverage_fx16 = 1}}) {
+      const Audit result = audit(law.name, law.check, c, accuracy);
+      EXPECT_TRUE(result.is_passed()) << accuracy.coverage_fx16 << ": " << told(result) << "\n"
+                                      << print(c);
+    }
   }
 }
 

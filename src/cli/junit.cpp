@@ -129,10 +129,11 @@ std::string junit_xml(const VerifyRun& run) {
       attribute("tests", std::to_string(run.verdicts.size() + left_out.size())) +
       attribute("failures", std::to_string(failures)) + attribute("errors", "0") +
       attribute("skipped", std::to_string(skips)) + attribute("time", seconds_text(time_ns));
-  std::string properties = property("selvage", selvage_version()) +
-                           property("profile", run.profile) +
-                           property("accuracy_fx16", std::to_string(run.accuracy_fx16)) +
-                           property("arguments", run.arguments);
+  std::string properties =
+      property("selvage", selvage_version()) + property("profile", run.profile) +
+      property("accuracy_fx16", std::to_string(run.accuracy_fx16)) +
+      property("coverage_accuracy_fx16", std::to_string(run.coverage_accuracy_fx16)) +
+      property("arguments", run.arguments);
   std::string missing;
   for (const auto& [function, law] : run.not_exported) {
     missing += (missing.empty() ? "" : ", ") + function;

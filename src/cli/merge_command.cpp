@@ -36,6 +36,8 @@ void demand_one_run(const ShardFile& first, const ShardFile& other) {
   demand("the subject", [](const VerifyRun& run) { return run.subject; });
   demand("the profile", [](const VerifyRun& run) { return run.profile; });
   demand("the accuracy in 1/65536 texel", [](const VerifyRun& run) { return run.accuracy_fx16; });
+  demand("the accuracy of coverage in 1/65536 px",
+         [](const VerifyRun& run) { return run.coverage_accuracy_fx16; });
   demand("the seed", [](const VerifyRun& run) { return run.seed; });
   demand("the number of cases", [](const VerifyRun& run) { return run.cases; });
   demand("the number of hunted cases", [](const VerifyRun& run) { return run.hunted; });

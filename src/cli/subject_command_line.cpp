@@ -53,8 +53,11 @@ void add_claims(CLI::App& command, SubjectOptions& subject) {
   add_flag("any-texture-side", subject.any_texture_side,
            "Whether texture sides need not be powers of two");
   add_flag("outside-texels", subject.outside_texels, "Whether u, v may lie beyond the texture");
+  add_flag("outside-vertices", subject.outside_vertices, "Whether x, y may lie beyond the target");
   add("--longest-side", subject.longest_side, "PX", "Of the target; 0: any");
   add("--longest-texture-side", subject.longest_texture_side, "TEXELS", "Of the texture; 0: any");
+  add("--guard-band", subject.guard_band, "PX",
+      "How far beyond the target x, y may lie; 0: anywhere");
   add("--most-vertices", subject.most_vertices, "N", "3: it draws triangles alone");
   add("--position-step", subject.position_step, "PX",
       "Its x, y are multiples of it: 1 takes whole pixels alone, 1/16 sixteenths");
@@ -62,6 +65,8 @@ void add_claims(CLI::App& command, SubjectOptions& subject) {
       "Its u, v are multiples of it: 1 takes whole texels alone");
   add("--accuracy", subject.accuracy, "TEXELS",
       "How far its texels may be off in u and v, as 0.25 or 1/256; 0: exact");
+  add("--coverage-accuracy", subject.coverage_accuracy, "PX",
+      "How far from the outline a pixel may be drawn or missing, up to 1; 0: exact");
 }
 
 }  // namespace selvage::cli

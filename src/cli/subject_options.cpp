@@ -17,7 +17,7 @@ namespace selvage::cli {
 namespace {
 
 constexpr double kUsualCallLimit_s = 2, kMostCallLimit_s = 3600;
-constexpr double kMostAccuracy_fx16 = 1 << 30;
+constexpr double kMostAccuracy_fx16 = 1 << 30, kMostCoverageAccuracy_fx16 = 1 << 16;
 
 [[nodiscard]] std::chrono::nanoseconds call_limit(const std::string& text) {
   const std::optional<double> seconds =
@@ -71,8 +71,16 @@ void read_number(const char* option, const std::string& text, int32_t least, int
 }
 
 void read_side(const char* option, const std::string& text, int32_t* side) {
+  if (text.empty()) return;
   read_number(option, text, 0, side);
   if (*side == 0) *side = spec::kAnyNumber;  // as in selvage_subject.h
+}
+
+void read_guard_band(const SubjectOptions& options, int32_t* band_px) {
+  read_side("--guard-band", options.guard_band, band_px);
+  if (!options.outside_vertices) return;
+  if (*options.outside_vertices && *band_px == 0) *band_px = spec::kAnyNumber;
+  if (!*options.outside_vertices) *band_px = 0;
 }
 
 // A number or a quotient of two, in units of which so many are 1; empty where it is neither.
@@ -86,11 +94,15 @@ void read_side(const char* option, const std::string& text, int32_t* side) {
 }
 
 // Rounded down: no more is claimed than was said.
-[[nodiscard]] int32_t parse_accuracy(const std::string& text) {
+void read_accuracy(const char* option, const std::string& text, double most_fx16, const char* right,
+                   int32_t* accuracy_fx16) {
+  if (text.empty()) return;
   const double fx16 = parse_units(text, SELVAGE_SUBTEXELS).value_or(-1);
-  if (fx16 == 0 || (fx16 >= 1 && fx16 <= kMostAccuracy_fx16)) return static_cast<int32_t>(fx16);
-  throw UserError("--accuracy: '" + text +
-                  "' is none; texels from 1/65536 to 16384, as 0.25 or 1/256, are, or 0: exact");
+  if (fx16 != 0 && (fx16 < 1 || fx16 > most_fx16)) {
+    throw UserError(std::string(option) + ": '" + text + "' is none; " + right +
+                    ", as 0.25 or 1/256, are, or 0: exact");
+  }
+  *accuracy_fx16 = static_cast<int32_t>(fx16);
 }
 
 void read_step(const char* option, const std::string& text, int32_t units_in_one, int32_t* step) {
@@ -127,7 +139,11 @@ void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
             &claims->position_step_fx8);
   read_step("--coordinate-step", options.coordinate_step, SELVAGE_SUBTEXELS,
             &claims->coordinate_step_fx16);
-  if (!options.accuracy.empty()) claims->accuracy_fx16 = parse_accuracy(options.accuracy);
+  read_guard_band(options, &claims->guard_band_px);
+  read_accuracy("--accuracy", options.accuracy, kMostAccuracy_fx16, "texels from 1/65536 to 16384",
+                &claims->accuracy_fx16);
+  read_accuracy("--coverage-accuracy", options.coverage_accuracy, kMostCoverageAccuracy_fx16,
+                "pixels from 1/65536 to 1", &claims->coverage_accuracy_fx16);
 }
 
 [[nodiscard]] std::string arguments_of(const SubjectOptions& options) {
@@ -158,12 +174,15 @@ void read_claims(const SubjectOptions& options, spec::Capabilities* claims) {
   tell_flag("named-errors", options.named_errors);
   tell_flag("any-texture-side", options.any_texture_side);
   tell_flag("outside-texels", options.outside_texels);
+  tell_flag("outside-vertices", options.outside_vertices);
   tell("--longest-side", options.longest_side);
   tell("--longest-texture-side", options.longest_texture_side);
+  tell("--guard-band", options.guard_band);
   tell("--most-vertices", options.most_vertices);
   tell("--position-step", options.position_step);
   tell("--coordinate-step", options.coordinate_step);
   tell("--accuracy", options.accuracy);
+  tell("--coverage-accuracy", options.coverage_accuracy);
   return text.empty() ? text : text.substr(1);
 }
 
@@ -192,10 +211,10 @@ std::string shell_word(const std::string& text) {
 }
 
 void demand_exact_profile(const spec::Subject& subject) {
-  if (spec::shows_exact_texels(subject.claims) || subject.profile == SELVAGE_PROFILE_EXACT) return;
+  if (spec::draws_exactly(subject.claims) || subject.profile == SELVAGE_PROFILE_EXACT) return;
   throw UserError(
-      "an accuracy is claimed in profile exact alone, for the other profiles' bounds "
-      "are derived; --accuracy 0 takes the claim back");
+      "an accuracy is claimed in profile exact alone, for the other profiles' bounds are derived; "
+      "--accuracy 0 and --coverage-accuracy 0 take the claims back");
 }
 
 ChosenSubject choose_subject(const SubjectOptions& options, const std::string& profile,

@@ -21,9 +21,11 @@ struct SubjectOptions {
   std::string winding;
   std::vector<std::string> formats, filters, addresses;
   std::optional<bool> perspective, clip, negative_pitch, concave, named_errors, any_texture_side,
-      outside_texels;
-  std::string longest_side, longest_texture_side, most_vertices;  // 0 of sides: any
-  std::string accuracy, position_step, coordinate_step;           // as a number or a / b
+      outside_texels, outside_vertices;
+  std::string longest_side, longest_texture_side, guard_band;  // 0: any
+  std::string most_vertices;
+  // As a number or a / b.
+  std::string accuracy, coverage_accuracy, position_step, coordinate_step;
 };
 
 struct ChosenSubject {
@@ -37,7 +39,7 @@ struct ChosenSubject {
                                            const std::string& profile,
                                            const spec::Subject& built_in);
 
-// Throws UserError where a subject of another profile claims an accuracy.
+// Throws UserError where a subject of another profile claims an accuracy, of texels or coverage.
 void demand_exact_profile(const spec::Subject& subject);
 
 // The text as one word of a shell's command line.

@@ -154,10 +154,15 @@ std::string margin_text(const Verdict& verdict) {
 
 std::string subject_line(const VerifyRun& run) {
   std::string line = "subject " + run.subject + ", profile " + run.profile;
-  if (run.accuracy_fx16 == 0) return line;
-  spec::Rational texels(run.accuracy_fx16, SELVAGE_SUBTEXELS);
-  texels.canonicalize();
-  return line + ", within " + texels.get_str() + " texel";
+  const auto tell = [&](int32_t accuracy_fx16, const char* unit) {
+    if (accuracy_fx16 == 0) return;
+    spec::Rational accuracy(accuracy_fx16, SELVAGE_SUBTEXELS);
+    accuracy.canonicalize();
+    line += ", within " + accuracy.get_str() + unit;
+  };
+  tell(run.accuracy_fx16, " texel");
+  tell(run.coverage_accuracy_fx16, " px of its outline");
+  return line;
 }
 
 std::string table_header() {

@@ -50,9 +50,10 @@ struct Shard {
 struct VerifyRun {
   std::string subject;
   std::string profile;
-  int32_t accuracy_fx16 = 0;  // that the subject claims
-  bool replay = false;        // one given case instead of generated ones
-  uint64_t seed = 0;          // of the first case; meaningless in a replay
+  int32_t accuracy_fx16 = 0;           // that the subject claims, in texels
+  int32_t coverage_accuracy_fx16 = 0;  // in px
+  bool replay = false;                 // one given case instead of generated ones
+  uint64_t seed = 0;                   // of the first case; meaningless in a replay
   std::vector<Verdict> verdicts;
   std::vector<NotPromised> not_promised{};  // the laws that were left out for it
   std::vector<NotExported> not_exported{};  // no failure: there is nothing to be held to it

@@ -22,6 +22,7 @@ void add_coordinates(const spec::Violation& violation, ordered_json* values) {
     (*values)["off_by_texel"] = {{"u", violation.off_by->u_texel},
                                  {"v", violation.off_by->v_texel}};
   }
+  if (violation.off_by_px) (*values)["off_by_px"] = *violation.off_by_px;
 }
 
 [[nodiscard]] ordered_json violation_json(const VerifyRun& run, const Verdict& verdict) {
@@ -96,6 +97,7 @@ std::string verdict_json(const VerifyRun& run) {
                          {"subject", run.subject},
                          {"profile", run.profile},
                          {"accuracy_fx16", run.accuracy_fx16},
+                         {"coverage_accuracy_fx16", run.coverage_accuracy_fx16},
                          {"passed", passed(run)}};
   values["arguments"] = run.arguments;
   if (!run.replay) {

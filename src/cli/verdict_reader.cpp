@@ -115,6 +115,7 @@ void read_pixel(const JsonNode& node, spec::Violation* violation) {
     const JsonNode off_by = node.at("off_by_texel");
     violation.off_by = {off_by.at("u").number(), off_by.at("v").number()};
   }
+  if (node.has("off_by_px")) violation.off_by_px = node.at("off_by_px").number();
   if (node.has("scene")) violation.scene = read_text(node.at("scene"));
   if (node.has("pixel_px")) read_pixel(node.at("pixel_px"), &violation);
   return violation;
@@ -178,6 +179,7 @@ void read_failure(const JsonNode& node, Verdict* verdict) {
   VerifyRun run{.subject = read_text(root.at("subject")),
                 .profile = read_text(root.at("profile")),
                 .accuracy_fx16 = read_accuracy(root.at("accuracy_fx16")),
+                .coverage_accuracy_fx16 = read_accuracy(root.at("coverage_accuracy_fx16")),
                 .seed = whole(root.at("seed")),
                 .verdicts = {}};
   run.cases = whole(root.at("cases"));

@@ -19,6 +19,7 @@
 #include "cli/verdict_json.h"
 #include "cli/verify_plan.h"
 #include "spec/profiles.h"
+#include "spec/promise.h"
 
 namespace selvage::cli {
 namespace {
@@ -186,6 +187,7 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
   VerifyRun run{.subject = chosen.subject.name,
                 .profile = std::string(spec::profile_of(chosen.subject.profile).name),
                 .accuracy_fx16 = chosen.subject.claims.accuracy_fx16,
+                .coverage_accuracy_fx16 = chosen.subject.claims.coverage_accuracy_fx16,
                 .replay = plan.replayed.has_value(),
                 .seed = plan.seed,
                 .verdicts = {}};

@@ -8,6 +8,7 @@
 #include "cli/number.h"
 #include "cli/status_line.h"
 #include "spec/hunt.h"
+#include "spec/promise.h"
 
 namespace selvage::cli {
 namespace {

@@ -98,8 +98,10 @@ void describe(Control& control, const selvage_claims* claims) {
                         "sizeof(selvage_claims), " +
                         std::to_string(sizeof(selvage_claims)));
   }
-  const bool is_older = claims->bytes < sizeof(selvage_claims);
-  std::memcpy(&control.claims, claims, is_older ? kLeastBytes : sizeof(selvage_claims));
+  // The oldest of them ended with padding, of which nothing is known.
+  const bool is_oldest = claims->bytes < offsetof(selvage_claims, coverage_accuracy);
+  std::memcpy(&control.claims, claims,
+              is_oldest ? kLeastBytes : std::min(claims->bytes, sizeof(selvage_claims)));
   copy_text(control.name, claims->name);
   copy_text(control.version, claims->version);
   control.claims.name = control.claims.version = nullptr;

@@ -242,6 +242,10 @@ TEST_F(Merge, RefusesWhatIsNotAllOfOneRun) {
   put("accuracy.json", verified(inexact, "2/2"));
   expect_contains(refused({"1.json", "accuracy.json"}),
                   "the accuracy in 1/65536 texel is '0' in '1.json' and '64' in 'accuracy.json'");
+  inexact.claims = {.coverage_accuracy_fx16 = 64};
+  put("coverage.json", verified(inexact, "2/2"));
+  expect_contains(refused({"1.json", "coverage.json"}),
+                  "the accuracy of coverage in 1/65536 px is '0'");
   const auto change = [&](const char* key, const nlohmann::json& value) {
     auto values = nlohmann::json::parse(get("2.json"));
     values[key] = value;

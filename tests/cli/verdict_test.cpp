@@ -239,6 +239,7 @@ TEST(VerdictJson, IsReadAsItWasWritten) {
   run.verdicts.back().found.violation->scene = "and copies of it";
   run.verdicts.back().found.hung = true;
   run.verdicts.back().found.violation->off_by = {0.25, 1e-9};
+  run.verdicts.back().found.violation->off_by_px = 0.0625;
   run.verdicts.back().found.violation->u.clear();
   run.verdicts.back().found.found_case = spec::Case{};
   run.verdicts.push_back(holding("DDA", 0));

@@ -90,6 +90,55 @@ TEST_F(VerifyClaims, IsToldAnotherAccuracyOnTheCommandLine) {
   expect_contains(error_of([&] { run("right"); }), "an accuracy is claimed in profile exact alone");
 }
 
+// The left edge is 1/256 px right of the first centre.
+TEST_F(VerifyClaims, IsHeldToTheCoverageThatItClaims) {
+  const spec::Case beside{
+      .vertices = {{129, 0, 0, 0, 1}, {4096, 0, 65536, 0, 1}, {129, 4096, 0, 65536, 1}}};
+  options_.laws = {"COV"};
+  options_.case_hex = spec::to_hex(beside);
+  EXPECT_EQ(run("off_left"), kExitLawFailed);
+  expect_contains(out(), "  off by   0.00391 px, the outline\n");
+  options_.subject.coverage_accuracy = "1/257";
+  EXPECT_EQ(run("off_left"), kExitLawFailed);
+  options_.subject.coverage_accuracy = "1/256";
+  options_.junit = "verdict.xml";
+  EXPECT_EQ(run("off_left"), kExitFine) << out();
+  expect_contains(out(), "subject off_left.so, profile exact, within 1/256 px of its outline\n");
+  expect_contains(out(), "1.00 of bound");
+  expect_contains(out(), "in part: within the accuracy of its coverage: COV\n");
+  expect_contains(get("verdict.xml"), "<property name=\"coverage_accuracy_fx16\" value=\"256\"/>");
+  options_.json = true;
+  EXPECT_EQ(run("off_left"), kExitFine);
+  const auto verdict = nlohmann::json::parse(out());
+  EXPECT_EQ(verdict["coverage_accuracy_fx16"], 256);
+  expect_contains(verdict["arguments"].get<std::string>(), " --coverage-accuracy 1/256");
+  for (const char* none : {"-1", "1.5", "0.00001", "x"}) {
+    options_.subject.coverage_accuracy = none;
+    expect_contains(error_of([&] { run("right"); }), "--coverage-accuracy: '" + std::string(none) +
+                                                         "' is none; pixels from 1/65536 to 1, as");
+  }
+}
+
+TEST_F(VerifyClaims, IsToldHowFarItsVerticesMayLie) {
+  const spec::Case far{
+      .vertices = {{-512, 0, 0, 0, 1}, {4096, 0, 65536, 0, 1}, {0, 256, 0, 65536, 1}}};
+  options_.laws = {"COV"};
+  options_.case_hex = spec::to_hex(far);
+  options_.subject.guard_band = "15";  // of a target of 1 x 1 px
+  EXPECT_EQ(run("right"), kExitFine);
+  options_.subject.guard_band = "14";
+  EXPECT_EQ(run("right"), kExitLawFailed);
+  expect_contains(out(), "vertices too far from the target for it");
+  options_.subject.guard_band = "0";
+  EXPECT_EQ(run("right"), kExitFine) << "anywhere";
+  options_.subject.outside_vertices = false;
+  EXPECT_EQ(run("right"), kExitLawFailed);
+  options_.subject.outside_vertices = true;
+  EXPECT_EQ(run("right"), kExitFine);
+  options_.subject.guard_band = "-1";
+  expect_contains(error_of([&] { run("right"); }), "--guard-band: '-1' is no number from 0 on");
+}
+
 TEST_F(VerifyClaims, IsToldItsStepsOnTheCommandLine) {
   const spec::Case between{
       .vertices = {{0, 0, 0, 0, 1}, {4096, 8, 65536, 0, 1}, {0, 4096, 0, 65536, 1}}};

@@ -8,6 +8,7 @@
 #include "spec/generate.h"
 #include "spec/laws.h"
 #include "spec/profiles.h"
+#include "spec/promise.h"
 #include "support.h"
 #include "wrong_subjects.h"
 

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "spec/case.h"
+#include "spec/promise.h"
 #include "spec/verify.h"
 #include "testbed/host.h"
 #include "tests/matrix/patience.h"

@@ -12,6 +12,7 @@
 
 #include "spec/generate_historic.h"
 #include "spec/picture.h"
+#include "spec/promise.h"
 #include "spec/verify.h"
 #include "support.h"
 
@@ -112,6 +113,16 @@ TEST(Host, RefusesClaimsOfWhatThereIsNot) {
   }
 }
 
+TEST(Host, RefusesCoverageThatIsOffByMoreThanAPixel) {
+  for (const auto& [name, accuracy] :
+       {std::pair{"claims_wide_coverage", "65537"}, std::pair{"claims_bounds_and_coverage", "1"}}) {
+    expect_refused(library(name), "has coverage_accuracy " + std::string(accuracy) +
+                                      "; 0 is right, and in profile exact 1/65536 px to 1 px");
+  }
+  expect_refused(library("claims_no_guard_band"),
+                 "has guard_band_px -1; 0, for any, or at least 1");
+}
+
 TEST(Host, RefusesStepsThatAreNoPowersOfTwo) {
   expect_refused(library("claims_no_step"),
                  "has position_step 48; 0, for 1, or a power of two up to 256 is right");
@@ -142,7 +153,8 @@ TEST(Host, ReadsClaims) {
                                   .outside_texels = false,
                                   .longest_side_px = 40,
                                   .longest_side_texel = 64,
-                                  .most_vertices = 3};
+                                  .most_vertices = 3,
+                                  .guard_band_px = 0};
   EXPECT_EQ(subject.claims, little);
   EXPECT_EQ(Host::subject(host_of("off_within")).claims.accuracy_fx16, 256);
   const spec::Capabilities old = Host::subject(host_of("claims_of_old")).claims;
@@ -151,6 +163,12 @@ TEST(Host, ReadsClaims) {
   const spec::Capabilities steps = Host::subject(host_of("claims_steps")).claims;
   EXPECT_EQ(steps.position_step_fx8, 16);
   EXPECT_EQ(steps.coordinate_step_fx16, 65536);
+  const spec::Capabilities rounded = Host::subject(host_of("claims_coverage")).claims;
+  EXPECT_EQ(rounded.coverage_accuracy_fx16, 256);
+  EXPECT_EQ(rounded.guard_band_px, 1024);
+  const spec::Capabilities older = Host::subject(host_of("claims_before_coverage")).claims;
+  EXPECT_EQ(older.accuracy_fx16, 7);
+  EXPECT_EQ(older.coverage_accuracy_fx16, 0) << "which it did not know";
 }
 
 // Terminals obey escape sequences, and XML ends at a byte that is no UTF-8.
