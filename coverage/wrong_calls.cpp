@@ -56,6 +56,16 @@ void add(Catalogue* catalogue, const char* name, const char* killer, const char*
 
 // Keeps the last call's set-up, and knows it again by less than it was made from.
 void add_keepers(Catalogue* catalogue) {
+  add(catalogue, "keeps_the_tolerance", "SAME",
+      "a set-up is known again by everything but the tolerance", [](DrawCall& call) {
+        thread_local std::optional<DrawCall> last;
+        if (last && same_places(last->vertices, call.vertices) &&
+            std::ranges::equal(last->vertices, call.vertices, {}, &selvage_vertex::q,
+                               &selvage_vertex::q)) {
+          call.options.tolerance = last->options.tolerance;
+        }
+        last = call;
+      });
   add(catalogue, "keeps_q", "SAME", "a set-up is known again by everything but q",
       [](DrawCall& call) {
         thread_local std::optional<DrawCall> last;  // mappers are tried by several threads

@@ -51,6 +51,17 @@ void add_of_bands(Catalogue* catalogue) {
           return bands;
         };
       });
+  add(catalogue, "rows_in_a_byte", "where a band begins is kept in a byte", [](ManyRecipe& r) {
+    r.cut = [right = r.cut](int32_t height_px, int32_t threads) {
+      std::vector<BandRows> bands = right(height_px, threads);
+      for (BandRows& band : bands) {
+        const int32_t rows = band.end - band.first;
+        band.first %= 256;
+        band.end = band.first + rows;
+      }
+      return bands;
+    };
+  });
   add(catalogue, "rows_left_over", "rows that the threads do not divide evenly are not drawn",
       [](ManyRecipe& r) {
         r.cut = [](int32_t height_px, int32_t threads) {

@@ -126,6 +126,26 @@ void spoil_telling(Catalogue* catalogue) {
   catalogue->add(
       kToleranceLaw, "segments are told to be half as long",
       telling("tells_shorter_segments", [](selvage_choice& choice) { choice.segment_px /= 2; }));
+  struct Exact {
+    const char *what, *name;
+    selvage_method method, told;
+  };
+  for (const Exact& exact : {
+           Exact{"what is affine is told a copy", "tells_a_copy", SELVAGE_METHOD_EXACT_AFFINE,
+                 SELVAGE_METHOD_COPY},
+           Exact{"what is in perspective is told affine", "tells_that_it_is_affine",
+                 SELVAGE_METHOD_EXACT_PERSPECTIVE, SELVAGE_METHOD_EXACT_AFFINE},
+           Exact{"where nothing is drawn a method is told", "tells_of_nothing", SELVAGE_METHOD_NONE,
+                 SELVAGE_METHOD_EXACT_AFFINE},
+           Exact{"copies are told to be nothing", "tells_nothing", SELVAGE_METHOD_COPY,
+                 SELVAGE_METHOD_NONE},
+           Exact{"of a filter that of nearest is told", "tells_no_filter", SELVAGE_METHOD_FILTER,
+                 SELVAGE_METHOD_EXACT_AFFINE},
+       }) {
+    catalogue->add(kToleranceLaw, exact.what, telling(exact.name, [exact](selvage_choice& choice) {
+                     if (choice.method == exact.method) choice.method = exact.told;
+                   }));
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "spec/canvas.h"
@@ -11,6 +12,7 @@
 #include "spec/law_tools.h"
 #include "spec/status_name.h"
 #include "spec/texture_memory.h"
+#include "spec/wide_rows.h"
 
 namespace selvage::spec {
 namespace {
@@ -70,10 +72,10 @@ constexpr std::array kChanges = {
     Change{"its q", change_q},
     Change{"its filter", change_filter},
     Change{"its address mode", change_address},
-    Change{"its tolerance", change_tolerance},
     Change{"its clip rectangle", change_clip},
     Change{"the width of its texture", change_width},
 };
+constexpr Change kOfTolerance{"its tolerance", change_tolerance};
 
 // What keeps more than the last call is found out where nothing was drawn before; that takes a
 // subject long which has much to begin with.
@@ -151,33 +153,62 @@ class SameCall {
   return picture;
 }
 
+// A case's drawing, and the same again after others.
+class DrawnAgain {
+ public:
+  DrawnAgain(const Subject& subject, const Case& c) : case_(c), call_(subject, c) {
+    if (!call_.is_prepared()) return;  // of which the layouts tell
+    wanted_ = picture_of(c, call_.draw(nullptr));
+    status_ = call_.status();
+  }
+
+  [[nodiscard]] Judgement judge_after(const Change& change) {
+    if (!call_.is_prepared()) return {};
+    const std::string what =
+        std::string("a drawing is the same after one that differs in ") + change.what + " alone";
+    const Canvas again = call_.draw(&change);
+    const auto blame = [&](std::string allowed, std::string drawn) {
+      return violation_of_call("SAME", what, case_, std::move(allowed), std::move(drawn));
+    };
+    if (call_.status() != status_) {
+      return {.violation =
+                  blame("status " + status_name(status_), "status " + status_name(call_.status()))};
+    }
+    const OtherDrawing other{"by itself it shows it", false};
+    Judgement judgement = compare("SAME", what, case_, picture_of(case_, again), other,
+                                  [&](int32_t x, int32_t y) { return must_be(wanted_.at(x, y)); });
+    if (judgement.violation || again.guards_are_intact()) return judgement;
+    judgement.violation = blame("the bytes beside the pixels as they were", "others");
+    return judgement;
+  }
+
+ private:
+  const Case& case_;
+  SameCall call_;
+  Picture wanted_{};
+  selvage_status status_ = SELVAGE_OK;
+};
+
+// What is drawn within a tolerance is drawn otherwise where rows are wide.
+[[nodiscard]] Judgement judge_tolerance(const Subject& subject, const Case& c) {
+  Choices choices(c.choice);
+  const Case wide = within(subject.claims, made_wide(c, choices));
+  if (!is_valid(wide)) return {};
+  return DrawnAgain(subject, wide).judge_after(kOfTolerance);
+}
+
 }  // namespace
 
 // Two of the changes, for each costs two drawings.
 Judgement check_same_again(const Subject& subject, const Case& c) {
   constexpr uint32_t kEach = 2;
+  const auto number = static_cast<uint32_t>(kChanges.size()) + 1;
   Judgement judgement;
-  SameCall call(subject, c);
-  if (!call.is_prepared()) return judgement;  // of which the layouts tell
-  const Canvas first = call.draw(nullptr);
-  const Picture wanted = picture_of(c, first);
-  const selvage_status status = call.status();
+  DrawnAgain drawn(subject, c);
   for (uint32_t i = 0; i < kEach && !judgement.violation; ++i) {
-    const Change& change = kChanges[(c.choice + i) % kChanges.size()];
-    const std::string what =
-        std::string("a drawing is the same after one that differs in ") + change.what + " alone";
-    const Canvas again = call.draw(&change);
-    if (call.status() != status) {
-      judgement.violation = violation_of_call("SAME", what, c, "status " + status_name(status),
-                                              "status " + status_name(call.status()));
-      break;
-    }
-    const OtherDrawing other{"by itself it shows it", false};
-    add(&judgement, compare("SAME", what, c, picture_of(c, again), other,
-                            [&](int32_t x, int32_t y) { return must_be(wanted.at(x, y)); }));
-    if (judgement.violation || again.guards_are_intact()) continue;
-    judgement.violation =
-        violation_of_call("SAME", what, c, "the bytes beside the pixels as they were", "others");
+    const uint32_t change = (c.choice + i) % number;
+    add(&judgement, change < kChanges.size() ? drawn.judge_after(kChanges[change])
+                                             : judge_tolerance(subject, c));
   }
   return judgement;
 }

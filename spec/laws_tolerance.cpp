@@ -9,6 +9,7 @@
 #include "spec/filter_texture.h"
 #include "spec/law_list.h"
 #include "spec/law_tools.h"
+#include "spec/row_choice.h"
 #include "spec/tolerance.h"
 #include "spec/tolerant_subject.h"
 #include "spec/wide_rows.h"
@@ -22,46 +23,6 @@ constexpr std::string_view kLaw = "TOLERANCE";
 inline constexpr int32_t kMostToleranceBits = 22;
 
 [[nodiscard]] Rational to_texels(const Rational& fx16) { return fx16 / SELVAGE_SUBTEXELS; }
-
-[[nodiscard]] bool is_stepped(const selvage_choice& choice) {
-  return choice.method == SELVAGE_METHOD_SUBDIVIDED ||
-         choice.method == SELVAGE_METHOD_AFFINE_FOR_PERSPECTIVE;
-}
-
-// What is wrong with a row's choice; empty if nothing.
-[[nodiscard]] std::string fault_of(const selvage_choice& choice, const ScanLine& line,
-                                   int32_t tolerance_fx16) {
-  if (choice.method < SELVAGE_METHOD_NONE || choice.method > SELVAGE_METHOD_HISTORIC) {
-    return "no method is told";
-  }
-  if (choice.bound < 0 || choice.bound > tolerance_fx16) return "the bound exceeds the tolerance";
-  if ((choice.segment_px != 0) != (choice.method == SELVAGE_METHOD_SUBDIVIDED)) {
-    return "segments without subdivision, or it without them";
-  }
-  if (!is_stepped(choice)) return choice.bound == 0 ? "" : "an exact method has a bound";
-  if (choice.segment_px % 16 != 0) return "segments are no multiple of 16 px";
-  return to_texels(choice.bound) >= chord_bound(line, choice.segment_px)
-             ? ""
-             : "the bound is less than the derived one";
-}
-
-// What is told of some rows, and of one more.
-[[nodiscard]] selvage_choice together(const selvage_choice& some, const selvage_choice& row) {
-  const bool shorter = row.segment_px != 0 && row.segment_px < some.segment_px;
-  return {std::max(some.method, row.method),
-          some.segment_px == 0 || shorter ? row.segment_px : some.segment_px,
-          std::max(some.bound, row.bound)};
-}
-
-[[nodiscard]] bool same(const selvage_choice& a, const selvage_choice& b) {
-  return a.method == b.method && a.segment_px == b.segment_px && a.bound == b.bound;
-}
-
-[[nodiscard]] std::string text_of(const selvage_choice& choice) {
-  return "method " + std::to_string(choice.method) + ", segments of " +
-         std::to_string(choice.segment_px) + " px, bound " + std::to_string(choice.bound) +
-         "/65536 texel";
-}
 
 // The rows of a case as they are drawn within a tolerance.
 class TolerantCase {
@@ -85,14 +46,16 @@ class TolerantCase {
     selvage_choice all{SELVAGE_METHOD_NONE, 0, 0};
     for (int32_t y = 0; !judgement.violation && y < case_.target_height_px; ++y) {
       const std::optional<ScanLine>& line = lines_[static_cast<size_t>(y)];
-      if (columns_[static_cast<size_t>(y)].empty()) continue;
       Rational allowed = to_texels(tolerance_fx16_);
+      const selvage_choice choice = asks_rows ? asked_.row(y) : all;
       if (asks_rows) {
-        const selvage_choice choice = asked_.row(y);
-        const std::string fault = fault_of(choice, *line, tolerance_fx16_);
+        const std::string fault = fault_of(choice, case_, line, y, tolerance_fx16_);
         if (!asked_.fault().empty()) return blame(std::move(judgement), asked_.fault(), choice, y);
         if (!fault.empty()) return blame(std::move(judgement), fault, choice, y);
         all = together(all, choice);
+      }
+      if (columns_[static_cast<size_t>(y)].empty()) continue;
+      if (asks_rows) {
         allowed = is_stepped(choice) ? std::min(to_texels(choice.bound),
                                                 Rational(chord_bound(*line, choice.segment_px) +
                                                          to_texels(rounding_bound_fx16(*line))))
@@ -204,9 +167,21 @@ class TolerantCase {
   const Picture without = draw(subject, c, texel_at);
   OtherDrawing other = drawing_of(subject, "without a tolerance it shows it");
   other.shows_texels = false;
-  return compare(kLaw, "of filters nearest alone makes use of a tolerance", c,
-                 draw(tolerating(subject, tolerance), c, texel_at), other,
-                 [&](int32_t x, int32_t y) { return must_be(without.at(x, y)); });
+  Judgement judgement = compare(kLaw, "of filters nearest alone makes use of a tolerance", c,
+                                draw(tolerating(subject, tolerance), c, texel_at), other,
+                                [&](int32_t x, int32_t y) { return must_be(without.at(x, y)); });
+  if (judgement.violation || !subject.choose) return judgement;
+  AskedChoice asked(subject, c, tolerance);
+  const selvage_choice choice = asked.all();
+  const bool draws = std::ranges::any_of(expected(with_nearest(c)).pixels,
+                                         [](const MaybePixel& pixel) { return pixel.has_value(); });
+  const std::string fault =
+      asked.fault().empty() ? fault_of_filtered(choice, draws) : asked.fault();
+  if (fault.empty()) return judgement;
+  judgement.violation =
+      violation_of_call(kLaw, "asked what it filters by: " + fault, c,
+                        "a method that mixes or copies texels, exactly", text_of(choice));
+  return judgement;
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace selvage::spec {
 namespace {
 
-inline constexpr int32_t kMostRowsAdded = 100;
+inline constexpr int32_t kMostRowsAdded = 100, kMostRowsAddedRarely = 1000, kRarely = 16;
 inline constexpr int32_t kMostPolygons = 8;
 inline constexpr std::array<int32_t, 6> kLongLists = {9, 16, 17, 33, 65, 100};
 inline constexpr size_t kMostTold = 8;
@@ -17,9 +17,11 @@ inline constexpr size_t kMostTold = 8;
 // The case over more rows, so that there are tiles and bands to be cut.
 [[nodiscard]] Case heightened(const Case& c, int32_t longest_side_px, Choices& choices) {
   Case high = c;
+  const bool is_high = choices.pick(0, kRarely) == 0 && c.target_width_px <= 32;
   const int32_t most_px = std::min({kMaxTargetPx / c.target_width_px, 32000, longest_side_px});
-  high.target_height_px = std::clamp(c.target_height_px + choices.pick(0, kMostRowsAdded),
-                                     c.target_height_px, std::max(c.target_height_px, most_px));
+  high.target_height_px = std::clamp(
+      c.target_height_px + choices.pick(0, is_high ? kMostRowsAddedRarely : kMostRowsAdded),
+      c.target_height_px, std::max(c.target_height_px, most_px));
   if (choices.pick(0, 2) == 0) high.clip.bottom = high.target_height_px;
   return high;
 }

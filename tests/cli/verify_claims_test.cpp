@@ -124,9 +124,9 @@ TEST_F(VerifyClaims, IsToldHowFarItsVerticesMayLie) {
       .vertices = {{-512, 0, 0, 0, 1}, {4096, 0, 65536, 0, 1}, {0, 256, 0, 65536, 1}}};
   options_.laws = {"COV"};
   options_.case_hex = spec::to_hex(far);
-  options_.subject.guard_band = "15";  // of a target of 1 x 1 px
+  options_.subject.guard_band = "2";
   EXPECT_EQ(run("right"), kExitFine);
-  options_.subject.guard_band = "14";
+  options_.subject.guard_band = "1";
   EXPECT_EQ(run("right"), kExitLawFailed);
   expect_contains(out(), "vertices too far from the target for it");
   options_.subject.guard_band = "0";
