@@ -8,6 +8,11 @@ namespace {
 
 inline constexpr int64_t kFx16PerFx8 = 256;
 
+template <class Number>
+[[nodiscard]] Number to(int64_t whole) {
+  return Number(static_cast<long>(whole));
+}
+
 // An edge as seen from a point: a + t (b - a), 0 <= t <= 1.
 struct Edge {
   Point a, step;
@@ -15,18 +20,21 @@ struct Edge {
   Edge(Point p, const selvage_vertex& from, const selvage_vertex& to)
       : a{from.x - p.x, from.y - p.y}, step{int64_t{to.x} - from.x, int64_t{to.y} - from.y} {}
 
-  [[nodiscard]] Rational distance_at(const Rational& t) const {
-    return std::max(Rational(abs(a.x + t * step.x)), Rational(abs(a.y + t * step.y)));
+  template <class Number>
+  [[nodiscard]] Number distance_at(const Number& t) const {
+    const Number x = to<Number>(a.x) + t * to<Number>(step.x);
+    const Number y = to<Number>(a.y) + t * to<Number>(step.y);
+    return std::max(x < 0 ? Number(-x) : x, y < 0 ? Number(-y) : y);
   }
 };
 
 // The greater of |x| and |y| is least at an end, or where they are equal.
-[[nodiscard]] Rational distance_fx8(const Edge& edge) {
-  Rational least = std::min(edge.distance_at(0), edge.distance_at(1));
+template <class Number>
+[[nodiscard]] Number distance_fx8(const Edge& edge) {
+  Number least = std::min(edge.distance_at(Number(0)), edge.distance_at(Number(1)));
   const auto try_zero_of = [&](int64_t at_a, int64_t step) {
     if (step == 0) return;
-    Rational t(-at_a, step);
-    t.canonicalize();
+    const Number t = to<Number>(-at_a) / to<Number>(step);
     if (0 <= t && t <= 1) least = std::min(least, edge.distance_at(t));
   };
   try_zero_of(edge.a.x - edge.a.y, edge.step.x - edge.step.y);
@@ -56,12 +64,22 @@ void for_each_edge(Point p, std::span<const selvage_vertex> outline, const Visit
   }
 }
 
+template <class Number>
+[[nodiscard]] Number distance_px(Point p, std::span<const selvage_vertex> outline) {
+  Number least = Edge(p, outline.front(), outline.front()).distance_at(Number(0));
+  for_each_edge(p, outline,
+                [&](const Edge& edge) { least = std::min(least, distance_fx8<Number>(edge)); });
+  return least / Number(static_cast<int>(SELVAGE_SUBPIXELS));
+}
+
 }  // namespace
 
 Rational outline_distance_px(Point p, std::span<const selvage_vertex> outline) {
-  Rational least = Edge(p, outline.front(), outline.front()).distance_at(0);
-  for_each_edge(p, outline, [&](const Edge& edge) { least = std::min(least, distance_fx8(edge)); });
-  return least / SELVAGE_SUBPIXELS;
+  return distance_px<Rational>(p, outline);
+}
+
+double about_outline_distance_px(Point p, std::span<const selvage_vertex> outline) {
+  return distance_px<double>(p, outline);
 }
 
 bool is_near_outline(Point p, std::span<const selvage_vertex> outline, int32_t reach_fx16) {

@@ -13,6 +13,9 @@ namespace selvage::spec {
 // In pixels, of an outline of at least one vertex.
 [[nodiscard]] Rational outline_distance_px(Point p, std::span<const selvage_vertex> outline);
 
+// The same to some 12 digits, and much faster.
+[[nodiscard]] double about_outline_distance_px(Point p, std::span<const selvage_vertex> outline);
+
 // Whether it is at most reach_fx16, in 1/65536 px, which is at most 1 px.
 [[nodiscard]] bool is_near_outline(Point p, std::span<const selvage_vertex> outline,
                                    int32_t reach_fx16);

@@ -127,6 +127,8 @@ TEST(Errors, AddUp) {
   Errors sum;
   sum.add({.compared_px = 4, .missing_px = 1, .largest_texel = 3, .sum_texel = 5});
   sum.add({.compared_px = 6, .wrong_texels = 2, .largest_texel = 1, .part_of_bound = 0.5});
+  sum.add({.largest_outline_px = 0.25});
+  sum.add({.largest_outline_px = 0.125});
   sum.add({.extra_px = 7, .part_of_bound = 0.25, .refused_cases = 1, .memory_fault = "one"});
   sum.add({.memory_fault = "two"});
   EXPECT_EQ(sum.compared_px, 10u);
@@ -134,6 +136,7 @@ TEST(Errors, AddUp) {
   EXPECT_EQ(sum.extra_px, 7u);
   EXPECT_EQ(sum.largest_texel, 3);
   EXPECT_DOUBLE_EQ(sum.mean_texel(), 0.5);
+  EXPECT_EQ(sum.largest_outline_px, 0.25);
   EXPECT_EQ(sum.part_of_bound, 0.5);
   EXPECT_EQ(sum.refused_cases, 1u);
   EXPECT_EQ(sum.memory_fault, "one");

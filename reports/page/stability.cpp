@@ -35,6 +35,10 @@ std::string details(const json& cell) {
   }
   if (cell.at("missing_px") != 0) add(grouped(cell["missing_px"].get<uint64_t>()) + " missing");
   if (cell.at("extra_px") != 0) add(grouped(cell["extra_px"].get<uint64_t>()) + " extra");
+  if (cell.at("missing_px") != 0 || cell.at("extra_px") != 0) {
+    const double off_px = cell.at("largest_outline_px").get<double>();
+    add("outline off " + (off_px < 0.001 ? std::string("&lt; 0.001") : rounded(off_px)) + " px");
+  }
   if (cell.contains("refused_cases")) add(cell["refused_cases"].dump() + " refused");
   if (cell.contains("memory_fault")) add(escaped(cell["memory_fault"].get<std::string>()));
   return lines.empty() ? lines : element("small", lines);

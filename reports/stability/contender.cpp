@@ -35,7 +35,7 @@ std::vector<Contender> contenders(const spec::Subject& mapper) {
 }
 
 Contender of_library(const spec::Subject& subject) {
-  const bool is_bounded = !spec::shows_exact_texels(subject.claims);
+  const bool is_bounded = !spec::draws_exactly(subject.claims);
   return {"subject",
           "the library that was given",
           is_bounded ? Promise::kBound : Promise::kNothing,

@@ -12,7 +12,7 @@ namespace selvage::stability {
 enum class Promise {
   kNothing,  // measured only
   kBound,    // texels within the profile's derived bound, by its own conventions, or within the
-             // accuracy that is claimed
+             // accuracies that are claimed
   kExact     // every pixel of the exact model
 };
 

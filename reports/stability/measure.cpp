@@ -6,6 +6,7 @@
 
 #include "reports/stability/bound.h"
 #include "spec/law_tools.h"
+#include "spec/outline_distance.h"
 #include "spec/refusal.h"
 
 namespace selvage::stability {
@@ -23,9 +24,12 @@ void count_pixel(Errors& errors, const spec::Case& scene, const spec::Texel& exa
   errors.sum_texel += static_cast<uint64_t>(distance);
 }
 
-[[nodiscard]] bool is_visible(const spec::Case& c, int32_t x_px, int32_t y_px) {
-  return !c.has_clip ||
-         (c.clip.left <= x_px && x_px < c.clip.right && c.clip.top <= y_px && y_px < c.clip.bottom);
+// From the outline to a pixel's centre. Double tells no less of a tie, and of what is none more.
+[[nodiscard]] double outline_offset_px(const spec::Case& scene, spec::Pixel at) {
+  constexpr double kTie_px = 1e-12;
+  const double px =
+      spec::about_outline_distance_px(spec::pixel_centre(at.x_px, at.y_px), scene.vertices);
+  return px < kTie_px ? 0 : px;
 }
 
 // Of a row of a case: how far off a texel may be at a pixel that its profile covers.
@@ -55,16 +59,21 @@ class OwnRow {
 
 // A drawing by the conventions of its own profile: the largest measured/bound over the pixels that
 // the profile covers and that were drawn, and the pixels that are only one of the two.
-void judge_by_own_conventions(const spec::Case& drawn_case, const spec::Rational& accuracy_texel,
+// What is in doubt may be both.
+void judge_by_own_conventions(const spec::Case& drawn_case, const spec::Capabilities& claims,
                               const spec::Picture& picture, Errors& errors) {
   double largest = 0;
+  const spec::Rational accuracy_texel = spec::accuracy_of(claims);
   for (int32_t y = 0; y < picture.height_px; ++y) {
     const OwnRow row(drawn_case, accuracy_texel, y);
     for (int32_t x = 0; x < picture.width_px; ++x) {
       const std::optional<uint32_t>& pixel = picture.at(x, y);
       std::optional<spec::Reach> reach = row.reach(x);
-      if (!is_visible(drawn_case, x, y)) reach.reset();
-      if (reach.has_value() != pixel.has_value()) ++errors.own_coverage_px;
+      if (!is_visible(drawn_case, {x, y})) reach.reset();
+      if (reach.has_value() != pixel.has_value() &&
+          !is_in_doubt(claims.coverage_accuracy_fx16, drawn_case, {x, y})) {
+        ++errors.own_coverage_px;
+      }
       if (!reach || !pixel) continue;
       largest = std::max(largest, part_of_bound(drawn_case, *reach, spec::texel_of(*pixel)));
     }
@@ -97,6 +106,7 @@ void Errors::add(const Errors& more) {
   wrong_texels += more.wrong_texels;
   largest_texel = std::max(largest_texel, more.largest_texel);
   sum_texel += more.sum_texel;
+  largest_outline_px = std::max(largest_outline_px, more.largest_outline_px);
   part_of_bound = std::max(part_of_bound, more.part_of_bound);  // nothing is below every number
   own_coverage_px += more.own_coverage_px;
   judged_cases += more.judged_cases;
@@ -153,10 +163,15 @@ namespace {
     }
     errors.missing_px += exact && !picture.pixels[i];
     errors.extra_px += !exact && picture.pixels[i];
+    if (exact.has_value() == picture.pixels[i].has_value()) continue;
+    const auto at = static_cast<int32_t>(i);
+    const double off_px =
+        outline_offset_px(model.scene, {at % picture.width_px, at / picture.width_px});
+    errors.largest_outline_px = std::max(errors.largest_outline_px, off_px);
   }
   if (contender.promise == Promise::kBound) {
-    judge_by_own_conventions(in_its_way(contender, model.scene),
-                             spec::accuracy_of(contender.subject), picture, errors);
+    judge_by_own_conventions(in_its_way(contender, model.scene), contender.subject.claims, picture,
+                             errors);
   }
   return errors;
 }

@@ -22,6 +22,8 @@ struct Errors {
   uint64_t wrong_texels = 0;
   int32_t largest_texel = 0;  // texel_error over the compared pixels, and their sum
   uint64_t sum_texel = 0;
+  double largest_outline_px = 0;  // from the outline to a centre that is missing or too much, in x
+                                  // or in y
   std::optional<double> part_of_bound{};  // the largest measured/bound, where a bound is promised
   uint64_t own_coverage_px = 0;           // there: pixels drawn that the contender's own profile
                                           // does not cover, or not drawn although it does

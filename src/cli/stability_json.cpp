@@ -52,6 +52,7 @@ using stability::Promise;
                          {"mean_texel", errors.mean_texel()},
                          {"missing_px", errors.missing_px},
                          {"extra_px", errors.extra_px},
+                         {"largest_outline_px", errors.largest_outline_px},
                          {"kept", errors.keeps(cell.contender->promise)}};
   if (errors.part_of_bound) values["part_of_bound"] = part_json(*errors.part_of_bound);
   if (errors.own_coverage_px > 0) values["own_coverage_px"] = errors.own_coverage_px;

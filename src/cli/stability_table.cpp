@@ -14,7 +14,7 @@ using stability::FamilyRow;
 using stability::Promise;
 
 [[nodiscard]] std::string arithmetic_row(const std::vector<std::string>& fields) {
-  constexpr int widths[] = {-14, 13, 8, 9, 10, 10, 9};
+  constexpr int widths[] = {-14, 13, 8, 9, 9, 8, 8, 9};
   std::string line = columns(std::span(fields).first(std::size(widths)), widths);
   line.pop_back();
   return line + "  " + fields.back() + "\n";
@@ -23,6 +23,13 @@ using stability::Promise;
 [[nodiscard]] std::string percent(double share) {
   if (share == 0) return "0";
   return share < 1 && share > 0.9995 ? ">99.9 %" : short_number(100 * share) + " %";
+}
+
+[[nodiscard]] std::string outline_text(const stability::Errors& errors) {
+  if (errors.missing_px + errors.extra_px == 0) return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", errors.largest_outline_px);
+  return text;
 }
 
 [[nodiscard]] std::string part_text(const stability::Errors& errors) {
@@ -54,7 +61,8 @@ using stability::Promise;
 
 std::string_view stability_notes() {
   return "Errors are those of the picture against the exact model of the scene as it is given; "
-         "wrong, largest and mean are of the texels of those pixels that both draw. "
+         "wrong, largest and mean are of the texels of those pixels that both draw; 'off px' is "
+         "how far from the outline a missing or extra pixel's centre is at most, in x or in y. "
          "abrash56, abrash57 and dkit take whole pixels and no perspective: they draw the scene "
          "moved to where they sample, with its vertices rounded to whole pixels and q dropped, and "
          "their errors include that. 'of bound' does not: it is the largest distance between a "
@@ -83,20 +91,20 @@ std::string stability_block(const FamilyRow& family) {
   std::string text =
       wrapped(std::string(family.family->name) + ": " + std::string(family.family->reason)) +
       std::to_string(family.covered_px) + " pixels covered\n" +
-      arithmetic_row({"arithmetic", "wrong texels", "largest", "mean", "missing", "extra",
+      arithmetic_row({"arithmetic", "wrong texels", "largest", "mean", "missing", "extra", "off px",
                       "of bound", "worst seed"});
   for (const Cell& cell : family.cells) {
     const stability::Errors& errors = cell.errors;
     if (errors.judged_cases == 0) {
       text += arithmetic_row(
-          {std::string(cell.contender->name), "not claimed", "-", "-", "-", "-", "-", "-"});
+          {std::string(cell.contender->name), "not claimed", "-", "-", "-", "-", "-", "-", "-"});
       continue;
     }
-    text +=
-        arithmetic_row({std::string(cell.contender->name), percent(errors.wrong_share()),
-                        std::to_string(errors.largest_texel), short_number(errors.mean_texel()),
-                        std::to_string(errors.missing_px), std::to_string(errors.extra_px),
-                        part_text(errors), cell.worst ? std::to_string(cell.worst->seed) : "-"});
+    text += arithmetic_row({std::string(cell.contender->name), percent(errors.wrong_share()),
+                            std::to_string(errors.largest_texel), short_number(errors.mean_texel()),
+                            std::to_string(errors.missing_px), std::to_string(errors.extra_px),
+                            outline_text(errors), part_text(errors),
+                            cell.worst ? std::to_string(cell.worst->seed) : "-"});
   }
   return text + "\n";
 }

@@ -68,6 +68,22 @@ TEST_F(StabilityOfASubject, HoldsItToTheAccuracyThatItClaims) {
   expect_contains(out(), "BROKEN: subject on long-spans: a pixel is missing or too much; ");
 }
 
+TEST_F(StabilityOfASubject, HoldsItToTheCoverageThatItClaims) {
+  options_.families = {"near-ties"};
+  options_.cases = "6";
+  EXPECT_EQ(run_with("off_left"), kExitFine) << "it promises nothing";
+  EXPECT_GT(cell()["missing_px"].get<int>() + cell()["extra_px"].get<int>(), 0);
+  EXPECT_LE(cell()["largest_outline_px"], 1.0 / 256);
+  options_.subject.accuracy = "64";  // its texels move with the outline
+  EXPECT_EQ(run_with("off_left"), kExitLawFailed);
+  options_.subject.coverage_accuracy = "1/256";
+  EXPECT_EQ(run_with("off_left"), kExitFine) << out();
+  EXPECT_FALSE(cell().contains("own_coverage_px"));
+  EXPECT_EQ(run_with("draws_nothing"), kExitLawFailed);
+  EXPECT_GT(cell()["own_coverage_px"], 0);
+  EXPECT_GT(cell()["largest_outline_px"], 1);
+}
+
 TEST_F(StabilityOfASubject, TellsOfOneThatCrashes) {
   options_.picture = "worst.png";
   EXPECT_EQ(run_with("crashes"), kExitLawFailed);
