@@ -95,6 +95,23 @@ void add_keepers(Catalogue* catalogue) {
       });
 }
 
+// What is kept of a texture in too few bits.
+void add_of_textures(Catalogue* catalogue) {
+  add(catalogue, "texture_side_of_a_byte", "SAME",
+      "of a texture of more than 256 texels both ways the width is kept in a byte",
+      [](DrawCall& call) {
+        int32_t& width = call.texture.width;
+        if (width > 256 && call.texture.height > 256) width = (width - 1) % 256 + 1;
+      });
+  add(catalogue, "texture_pitch_of_15_bits", "SAME", "a texture's pitch is kept in 15 bits",
+      [](DrawCall& call) {
+        ptrdiff_t& pitch = call.texture.pitch;
+        const auto row = call.texture.width * bytes_per_texel(call.texture.format);
+        const bool is_far = pitch >= 1 << 15 && call.texture.layout == SELVAGE_LAYOUT_ROWS;
+        if (is_far && pitch % (1 << 15) >= row) pitch %= 1 << 15;
+      });
+}
+
 void add_of_options(Catalogue* catalogue) {
   add(catalogue, "tolerant_without_weights", "TOLERANCE",
       "within a tolerance bilinear takes one texel", [](DrawCall& call) {
@@ -177,6 +194,7 @@ void add_answers(Catalogue* catalogue) {
 void add_wrong_calls(Catalogue* catalogue) {
   add_keepers(catalogue);
   add_of_options(catalogue);
+  add_of_textures(catalogue);
   add_of_places(catalogue);
   add_answers(catalogue);
 }

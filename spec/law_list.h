@@ -28,6 +28,7 @@ namespace selvage::spec {
 [[nodiscard]] Judgement check_same_layouts(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_same_again(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_same_place(const Subject& subject, const Case& c);
+[[nodiscard]] Judgement check_same_texture(const Subject& subject, const Case& c);
 [[nodiscard]] Judgement check_oracle(const Subject& subject, const Case& c);
 
 }  // namespace selvage::spec

@@ -221,9 +221,10 @@ Judgement check_same(const Subject& subject, const Case& c) {
   if (judgement.violation) return judgement;
   demand_claimed(subject, c);
   // Nor is it promised that what was rounded once is rounded the same again, or elsewhere.
-  if (draws_exactly(subject.claims) && (add(&judgement, check_same_again(subject, c)) ||
-                                        add(&judgement, check_same_place(subject, c)))) {
-    return judgement;
+  if (draws_exactly(subject.claims)) {
+    for (const auto part : {check_same_again, check_same_place, check_same_texture}) {
+      if (add(&judgement, part(subject, c))) return judgement;
+    }
   }
   add(&judgement, check_scene(subject, c));
   return judgement;

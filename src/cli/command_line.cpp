@@ -80,8 +80,8 @@ constexpr const char* kStabilityExamples = R"(Examples:
   selvage stability --family NAME --arithmetic float32-dda --seed 17 --cases 1 --picture worst.png
   selvage stability --subject ./theirs.so      another mapper beside them: how wrong, and where
 
-A subject promises nothing here but the accuracy that it claims, if it does: it is measured, on
-scenes that it claims to draw; where it takes no perspective, on those in perspective without it,
+A subject promises nothing here but the accuracy that it claims, of its texels or its coverage: it
+is measured, on scenes that it claims to draw; where it takes no perspective, on those in perspective without it,
 so that what it lacks is measured, too. 'selvage verify' holds it to what it promises. Scene k of a
 run is the family's scene of seed S + k, so the seed of a worst case names it alone.
 )";
