@@ -19,7 +19,7 @@ declare -A selvage_groups=(
   [tests]="librapidcheck-dev libgtest-dev libbenchmark-dev gappa valgrind libgmp-dev
            libopencv-core-dev libopencv-imgproc-dev
            libpng-dev libturbojpeg0-dev libcli11-dev nlohmann-json3-dev libtinyobjloader-dev
-           libsdl2-dev xvfb xdotool"
+           libsdl2-dev xvfb xdotool python3"
   [cross]="g++-aarch64-linux-gnu qemu-user-static"
   [clang]="clang-19 libclang-rt-19-dev llvm-19"
   [fuzz]="clang-19 libclang-rt-19-dev llvm-19 zip

@@ -7,8 +7,8 @@
 
 namespace selvage::testbed {
 
-// The limit of a call in real time, moved on by what its process lacks of one processor: where it
-// is ready to run and does not. Processes that it forks are not looked at.
+// The limit of a call in real time, moved on by what its process and those of its group, which are
+// what it forks, lack of one processor together: where one is ready to run and none does.
 class Patience {
  public:
   // The worker has just been given its call, which may take `limit`.

@@ -76,6 +76,25 @@ endforeach()
 if(NOT verdict_MAP STREQUAL "violated" OR NOT EXISTS ${WORK}/selvage-MAP.png)
   fail("MAP is ${verdict_MAP}: its steps in 16.16 were not noticed, or not drawn")
 endif()
+# A mapper that is a program: the one that is there is exact, and one that only repeats what it is
+# told is none.
+find_program(PYTHON python3 REQUIRED)
+function(judge_program command expected_code)
+  execute_process(COMMAND ${CMAKE_COMMAND} -E env "SELVAGE_MAPPER=${command}"
+    ${PROGRAM} verify --subject build/bridge.so --cases 30 --seed 1 --no-picture --subject-output said.txt
+    WORKING_DIRECTORY ${WORK} OUTPUT_VARIABLE told RESULT_VARIABLE code)
+  if(NOT code EQUAL ${expected_code})
+    fail("exit code ${code} of the program '${command}', and ${expected_code} is right\n${told}")
+  endif()
+endfunction()
+judge_program("${PYTHON} project/any_language/mapper.py" 0)
+judge_program(cat 1)
+file(READ ${WORK}/said.txt said)
+string(FIND "${said}" "bridge: the program's answer is not a status, a blank and pixels" at)
+if(at EQUAL -1)
+  fail("the bridge does not say what is wrong with an answer:\n${said}")
+endif()
+
 string(JSON unpromised LENGTH "${json}" not_promised)
 if(unpromised LESS 2 OR DEFINED verdict_TOTAL OR DEFINED verdict_IDENTITY)
   fail("TOTAL and IDENTITY are not promised by the template")

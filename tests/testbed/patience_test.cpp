@@ -67,6 +67,23 @@ TEST_F(OnABusyProcessor, WhatWaitsForItIsGivenMore) {
   EXPECT_GT(patience.next(worker), milliseconds(20));
 }
 
+// It sleeps until what it forked has an answer, as a mapper does that is a program behind a pipe.
+TEST_F(OnABusyProcessor, WhatWaitsForWhatItForkedIsGivenMore) {
+  busy();
+  const pid_t worker = forked([] {
+    setpgid(0, 0);
+    if (fork() == 0) {
+      for (;;) (void)std::clock();
+    }
+    for (;;) pause();
+  });
+  Patience patience(milliseconds(400));
+  std::this_thread::sleep_for(patience.next(worker));
+  std::this_thread::sleep_for(patience.next(worker));
+  EXPECT_GT(patience.next(worker), milliseconds(20));
+  kill(-worker, SIGKILL);
+}
+
 TEST_F(OnABusyProcessor, WhatSleepsIsNot) {
   busy();
   const pid_t worker = forked([] { pause(); });
