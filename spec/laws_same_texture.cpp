@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "spec/canvas.h"
 #include "spec/filter_texture.h"
 #include "spec/law_list.h"
 #include "spec/law_tools.h"

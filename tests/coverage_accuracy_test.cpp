@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "spec/canvas.h"
 #include "spec/law_tools.h"
 #include "spec/promise.h"
 #include "spec/verify.h"

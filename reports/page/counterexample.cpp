@@ -1,4 +1,7 @@
 // The page of one violation.
+#include <cstdio>
+#include <string>
+
 #include "reports/page/html.h"
 #include "reports/page/matrix.h"
 #include "reports/page/sections.h"
@@ -63,6 +66,19 @@ std::string found_by(const json& violation) {
          " from the seed on, then shrunk";
 }
 
+// "0.25 texel in u, 0 in v", or how far the outline is.
+std::string off_by(const json& violation) {
+  const auto digits = [](const json& number) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", number.get<double>());
+    return std::string(text);
+  };
+  if (violation.contains("off_by_px")) return digits(violation["off_by_px"]) + " px, the outline";
+  if (!violation.contains("off_by_texel")) return {};
+  const json& texels = violation["off_by_texel"];
+  return digits(texels.at("u")) + " texel in u, " + digits(texels.at("v")) + " in v";
+}
+
 std::string facts(const json& matrix, const json& cell) {
   const json& violation = cell.at("violation");
   const auto text = [&](const char* key) { return escaped(violation.value(key, std::string())); };
@@ -77,8 +93,8 @@ std::string facts(const json& matrix, const json& cell) {
       line("law", escaped(statement_of(matrix.at("laws"), cell.at("law").get<std::string>()))) +
           line("what", text("what")) + line("pixel", pixel) + line("sample", text("sample")) +
           line("exact u", text("u_texel")) + line("exact v", text("v_texel")) +
-          line("allowed", text("allowed")) + line("drawn", text("drawn")) +
-          line("found", found_by(violation)) + notes);
+          line("off by", off_by(violation)) + line("allowed", text("allowed")) +
+          line("drawn", text("drawn")) + line("found", found_by(violation)) + notes);
 }
 
 std::string replay_of(const json& cell) {
