@@ -66,7 +66,7 @@ namespace {
   return whole;
 }
 
-// How many units a point may be away from a centre, in any direction, with none in the way.
+// How many units a point may be away from a centre in any direction, within the guard band.
 [[nodiscard]] int32_t room_around(Point centre, const Capabilities& claims, const Case& c,
                                   int32_t unit) {
   const int64_t band_fx8 = int64_t{claims.guard_band_px} * SELVAGE_SUBPIXELS;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <numeric>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -70,57 +71,73 @@ struct Chord {
   return {outline[0], outline[1], outline[3]};
 }
 
-}  // namespace
+// A polygon and its two parts, as the subject can draw them.
+struct Cut {
+  Case whole, one, other;
+  std::string text;  // "cut from (0, 0) to (2, 1)"
+};
 
-Judgement check_split(const Subject& subject, const Case& c) {
+[[nodiscard]] std::optional<Cut> choose_cut(const Subject& subject, const Case& c) {
   Choices choices(c.choice);
   const int32_t grid_fx8 = mapped_step_fx8(profile_of(c), subject.claims);
   Capabilities on_grid = subject.claims;
   on_grid.position_step_fx8 = grid_fx8;
   const std::vector<selvage_vertex> hull = convex_hull(acceptable(on_grid, c).vertices);
   std::optional<Chord> chord = choose_chord(hull, grid_fx8, choices);
-  if (!chord) return {};
+  if (!chord) return std::nullopt;
   std::vector<selvage_vertex>& outline = chord->outline;
   map_affinely(&outline, std::max(subject.claims.coordinate_step_fx16 / grid_fx8, 1), choices);
-  const std::vector<selvage_vertex> triangle = corners_of(outline);
   const auto middle = outline.begin() + static_cast<ptrdiff_t>(chord->end);
   std::vector<selvage_vertex> one(outline.begin(), middle + 1), other(middle, outline.end());
   other.push_back(outline.front());
-
   const bool is_too_much = outline.size() > static_cast<size_t>(subject.claims.most_vertices);
-  const Case whole_case =
-      visible(subject, with_vertices(subject.claims, c, is_too_much ? triangle : outline));
-  const Picture whole = draw(subject, whole_case);
-  const Case one_case = visible(subject, with_vertices(subject.claims, c, one));
-  const Picture a = draw(subject, one_case);
-  const Case rest_case = visible(subject, with_vertices(subject.claims, c, other));
-  const Picture b = draw(subject, rest_case);
-  Picture parts = a;
+  const auto of = [&](const std::vector<selvage_vertex>& vertices) {
+    return visible(subject, with_vertices(subject.claims, c, vertices));
+  };
+  return Cut{of(is_too_much ? corners_of(outline) : outline), of(one), of(other),
+             "cut from " + place_px(outline.front()) + " to " + place_px(*middle)};
+}
+
+// Parts meet within an accuracy of the coverage, too, but on the outline of the whole; where a part
+// goes too far, it may show any texel.
+[[nodiscard]] Judgement judge_parts(const Subject& subject, const Cut& cut, const Picture& one,
+                                    const Picture& other) {
+  const Picture whole = draw(subject, cut.whole);
+  Picture parts = one;
   for (size_t i = 0; i < parts.pixels.size(); ++i) {
-    if (b.pixels[i]) parts.pixels[i] = b.pixels[i];
+    if (other.pixels[i]) parts.pixels[i] = other.pixels[i];
   }
   OtherDrawing uncut = drawing_of(subject, "the whole polygon shows it");
-  uncut.judges_texels = uncut.judges_texels && c.profile == SELVAGE_PROFILE_EXACT;
-  const std::string cut = "cut from " + place_px(outline.front()) + " to " + place_px(*middle);
-  // Parts meet within an accuracy of the coverage, too, but on the outline of the whole; where a
-  // part goes too far, it may show any texel.
+  uncut.judges_texels = uncut.judges_texels && cut.whole.profile == SELVAGE_PROFILE_EXACT;
   const int32_t accuracy_fx16 = subject.claims.coverage_accuracy_fx16;
-  const auto wanted = [&](int32_t x, int32_t y) {
-    const bool is_any_texel = whole.at(x, y) && parts.at(x, y) &&
-                              (is_in_doubt(accuracy_fx16, one_case, {x, y}) ||
-                               is_in_doubt(accuracy_fx16, rest_case, {x, y}));
-    return must_be(is_any_texel ? parts.at(x, y) : whole.at(x, y));
-  };
-  Judgement judgement =
-      compare("SPLIT", "two parts of a polygon, " + cut + ", draw what the whole draws", whole_case,
-              parts, uncut, wanted);
-  if (judgement.violation) return judgement;
-  add(&judgement, compare("SPLIT", "a pixel lies in one part only of a polygon, " + cut, rest_case,
-                          b, {"the other part has drawn it"}, [&](int32_t x, int32_t y) {
-                            const bool is_first = a.at(x, y) && b.at(x, y) &&
-                                                  is_in_doubt(accuracy_fx16, whole_case, {x, y});
-                            return a.at(x, y) && !is_first ? must_be(std::nullopt) : unjudged();
-                          }));
+  return compare("SPLIT", "two parts of a polygon, " + cut.text + ", draw what the whole draws",
+                 cut.whole, parts, uncut, [&](int32_t x, int32_t y) {
+                   const bool is_any_texel = whole.at(x, y) && parts.at(x, y) &&
+                                             (is_in_doubt(accuracy_fx16, cut.one, {x, y}) ||
+                                              is_in_doubt(accuracy_fx16, cut.other, {x, y}));
+                   return must_be(is_any_texel ? parts.at(x, y) : whole.at(x, y));
+                 });
+}
+
+[[nodiscard]] Judgement judge_overlap(const Subject& subject, const Cut& cut, const Picture& one,
+                                      const Picture& other) {
+  const int32_t accuracy_fx16 = subject.claims.coverage_accuracy_fx16;
+  return compare("SPLIT", "a pixel lies in one part only of a polygon, " + cut.text, cut.other,
+                 other, {"the other part has drawn it"}, [&](int32_t x, int32_t y) {
+                   const bool is_both = one.at(x, y) && other.at(x, y);
+                   if (is_both && is_in_doubt(accuracy_fx16, cut.whole, {x, y})) return unjudged();
+                   return one.at(x, y) ? must_be(std::nullopt) : unjudged();
+                 });
+}
+
+}  // namespace
+
+Judgement check_split(const Subject& subject, const Case& c) {
+  const std::optional<Cut> cut = choose_cut(subject, c);
+  if (!cut) return {};
+  const Picture one = draw(subject, cut->one), other = draw(subject, cut->other);
+  Judgement judgement = judge_parts(subject, *cut, one, other);
+  if (!judgement.violation) add(&judgement, judge_overlap(subject, *cut, one, other));
   return judgement;
 }
 
