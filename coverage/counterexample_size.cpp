@@ -6,6 +6,8 @@
 namespace selvage::coverage {
 namespace {
 
+constexpr const char* kOfHighTargets = "it takes a band that begins at row 256";
+
 constexpr std::array kLarge = {
     LargeCounterexample{"rgb565_row_of_eight_bits",
                         {.texture_texel = 258},
@@ -14,6 +16,9 @@ constexpr std::array kLarge = {
                         {.target_px = 330},
                         "the last of n pixels lies 1/(2 n) texel from the next texel, and n steps, "
                         "each up to 1/65536 texel short, cross that only where n^2 > 32768"},
+    LargeCounterexample{"abrash56_rows_in_a_byte", {.target_px = 260}, kOfHighTargets},
+    LargeCounterexample{"abrash57_rows_in_a_byte", {.target_px = 260}, kOfHighTargets},
+    LargeCounterexample{"dkit_rows_in_a_byte", {.target_px = 260}, kOfHighTargets},
 };
 
 }  // namespace

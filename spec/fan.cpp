@@ -1,5 +1,6 @@
 #include "spec/fan.h"
 
+#include <cstdlib>
 #include <numeric>
 
 #include "spec/geometry.h"
@@ -12,19 +13,49 @@ namespace {
   return doubled_area(position(corners[0]), position(corners[1]), position(corners[2])) < 0;
 }
 
+// Its inside, and what is in doubt.
+void mark_tile(const Case& tile, const Capabilities& claims, std::vector<bool>* pixels) {
+  size_t index = 0;
+  for (int32_t y = 0; y < tile.target_height_px; ++y) {
+    for (int32_t x = 0; x < tile.target_width_px; ++x, ++index) {
+      if (winding_number(sample_point(tile, {x, y}), tile.vertices) != 0 ||
+          is_in_doubt(claims.coverage_accuracy_fx16, tile, {x, y})) {
+        (*pixels)[index] = true;
+      }
+    }
+  }
+}
+
 }  // namespace
+
+bool may_turn_over(const std::vector<selvage_vertex>& triangle, int32_t coverage_accuracy_fx16) {
+  constexpr int64_t kFx16PerFx8 = SELVAGE_SUBTEXELS / SELVAGE_SUBPIXELS;
+  if (coverage_accuracy_fx16 == 0) return false;
+  const Point a = position(triangle[0]), b = position(triangle[1]), c = position(triangle[2]);
+  const int64_t area = std::abs(doubled_area(a, b, c)) * kFx16PerFx8;
+  const auto is_near = [&](Point from, Point to) {
+    const int64_t steps_fx8 = std::abs(to.x - from.x) + std::abs(to.y - from.y);
+    return area <= 2 * int64_t{coverage_accuracy_fx16} * steps_fx8;
+  };
+  return is_near(a, b) || is_near(b, c) || is_near(c, a);
+}
 
 Fan draw_fan(const Case& region, const selvage_vertex& centre, const Capabilities& claims,
              const DrawTile& draw_tile) {
-  Fan fan{std::vector<Times>(static_cast<size_t>(region.target_width_px) *
-                             static_cast<size_t>(region.target_height_px))};
+  const size_t pixels =
+      static_cast<size_t>(region.target_width_px) * static_cast<size_t>(region.target_height_px);
+  Fan fan{std::vector<Times>(pixels), std::vector<bool>(pixels)};
   for (size_t k = 0; k < region.vertices.size(); ++k) {
     const selvage_vertex& a = region.vertices[k];
     const selvage_vertex& b = region.vertices[(k + 1) % region.vertices.size()];
     Case tile_case = with_vertices(claims, region, {centre, a, b});
+    if (k % 2 == 1 && claims.outside_texels) take_other_texture_size(&tile_case);
     const bool is_reverse = is_counter_clockwise(tile_case.vertices);
     fan.runs_one_way = fan.runs_one_way && !is_reverse;
     make_visible(profile_of(region), claims, &tile_case.vertices);
+    if (may_turn_over(tile_case.vertices, claims.coverage_accuracy_fx16)) {
+      mark_tile(tile_case, claims, &fan.in_doubt);
+    }
     const Picture tile = draw_tile(tile_case);
     for (size_t i = 0; i < fan.times.size(); ++i) {
       int& times = is_reverse ? fan.times[i].counter_clockwise : fan.times[i].clockwise;

@@ -22,12 +22,19 @@ struct Times {
 
 // The tiles (centre, v_k, v_k+1) of an outline, drawn one at a time.
 struct Fan {
-  std::vector<Times> times;  // of each pixel of the target
-  bool runs_one_way = true;  // no tile is counter-clockwise
+  std::vector<Times> times;    // of each pixel of the target
+  std::vector<bool> in_doubt;  // those where a tile is that may turn over
+  bool runs_one_way = true;    // no tile is counter-clockwise
 };
+
+// Whether a triangle is so thin that it may run the other way round where its outline is so far
+// off, in 1/65536 px: a corner is no further than twice that from the other two's line.
+[[nodiscard]] bool may_turn_over(const std::vector<selvage_vertex>& triangle,
+                                 int32_t coverage_accuracy_fx16);
 
 using DrawTile = std::function<Picture(const Case& tile)>;
 
+// Every second tile shows a texture of another size: which pixels it covers is the same.
 [[nodiscard]] Fan draw_fan(const Case& region, const selvage_vertex& centre,
                            const Capabilities& claims, const DrawTile& draw_tile);
 

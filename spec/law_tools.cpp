@@ -31,6 +31,13 @@ Case with_nearest(const Case& c) {
   return changed;
 }
 
+void take_other_texture_size(Case* c) {
+  std::swap(c->texture_width_texel, c->texture_height_texel);
+  if (c->texture_width_texel == c->texture_height_texel) {
+    c->texture_width_texel = (c->texture_width_texel + 1) / 2;
+  }
+}
+
 Case with_vertices(const Capabilities& claims, const Case& c,
                    std::vector<selvage_vertex> vertices) {
   Case changed = c;

@@ -40,6 +40,9 @@ class Choices {
 // The case as the laws that read texels back draw it: a mixed pixel tells no texel.
 [[nodiscard]] Case with_nearest(const Case& c);
 
+// A texture of other sides, which are no longer and powers of two if they were.
+void take_other_texture_size(Case* c);
+
 // Whether the clip leaves the pixel in.
 [[nodiscard]] inline bool is_visible(const Case& c, Pixel at) {
   return !c.has_clip || (c.clip.left <= at.x_px && at.x_px < c.clip.right &&

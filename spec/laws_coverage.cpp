@@ -36,7 +36,8 @@ namespace {
          times_text(times.counter_clockwise);
 }
 
-// Within an accuracy of the coverage the outline is in doubt, but not where the tiles meet.
+// Within an accuracy of the coverage the outline is in doubt, and tiles that it may turn over, but
+// not where others meet.
 [[nodiscard]] Judgement judge_counts(std::string_view law, const Subject& subject,
                                      const Case& shown, const Fan& fan, Point centre) {
   Judgement judgement;
@@ -46,7 +47,10 @@ namespace {
       ++judgement.judged_px;
       const int wanted = winding_number(sample_point(shown, {x, y}), shown.vertices);
       if (fan.times[index].sum() == wanted) continue;
-      if (is_in_doubt(subject.claims.coverage_accuracy_fx16, shown, {x, y})) continue;
+      if (fan.in_doubt[index] ||
+          is_in_doubt(subject.claims.coverage_accuracy_fx16, shown, {x, y})) {
+        continue;
+      }
       judgement.violation =
           violation_at(law,
                        "the tiles of a fan from " + describe_px(centre) +
@@ -162,7 +166,9 @@ Judgement check_pinwheel(const Subject& subject, const Case& c) {
                        static_cast<size_t>(x_px);
   const int owned = fan.times[index].sum();
   if (owned == 1) return judgement;
-  if (is_in_doubt(subject.claims.coverage_accuracy_fx16, region, pixel)) return {};
+  if (fan.in_doubt[index] || is_in_doubt(subject.claims.coverage_accuracy_fx16, region, pixel)) {
+    return {};
+  }
   judgement.violation =
       violation_at("PINWHEEL", "of triangles around a sample point exactly one owns it", region,
                    x_px, y_px, "1 triangle", std::nullopt);

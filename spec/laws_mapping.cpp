@@ -216,7 +216,8 @@ Judgement check_gamut(const Subject& subject, const Case& any) {
       const Texel texel = texel_of(*pixel);
       ++judgement.judged_px;
       if (s.holds(texel.s) && t.holds(texel.t)) continue;
-      if (is_in_doubt(subject.claims.coverage_accuracy_fx16, c, {x, y})) continue;
+      const bool is_a_texel = texel.s < c.texture_width_texel && texel.t < c.texture_height_texel;
+      if (is_a_texel && is_in_doubt(subject.claims.coverage_accuracy_fx16, c, {x, y})) continue;
       judgement.violation =
           violation_at("GAMUT", "a texel lies within the range of the polygon's own coordinates", c,
                        x, y, "columns " + s.text() + ", rows " + t.text(), pixel);

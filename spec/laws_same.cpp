@@ -220,8 +220,8 @@ Judgement check_same(const Subject& subject, const Case& c) {
   if (shows_exact_texels(subject.claims)) judgement = check_same_layouts(subject, c);
   if (judgement.violation) return judgement;
   demand_claimed(subject, c);
-  // Nor is it promised that what was rounded once is rounded the same again, or elsewhere.
-  if (draws_exactly(subject.claims)) {
+  // Nor is it promised that texels that were rounded once are rounded the same again, or elsewhere.
+  if (shows_exact_texels(subject.claims)) {
     for (const auto part : {check_same_again, check_same_place, check_same_texture}) {
       if (add(&judgement, part(subject, c))) return judgement;
     }

@@ -156,7 +156,9 @@ class SameCall {
 // A case's drawing, and the same again after others.
 class DrawnAgain {
  public:
-  DrawnAgain(const Subject& subject, const Case& c) : case_(c), call_(subject, c) {
+  DrawnAgain(const Subject& subject, const Case& c)
+      : by_itself_(drawing_of(subject, "by itself it shows it")), case_(c), call_(subject, c) {
+    by_itself_.shows_texels = false;
     if (!call_.is_prepared()) return;  // of which the layouts tell
     wanted_ = picture_of(c, call_.draw(nullptr));
     status_ = call_.status();
@@ -174,8 +176,7 @@ class DrawnAgain {
       return {.violation =
                   blame("status " + status_name(status_), "status " + status_name(call_.status()))};
     }
-    const OtherDrawing other{"by itself it shows it", false};
-    Judgement judgement = compare("SAME", what, case_, picture_of(case_, again), other,
+    Judgement judgement = compare("SAME", what, case_, picture_of(case_, again), by_itself_,
                                   [&](int32_t x, int32_t y) { return must_be(wanted_.at(x, y)); });
     if (judgement.violation || again.guards_are_intact()) return judgement;
     judgement.violation = blame("the bytes beside the pixels as they were", "others");
@@ -183,6 +184,7 @@ class DrawnAgain {
   }
 
  private:
+  OtherDrawing by_itself_;
   const Case& case_;
   SameCall call_;
   Picture wanted_{};

@@ -112,8 +112,8 @@ class Placed {
 }
 
 // The pixels of the case's own target as they are there, and no others.
-[[nodiscard]] Judgement judge(const Case& c, const Place& place, const Placed::Drawn& own,
-                              const Placed::Drawn& other) {
+[[nodiscard]] Judgement judge(const Subject& subject, const Case& c, const Place& place,
+                              const Placed::Drawn& own, const Placed::Drawn& other) {
   const std::string what = text_of(place, c);
   Judgement judgement;
   const auto blame = [&](std::string allowed, std::string drawn) {
@@ -136,6 +136,7 @@ class Placed {
       const uint32_t wanted = is_own ? own.canvas.pixel(own_x, own_y) : background;
       const uint32_t drawn = other.canvas.pixel(x, y);
       if (drawn == wanted) continue;
+      if (is_own && is_in_doubt(subject.claims.coverage_accuracy_fx16, c, {own_x, own_y})) continue;
       const auto told = [&](uint32_t value) {
         return "value " + std::to_string(value) + " at (" + std::to_string(x) + ", " +
                std::to_string(y) + ")";
@@ -161,7 +162,8 @@ Judgement check_same_place(const Subject& subject, const Case& c) {
                               int64_t{place->corner.y_px} * SELVAGE_SUBPIXELS);
   const Placed placed(subject, c);
   if (!vertices || !placed.is_prepared()) return {};
-  return judge(c, *place, placed.draw(own_place(c), c.vertices), placed.draw(*place, *vertices));
+  return judge(subject, c, *place, placed.draw(own_place(c), c.vertices),
+               placed.draw(*place, *vertices));
 }
 
 }  // namespace selvage::spec

@@ -49,7 +49,8 @@ struct Part {
   part.corner = {multiple_of(width, least.s) - width, multiple_of(height, least.t) - height};
   width += part.corner.s;
   height += part.corner.t;
-  const bool fits = std::max(width, height) <= subject.claims.longest_side_texel &&
+  const bool is_larger = part.corner.s > 0 || part.corner.t > 0;
+  const bool fits = is_larger && std::max(width, height) <= subject.claims.longest_side_texel &&
                     int64_t{width} * height <= kMostTexels;
   if (!fits) return std::nullopt;
   for (selvage_vertex& v : part.larger.vertices) {
@@ -108,7 +109,9 @@ Judgement check_same_texture(const Subject& subject, const Case& c) {
                 violation_of_call("SAME", text_of(*part), c, "status " + status_name(own.status),
                                   "status " + status_name(other.status))};
   }
-  return compare("SAME", text_of(*part), c, other, {"by itself it shows it", false},
+  OtherDrawing by_itself = drawing_of(subject, "by itself it shows it");
+  by_itself.shows_texels = false;
+  return compare("SAME", text_of(*part), c, other, by_itself,
                  [&](int32_t x, int32_t y) { return must_be(own.at(x, y)); });
 }
 

@@ -49,7 +49,8 @@ class TolerantCase {
       Rational allowed = to_texels(tolerance_fx16_);
       const selvage_choice choice = asks_rows ? asked_.row(y) : all;
       if (asks_rows) {
-        const std::string fault = fault_of(choice, case_, line, y, tolerance_fx16_);
+        const std::string fault =
+            fault_of(choice, subject_.claims, case_, line, y, tolerance_fx16_);
         if (!asked_.fault().empty()) return blame(std::move(judgement), asked_.fault(), choice, y);
         if (!fault.empty()) return blame(std::move(judgement), fault, choice, y);
         all = together(all, choice);
@@ -173,10 +174,8 @@ class TolerantCase {
   if (judgement.violation || !subject.choose) return judgement;
   AskedChoice asked(subject, c, tolerance);
   const selvage_choice choice = asked.all();
-  const bool draws = std::ranges::any_of(expected(with_nearest(c)).pixels,
-                                         [](const MaybePixel& pixel) { return pixel.has_value(); });
   const std::string fault =
-      asked.fault().empty() ? fault_of_filtered(choice, draws) : asked.fault();
+      asked.fault().empty() ? fault_of_filtered(choice, subject.claims, c) : asked.fault();
   if (fault.empty()) return judgement;
   judgement.violation =
       violation_of_call(kLaw, "asked what it filters by: " + fault, c,

@@ -77,10 +77,7 @@ inline constexpr size_t kMostTold = 8;
   Choices choices(c.choice + 3);
   if (choices.pick(0, 3) == 0) c.layout = Layout::kGiven;
   if (!subject.claims.outside_texels || choices.pick(0, 2) == 0) return c;
-  std::swap(c.texture_width_texel, c.texture_height_texel);
-  if (c.texture_width_texel == c.texture_height_texel) {
-    c.texture_width_texel = (c.texture_width_texel + 1) / 2;
-  }
+  take_other_texture_size(&c);
   return c;
 }
 

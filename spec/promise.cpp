@@ -7,29 +7,38 @@
 namespace selvage::spec {
 namespace {
 
-// How much of a law is promised by a subject whose coverage is within its accuracy alone.
-[[nodiscard]] Promise of_inexact_coverage(std::string_view law, const Promise& limited) {
+// How much of a law is promised by a subject whose coverage is within its accuracy alone; its
+// texels are exact, or not.
+[[nodiscard]] std::string_view note_of_coverage(std::string_view law, bool shows_exactly) {
   constexpr std::string_view kWithin = "within the accuracy of its coverage";
   constexpr std::string_view kNear = "but for pixels within its accuracy of the outline";
-  const std::pair<std::string_view, std::string_view> parts[] = {
-      {"COV", kWithin},
-      {"PART", "shared edges exactly; the outline within the accuracy of its coverage"},
-      {"PINWHEEL", "where the vertex is further from the others' outline than its accuracy"},
-      {"CLIP", kNear},
-      {"GAMUT", kNear},
-      {"SHIFT", kNear},
-      {"ORDER", kNear},
-      {"MIRROR", kNear},
-      {"SPLIT", "shared edges exactly; the outline within the accuracy of its coverage"},
-      {"IDENTITY", kNear},
-      {"AFFINE", kNear},
-      {"TOLERANCE", kNear},
-      {"SAME", "each drawing within its accuracy"},
+  constexpr std::string_view kNearAlone =
+      "the coverage, but for pixels within its accuracy of the outline; texels are within theirs "
+      "(MAP)";
+  constexpr std::string_view kTiles =
+      "where no tile is so thin that the accuracy of its coverage may turn it over";
+  struct Note {
+    std::string_view law, of_exact_texels, of_others;
   };
-  const auto part =
-      std::ranges::find(parts, law, &std::pair<std::string_view, std::string_view>::first);
-  if (part == std::end(parts) || !limited.note.empty()) return limited;
-  return {Standing::kPromised, part->second};
+  const Note notes[] = {
+      {"COV", kWithin, kWithin},
+      {"PART", kTiles, kTiles},
+      {"PINWHEEL", kTiles, kTiles},
+      {"CLIP", kNear, kNearAlone},
+      {"GAMUT", kNear, "within its accuracy, but for pixels that near to the outline"},
+      {"SHIFT", kNear, kNearAlone},
+      {"ORDER", kNear, kNearAlone},
+      {"MIRROR", kNear, kNearAlone},
+      {"SPLIT", kNear, kNearAlone},
+      {"IDENTITY", kNear, "with the nearest filter, but for pixels near the outline"},
+      {"AFFINE", kNear, kNearAlone},
+      {"TOLERANCE", kNear,
+       "within the tolerance and its accuracy together, but for pixels near the outline"},
+      {"SAME", kNear, "each drawing within its accuracy"},
+  };
+  const auto note = std::ranges::find(notes, law, &Note::law);
+  if (note == std::end(notes)) return {};
+  return shows_exactly ? note->of_exact_texels : note->of_others;
 }
 
 // How much of a law is promised by a subject whose texels are within its accuracy alone.
@@ -112,9 +121,11 @@ Promise promise(selvage_profile id, const Capabilities& claims, std::string_view
       std::ranges::find_if(limits, [&](const Limit& one) { return one.law == law && one.applies; });
   const Promise limited = limit == std::end(limits) ? whole : limit->promise;
   if (limited.standing != Standing::kPromised || draws_exactly(claims)) return limited;
-  const Promise of_texels =
-      shows_exact_texels(claims) ? limited : of_inexact_texels(law, claims, limited);
-  return claims.coverage_accuracy_fx16 == 0 ? of_texels : of_inexact_coverage(law, of_texels);
+  const bool is_exact = shows_exact_texels(claims);
+  const Promise of_texels = is_exact ? limited : of_inexact_texels(law, claims, limited);
+  const std::string_view note = note_of_coverage(law, is_exact);
+  const bool is_told = claims.coverage_accuracy_fx16 > 0 && limited.note.empty() && !note.empty();
+  return is_told ? Promise{Standing::kPromised, note} : of_texels;
 }
 
 }  // namespace selvage::spec

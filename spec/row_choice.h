@@ -14,12 +14,13 @@ namespace selvage::spec {
 
 // Of a row of the case, which is drawn with nearest within a tolerance, or without one; empty if
 // nothing is wrong. `line` is that of the row, empty if no edge crosses it.
-[[nodiscard]] std::string fault_of(const selvage_choice& choice, const Case& c,
-                                   const std::optional<ScanLine>& line, int32_t y_px,
+[[nodiscard]] std::string fault_of(const selvage_choice& choice, const Capabilities& claims,
+                                   const Case& c, const std::optional<ScanLine>& line, int32_t y_px,
                                    int32_t tolerance_fx16);
 
 // Of a whole case that is drawn with another filter.
-[[nodiscard]] std::string fault_of_filtered(const selvage_choice& choice, bool draws);
+[[nodiscard]] std::string fault_of_filtered(const selvage_choice& choice,
+                                            const Capabilities& claims, const Case& c);
 
 // What is told of some rows, and of one more.
 [[nodiscard]] selvage_choice together(const selvage_choice& some, const selvage_choice& row);

@@ -191,9 +191,9 @@ TEST(CapabilitiesAtLength, AskForNoVertexBeyondTheGuardBand) {
 TEST(Capabilities, AskNoClipOfASubjectWithoutClips) {
   Subject subject = built_in();
   subject.claims.clip = false;
-  subject.choose = [](const selvage_image*, const selvage_rect* clip, auto...) -> selvage_status {
+  subject.choose = [](const selvage_image* target, const selvage_rect* clip, auto... more) {
     if (clip != nullptr) throw SubjectFailure{"was given a clip"};
-    return SELVAGE_OK;
+    return selvage_choose(target, clip, more...);
   };
   const LawVerdict verdict = verify(*find_law("TOLERANCE"), subject, 1, 50);
   EXPECT_FALSE(verdict.violation) << explain(*verdict.violation);

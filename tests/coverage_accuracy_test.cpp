@@ -11,110 +11,15 @@
 #include <vector>
 
 #include "spec/canvas.h"
+#include "spec/fan.h"
 #include "spec/law_tools.h"
 #include "spec/promise.h"
+#include "spec/row_choice.h"
 #include "spec/verify.h"
+#include "tests/rounded_coverage.h"
 
 namespace selvage::spec {
 namespace {
-
-// What a call is about that may move an outline.
-struct Drawing {
-  const selvage_rect* clip;
-  const std::vector<selvage_vertex>& vertices;
-  const selvage_texture& texture;
-  const selvage_options& options;
-};
-using MoveOf = std::function<Point(const Drawing&)>;  // in 1/256 px
-
-[[nodiscard]] std::vector<selvage_vertex> moved_by(std::vector<selvage_vertex> vertices, Point by) {
-  const auto in_range = [](int64_t fx8) {
-    return static_cast<int32_t>(std::clamp<int64_t>(fx8, SELVAGE_X_MIN, SELVAGE_X_END - 1));
-  };
-  for (selvage_vertex& v : vertices) {
-    v.x = in_range(v.x + by.x);
-    v.y = in_range(v.y + by.y);
-  }
-  return vertices;
-}
-
-// Which pixels of a target an outline covers.
-[[nodiscard]] std::vector<uint8_t> mask_of(const selvage_image& target, const selvage_rect* clip,
-                                           const std::vector<selvage_vertex>& vertices) {
-  const auto width = static_cast<size_t>(target.width);
-  std::vector<uint8_t> pixels(width * static_cast<size_t>(target.height), 0);
-  const selvage_image image{pixels.data(), target.width, target.height, target.width,
-                            SELVAGE_INDEX8};
-  const uint8_t one = 1;
-  const selvage_texture texture{&one, 1, 1, 1, SELVAGE_INDEX8, SELVAGE_LAYOUT_ROWS, nullptr};
-  EXPECT_EQ(selvage_draw(&image, clip, vertices.data(), vertices.size(), &texture, nullptr),
-            SELVAGE_OK);
-  return pixels;
-}
-
-// The mapper that this program is linked with, its coverage that of an outline moved by
-// move_of(...): its texels are exact, and the first of the texture beside the right outline.
-[[nodiscard]] Subject covering(const MoveOf& move_of) {
-  Subject subject = built_in();
-  subject.draw = [=](const selvage_image* target, const selvage_rect* clip,
-                     const selvage_vertex* vertices, size_t count, const selvage_texture* texture,
-                     const selvage_options* options) {
-    const std::vector<selvage_vertex> right(vertices, vertices + count);
-    const auto wrong = moved_by(right, move_of({clip, right, *texture, *options}));
-    std::vector<std::vector<char>> before;
-    const auto bytes = static_cast<size_t>(bytes_per_pixel(target->format));
-    const auto row_of = [&](int32_t y) {
-      return static_cast<char*>(target->pixels) + y * target->pitch;
-    };
-    for (int32_t y = 0; y < target->height; ++y) {
-      before.emplace_back(row_of(y), row_of(y) + bytes * static_cast<size_t>(target->width));
-    }
-    const selvage_status status = selvage_draw(target, clip, vertices, count, texture, options);
-    if (status != SELVAGE_OK) return status;
-    const auto due = mask_of(*target, clip, right), drawn = mask_of(*target, clip, wrong);
-    for (size_t i = 0; i < due.size(); ++i) {
-      const size_t y = i / static_cast<size_t>(target->width);
-      const size_t at = i % static_cast<size_t>(target->width) * bytes;
-      if (due[i] == drawn[i]) continue;
-      const char* from = due[i] ? before[y].data() + at : static_cast<const char*>(texture->texels);
-      std::memcpy(row_of(static_cast<int32_t>(y)) + at, from, bytes);
-    }
-    return status;
-  };
-  subject.draw_many = {};
-  subject.choose = {};
-  subject.claims.named_errors = false;  // all arguments are looked at
-  subject.claims.concave = false;       // moved within the range that coordinates have
-  return subject;
-}
-
-[[nodiscard]] Subject claiming_px(Subject subject, int32_t coverage_accuracy_fx16) {
-  subject.claims.coverage_accuracy_fx16 = coverage_accuracy_fx16;
-  return subject;
-}
-
-constexpr int32_t kFx16PerFx8 = SELVAGE_SUBTEXELS / SELVAGE_SUBPIXELS;
-
-[[nodiscard]] Subject moving(int32_t dx_fx8, int32_t dy_fx8) {
-  return covering([=](const Drawing&) { return Point{dx_fx8, dy_fx8}; });
-}
-
-// By something else under another clip, from another texture, by another kernel, as rounding is
-// that depends on where it begins.
-[[nodiscard]] Subject moving_at_random(int32_t most_fx8) {
-  return covering([=](const Drawing& drawing) {
-    uint32_t hash = 1;
-    const auto add = [&](auto... values) {
-      ((hash = (hash ^ static_cast<uint32_t>(values)) * 0x9E3779B1U, hash ^= hash >> 15), ...);
-    };
-    const auto [clip, vertices, texture, options] = drawing;
-    if (clip != nullptr) add(clip->left, clip->top, clip->right, clip->bottom);
-    add(texture.layout, texture.pitch, options.kernel);
-    Choices choices(hash);
-    const auto some = [&] { return int64_t{choices.pick(-most_fx8, most_fx8 + 1)}; };
-    return Point{some(), some()};
-  });
-}
 
 void expect_to_hold_all(const Subject& subject, uint64_t cases) {
   for (const Law& law : laws()) {
@@ -135,19 +40,83 @@ void expect_to_hold_all(const Subject& subject, uint64_t cases) {
 TEST(CoverageAccuracyAtLength, IsKeptByOneThatIsOffBySoMuch) {
   for (const auto& [dx_fx8, dy_fx8] : {std::pair{1, 0}, {-1, 1}, {37, -20}, {-256, 256}}) {
     const int32_t most_fx8 = std::max(std::abs(dx_fx8), std::abs(dy_fx8));
-    expect_to_hold_all(claiming_px(moving(dx_fx8, dy_fx8), most_fx8 * kFx16PerFx8), 150);
+    expect_to_hold_all(claiming_px(moving(dx_fx8, dy_fx8), most_fx8 * kFx16OfFx8), 150);
   }
 }
 
 TEST(CoverageAccuracyAtLength, IsKeptByOneThatIsOffAtRandomWithinIt) {
   for (const int32_t most_fx8 : {1, 40, 256}) {
-    expect_to_hold_all(claiming_px(moving_at_random(most_fx8), most_fx8 * kFx16PerFx8), 150);
+    expect_to_hold_all(claiming_px(moving_at_random(most_fx8), most_fx8 * kFx16OfFx8), 150);
   }
+}
+
+// Where a tile has hardly an area it may turn over: it is drawn, and cannot be subtracted.
+TEST(CoverageAccuracyAtLength, IsKeptByOneThatSnapsVertices) {
+  for (const int32_t step_fx8 : {16, 128}) {
+    const Subject subject = claiming_px(snapping(step_fx8), step_fx8 / 2 * kFx16OfFx8);
+    expect_to_hold_all(subject, 150);
+    for (const char* law : {"PART", "PINWHEEL"}) {
+      const LawVerdict verdict = verify(*find_law(law), subject, 1, 1500);
+      EXPECT_FALSE(verdict.violation) << explain(*verdict.violation);
+      EXPECT_GT(verdict.judged_px, 1000u) << law;
+    }
+  }
+}
+
+TEST(CoverageAccuracy, LeavesNoThinTriangleItsWinding) {
+  const auto thin = [](int32_t height_fx8, int32_t accuracy_fx16) {
+    const Vertices triangle = {{0, 0, 0, 0, 1}, {4096, 0, 0, 0, 1}, {2048, height_fx8, 0, 0, 1}};
+    return may_turn_over(triangle, accuracy_fx16);
+  };
+  EXPECT_FALSE(thin(0, 0)) << "exact coverage turns nothing";
+  EXPECT_TRUE(thin(32, 16 * kFx16OfFx8));
+  EXPECT_TRUE(thin(-32, 16 * kFx16OfFx8));
+  EXPECT_FALSE(thin(33, 16 * kFx16OfFx8));
+}
+
+// It tells NONE of rows that it leaves empty, and a method of those where all it draws is beside.
+TEST(CoverageAccuracy, IsKeptByOneThatTellsWhatItDrawsBy) {
+  Subject subject = claiming_px(snapping(64), 32 * kFx16OfFx8);
+  subject.choose = [snapped = snapping(64)](
+                       const selvage_image* target, const selvage_rect* clip,
+                       const selvage_vertex* vertices, size_t count, const selvage_texture* texture,
+                       const selvage_options* options, selvage_choice* choice) {
+    selvage_rect row = clip != nullptr ? *clip : selvage_rect{0, 0, target->width, target->height};
+    const int32_t top = std::max(row.top, 0), bottom = std::min(row.bottom, target->height);
+    std::vector<uint8_t> pixels(static_cast<size_t>(target->width) *
+                                static_cast<size_t>(target->height));
+    const selvage_image mask{pixels.data(), target->width, target->height, target->width,
+                             SELVAGE_INDEX8};
+    const uint8_t one = 1;
+    const selvage_texture ones{&one, 1, 1, 1, SELVAGE_INDEX8, SELVAGE_LAYOUT_ROWS, nullptr};
+    const selvage_options plain{};
+    *choice = {SELVAGE_METHOD_NONE, 0, 0};
+    for (row.top = top; row.top < bottom; ++row.top) {
+      row.bottom = row.top + 1;
+      std::ranges::fill(pixels, uint8_t{0});
+      (void)snapped.draw(&mask, &row, vertices, count, &ones, &plain);
+      if (std::ranges::count(pixels, 1) == 0) continue;
+      selvage_choice told{};
+      const selvage_status status =
+          selvage_choose(target, &row, vertices, count, texture, options, &told);
+      if (status != SELVAGE_OK) return status;
+      const bool is_filter = options->filter != SELVAGE_FILTER_NEAREST;
+      if (told.method == SELVAGE_METHOD_NONE) {
+        told.method = is_filter ? SELVAGE_METHOD_FILTER : SELVAGE_METHOD_EXACT_PERSPECTIVE;
+      }
+      *choice = together(*choice, told);
+    }
+    return selvage_status{SELVAGE_OK};
+  };
+  const LawVerdict verdict = verify(*find_law("TOLERANCE"), subject, 1, 300);
+  EXPECT_FALSE(verdict.violation) << explain(*verdict.violation);
+  subject.claims.coverage_accuracy_fx16 = 1;
+  EXPECT_TRUE(breaks("TOLERANCE", subject));
 }
 
 TEST(CoverageAccuracy, IsToldHowMuchOfItIsNeeded) {
   const auto margin = [](int32_t claimed_fx8) {
-    const Subject subject = claiming_px(moving(64, -64), claimed_fx8 * kFx16PerFx8);
+    const Subject subject = claiming_px(moving(64, -64), claimed_fx8 * kFx16OfFx8);
     return verify(*find_law("COV"), subject, 1, 600).margin;
   };
   ASSERT_TRUE(margin(128));
@@ -159,7 +128,7 @@ TEST(CoverageAccuracy, IsToldHowMuchOfItIsNeeded) {
 
 TEST(CoverageAccuracy, IsNotKeptByOneThatIsOffByMore) {
   for (const int32_t off_fx8 : {16, 100}) {
-    const int32_t claimed_fx16 = off_fx8 * kFx16PerFx8 / 2;
+    const int32_t claimed_fx16 = off_fx8 * kFx16OfFx8 / 2;
     for (const char* law : {"COV", "IDENTITY", "TOLERANCE", "SAME"}) {
       EXPECT_TRUE(breaks(law, claiming_px(moving(off_fx8, 0), claimed_fx16))) << law;
       EXPECT_TRUE(breaks(law, claiming_px(moving(0, -off_fx8), claimed_fx16))) << law;
@@ -178,21 +147,26 @@ TEST(CoverageAccuracy, IsNotKeptByOneThatIsOffByAUnitMore) {
     return find_law("COV")->check(subject, c).violation.has_value();
   };
   EXPECT_TRUE(is_broken_by(moving(16, 0)));
-  EXPECT_TRUE(is_broken_by(claiming_px(moving(16, 0), 15 * kFx16PerFx8 - 1)));
-  EXPECT_FALSE(is_broken_by(claiming_px(moving(16, 0), 15 * kFx16PerFx8)));
+  EXPECT_TRUE(is_broken_by(claiming_px(moving(16, 0), 15 * kFx16OfFx8 - 1)));
+  EXPECT_FALSE(is_broken_by(claiming_px(moving(16, 0), 15 * kFx16OfFx8)));
   EXPECT_TRUE(breaks("COV", moving(1, 0)));
   EXPECT_TRUE(draws_exactly(Capabilities{}));
 }
 
 // Polygons that do not meet have a gap between them or draw pixels twice, however little.
 TEST(CoverageAccuracy, LetsSharedEdgesBeExact) {
-  const Subject by_outline = covering([](const Drawing& drawing) {
+  const Subject by_outline = covering_moved([](const OutlineCall& drawing) {
     const selvage_vertex& last = drawing.vertices.back();
     return Point{((last.x ^ last.y) & 1) * 64, 0};
   });
   for (const char* law : {"PART", "PINWHEEL", "SPLIT"}) {
     EXPECT_TRUE(breaks(law, claiming_px(by_outline, SELVAGE_SUBTEXELS / 4))) << law;
   }
+  const Subject by_texture = covering_moved([](const OutlineCall& drawing) {
+    const auto side = static_cast<uint32_t>(drawing.texture.width);
+    return Point{(side & (side - 1)) == 0 ? 64 : 0, 0};
+  });
+  EXPECT_TRUE(breaks("PART", claiming_px(by_texture, SELVAGE_SUBTEXELS / 4)));
 }
 
 // A texel beside the outline is any, one within is not; and nothing beyond the clip is drawn.
@@ -207,6 +181,26 @@ TEST(CoverageAccuracy, LeavesTexelsAndClipsExact) {
   };
   EXPECT_TRUE(breaks("MAP", shifted));
   EXPECT_TRUE(breaks("GAMUT", shifted));
+  // Nor may it show what no texel holds.
+  Subject spoiling = claiming_px(moving(64, 0), SELVAGE_SUBTEXELS / 4);
+  spoiling.draw = [draw = spoiling.draw](const selvage_image* target, const selvage_rect* clip,
+                                         const selvage_vertex* vertices, size_t count,
+                                         const selvage_texture* texture,
+                                         const selvage_options* options) {
+    const selvage_status status = draw(target, clip, vertices, count, texture, options);
+    const Vertices right(vertices, vertices + count);
+    const auto due = mask_of(*target, clip, right);
+    const auto drawn = mask_of(*target, clip, moved_by(right, {64, 0}));
+    for (size_t i = 0; i < due.size(); ++i) {
+      const auto width = static_cast<size_t>(target->width);
+      const ptrdiff_t row = static_cast<ptrdiff_t>(i / width) * target->pitch;
+      const auto bytes = static_cast<size_t>(bytes_per_pixel(target->format));
+      char* const pixel = static_cast<char*>(target->pixels) + row + i % width * bytes;
+      if (drawn[i] != 0 && due[i] == 0) std::memset(pixel, 0x77, bytes);
+    }
+    return status;
+  };
+  EXPECT_TRUE(breaks("GAMUT", spoiling));
   Subject unclipped = claiming_px(built_in(), SELVAGE_SUBTEXELS);
   unclipped.draw = [](const selvage_image* target, const selvage_rect* clip,
                       const selvage_vertex* vertices, size_t count, const selvage_texture* texture,
@@ -231,7 +225,9 @@ TEST(CoverageAccuracy, IsToldOfTheLawsThatItTakesAPartOf) {
   claims.accuracy_fx16 = 256;
   EXPECT_EQ(note("MAP"), "within its accuracy");
   EXPECT_EQ(note("COV"), "within the accuracy of its coverage");
-  EXPECT_EQ(note("CLIP"), "the coverage; texels are within its accuracy (MAP)");
+  EXPECT_EQ(note("CLIP"),
+            "the coverage, but for pixels within its accuracy of the outline; texels are within "
+            "theirs (MAP)");
 }
 
 }  // namespace

@@ -80,7 +80,11 @@ void read_guard_band(const SubjectOptions& options, int32_t* band_px) {
   read_side("--guard-band", options.guard_band, band_px);
   if (!options.outside_vertices) return;
   if (*options.outside_vertices && *band_px == 0) *band_px = spec::kAnyNumber;
-  if (!*options.outside_vertices) *band_px = 0;
+  if (*options.outside_vertices) return;
+  if (!options.guard_band.empty()) {
+    throw UserError("--guard-band and --no-outside-vertices: one or the other is right");
+  }
+  *band_px = 0;
 }
 
 // A number or a quotient of two, in units of which so many are 1; empty where it is neither.

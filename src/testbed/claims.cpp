@@ -61,6 +61,7 @@ spec::Subject claimed(const selvage_claims& claims) {
     throw wrong("coverage_accuracy", claims.coverage_accuracy,
                 "0 is right, and in profile exact 1/65536 px to 1 px");
   }
+  const int32_t guard_band_px = number_of(claims.guard_band_px, 1, "guard_band_px");
   const auto has = [&](uint32_t what) { return (claims.lacks & what) == 0; };
   const spec::Capabilities all;
   spec::Subject subject;
@@ -82,9 +83,7 @@ spec::Subject claimed(const selvage_claims& claims) {
       .most_vertices = number_of(claims.most_vertices, 3, "most_vertices"),
       .position_step_fx8 = step_of(claims.position_step, SELVAGE_SUBPIXELS, "position_step"),
       .coordinate_step_fx16 = step_of(claims.coordinate_step, SELVAGE_SUBTEXELS, "coordinate_step"),
-      .guard_band_px = has(SELVAGE_LACKS_OUTSIDE_VERTICES)
-                           ? number_of(claims.guard_band_px, 1, "guard_band_px")
-                           : 0,
+      .guard_band_px = has(SELVAGE_LACKS_OUTSIDE_VERTICES) ? guard_band_px : 0,
       .accuracy_fx16 = claims.accuracy,
       .coverage_accuracy_fx16 = claims.coverage_accuracy,
   };

@@ -98,10 +98,11 @@ void describe(Control& control, const selvage_claims* claims) {
                         "sizeof(selvage_claims), " +
                         std::to_string(sizeof(selvage_claims)));
   }
-  // The oldest of them ended with padding, of which nothing is known.
+  // The oldest of them ended with padding, of which nothing is known; no field is taken in part.
   const bool is_oldest = claims->bytes < offsetof(selvage_claims, coverage_accuracy);
+  const size_t known_bytes = std::min(claims->bytes, sizeof(selvage_claims));
   std::memcpy(&control.claims, claims,
-              is_oldest ? kLeastBytes : std::min(claims->bytes, sizeof(selvage_claims)));
+              is_oldest ? kLeastBytes : known_bytes - known_bytes % sizeof(int32_t));
   copy_text(control.name, claims->name);
   copy_text(control.version, claims->version);
   control.claims.name = control.claims.version = nullptr;

@@ -292,6 +292,7 @@ TEST(CounterexamplePicture, OfTilesTellsWhatTheyDrewInstead) {
       }};
   spec::Case c = rectangle();
   c.target_height_px = 64;
+  c.choice = 2;
   const auto found = spec::find_law("SAME")->check(without_clip, c).violation;
   ASSERT_TRUE(found && found->comparison);
   EXPECT_EQ(found->drawn, "nothing");

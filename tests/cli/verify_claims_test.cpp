@@ -132,6 +132,8 @@ TEST_F(VerifyClaims, IsToldHowFarItsVerticesMayLie) {
   options_.subject.guard_band = "0";
   EXPECT_EQ(run("right"), kExitFine) << "anywhere";
   options_.subject.outside_vertices = false;
+  expect_contains(error_of([&] { run("right"); }), "one or the other is right");
+  options_.subject.guard_band.clear();
   EXPECT_EQ(run("right"), kExitLawFailed);
   options_.subject.outside_vertices = true;
   EXPECT_EQ(run("right"), kExitFine);

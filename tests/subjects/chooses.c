@@ -3,7 +3,7 @@
 
 #define RIGHT 0
 #define LOWER_BOUND 1 /* half of the bound that is kept */
-#define EXACT 2       /* says that everything is exact */
+#define EXACT 2       /* says that everything is exact, but for filters */
 #define CRASHES 3
 
 selvage_status selvage_draw(DRAW_ARGUMENTS) {
@@ -15,7 +15,8 @@ SELVAGE_API selvage_status selvage_choose(DRAW_ARGUMENTS, selvage_choice* choice
       choose_right(target, clip, vertices, count, texture, options, choice);
   if (status != SELVAGE_OK) return status;
   if (WRONG == LOWER_BOUND) choice->bound /= 2;
-  if (WRONG == EXACT && choice->method != SELVAGE_METHOD_NONE) {
+  const int is_filter = choice->method == SELVAGE_METHOD_FILTER;
+  if (WRONG == EXACT && choice->method != SELVAGE_METHOD_NONE && !is_filter) {
     *choice = (selvage_choice){SELVAGE_METHOD_EXACT_PERSPECTIVE, 0, 0};
   }
   if (WRONG == CRASHES && choice->bound > 0) *(volatile char*)options = 1;
