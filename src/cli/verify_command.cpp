@@ -209,9 +209,7 @@ void write_pictures(const VerifyOptions& options, const spec::Subject& subject, 
 
 void show_beginning(const VerifyOptions& options, const VerifyRun& run, const VerifyPlan& plan,
                     const Console& console) {
-  if (!options.subject.library.empty()) {
-    console.out << subject_line(run) << '\n';
-  }
+  if (!run.arguments.empty()) console.out << subject_line(run) << '\n';  // not all defaults
   if (plan.replayed) console.out << spec::print(*plan.replayed) << '\n';
   if (!plan.replayed) console.out << "seed " << run.seed << '\n';
   if (!options.corpus.empty()) {
