@@ -13,6 +13,7 @@
 #include "spec/canvas.h"
 #include "spec/fan.h"
 #include "spec/law_tools.h"
+#include "spec/outline_distance.h"
 #include "spec/promise.h"
 #include "spec/row_choice.h"
 #include "spec/verify.h"
@@ -211,6 +212,34 @@ TEST(CoverageAccuracy, LeavesTexelsAndClipsExact) {
                         options);
   };
   for (const char* law : {"COV", "CLIP", "MEM"}) EXPECT_TRUE(breaks(law, unclipped)) << law;
+}
+
+// Near the outline, too: there the clip alone says that nothing is drawn.
+TEST(CoverageAccuracy, LeavesNoDoubtBeyondTheClip) {
+  constexpr int32_t kNear_fx16 = SELVAGE_SUBTEXELS / 2;
+  Subject subject = claiming_px(built_in(), kNear_fx16);
+  subject.draw = [](const selvage_image* target, const selvage_rect* clip,
+                    const selvage_vertex* vertices, size_t count, const selvage_texture* texture,
+                    const selvage_options* options) {
+    const selvage_status status = selvage_draw(target, clip, vertices, count, texture, options);
+    if (status != SELVAGE_OK || clip == nullptr) return status;
+    const auto bytes = static_cast<size_t>(bytes_per_pixel(target->format));
+    Case clipped;
+    clipped.has_clip = true;
+    clipped.clip = *clip;
+    for (int32_t y = 0; y < target->height; ++y) {
+      char* const row = static_cast<char*>(target->pixels) + y * target->pitch;
+      for (int32_t x = 0; x < target->width; ++x) {
+        if (is_visible(clipped, {x, y}) ||
+            !is_near_outline(pixel_centre(x, y), {vertices, count}, kNear_fx16)) {
+          continue;
+        }
+        std::memcpy(row + static_cast<size_t>(x) * bytes, texture->texels, bytes);
+      }
+    }
+    return status;
+  };
+  for (const char* law : {"COV", "CLIP", "MEM"}) EXPECT_TRUE(breaks(law, subject)) << law;
 }
 
 TEST(CoverageAccuracy, IsToldOfTheLawsThatItTakesAPartOf) {
