@@ -13,7 +13,7 @@ namespace selvage::spec {
 // In pixels, of an outline of at least one vertex.
 [[nodiscard]] Rational outline_distance_px(Point p, std::span<const selvage_vertex> outline);
 
-// The same to some 12 digits, and much faster.
+// The same within 2^-35 px, of distances below 1 px, and much faster.
 [[nodiscard]] double about_outline_distance_px(Point p, std::span<const selvage_vertex> outline);
 
 // Whether it is at most reach_fx16, in 1/65536 px, which is at most 1 px.

@@ -52,7 +52,8 @@ TEST(OutlineDistance, IsAtMostWhatIsNear) {
     for (int i = 0; i < 20; ++i) {
       const Point p = sample_point(c, choose_pixel(c, choices));
       const Rational px = outline_distance_px(p, c.vertices);
-      EXPECT_NEAR(about_outline_distance_px(p, c.vertices), px.get_d(), px.get_d() * 1e-9 + 1e-7);
+      EXPECT_NEAR(about_outline_distance_px(p, c.vertices), px.get_d(),
+                  px.get_d() * 1e-14 + 0x1p-35);
       const Rational fx16 = px * SELVAGE_SUBTEXELS;
       for (const int32_t reach_fx16 : {0, 1, 255, 256, 4096, 65535, 65536}) {
         EXPECT_EQ(is_near_outline(p, c.vertices, reach_fx16), fx16 <= reach_fx16)

@@ -24,9 +24,10 @@ void count_pixel(Errors& errors, const spec::Case& scene, const spec::Texel& exa
   errors.sum_texel += static_cast<uint64_t>(distance);
 }
 
-// From the outline to a pixel's centre. Double tells no less of a tie, and of what is none more.
+// From the outline to a pixel's centre. A centre that is not on it is 2^-33 px away or more, for a
+// doubled area of 1 (1/256 px)^2 is the least and 2^25 / 256 px the longest edge.
 [[nodiscard]] double outline_offset_px(const spec::Case& scene, spec::Pixel at) {
-  constexpr double kTie_px = 1e-12;
+  constexpr double kTie_px = 0x1p-34;
   const double px =
       spec::about_outline_distance_px(spec::pixel_centre(at.x_px, at.y_px), scene.vertices);
   return px < kTie_px ? 0 : px;
