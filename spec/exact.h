@@ -16,6 +16,11 @@ namespace selvage::spec {
 
 using Rational = mpq_class;
 
+// GMP's own conversion knows no 64 bits where a long has 32.
+[[nodiscard]] inline Rational rational(int64_t n) {
+  return Rational(static_cast<int32_t>(n >> 32)) * 0x1p32 + static_cast<uint32_t>(n);
+}
+
 [[nodiscard]] inline Rational to_px(int32_t fx8) { return Rational(fx8) / SELVAGE_SUBPIXELS; }
 
 // Where an edge crosses a scan line: x in px; u q, v q and q, which are linear in y along the edge.

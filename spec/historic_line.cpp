@@ -20,7 +20,7 @@ struct Crossed {
 // a + (b - a) walked / steps, in 1/unit of what is returned.
 [[nodiscard]] Rational along(int32_t a, int32_t b, const Rational& walked, int32_t steps,
                              int32_t unit) {
-  const Rational reached = a + Rational(int64_t{b} - a) * walked / steps;
+  const Rational reached = a + rational(int64_t{b} - a) * walked / steps;
   return reached / unit;
 }
 

@@ -14,9 +14,8 @@ namespace {
 
 // (u, v) of a point on the segment a b, from its two ends alone.
 [[nodiscard]] Sample sample_on_edge(Point p, const selvage_vertex& a, const selvage_vertex& b) {
-  Rational t = a.y != b.y ? Rational(p.y - a.y, int64_t{b.y} - a.y)
-                          : Rational(p.x - a.x, int64_t{b.x} - a.x);
-  t.canonicalize();
+  const Rational t = a.y != b.y ? rational(p.y - a.y) / rational(int64_t{b.y} - a.y)
+                                : rational(p.x - a.x) / rational(int64_t{b.x} - a.x);
   const Rational q = a.q + t * (b.q - a.q);
   const auto mix = [&](int32_t from, int32_t to) {
     const Rational from_q = Rational(from) * a.q, to_q = Rational(to) * b.q;

@@ -54,7 +54,7 @@ Judgement SceneModel::judge(const std::string& what, const Canvas& drawn) const 
   Judgement judgement;
   for (int32_t y = 0; y < c.target_height_px; ++y) {
     for (int32_t x = 0; x < c.target_width_px; ++x) {
-      const size_t index = judgement.judged_px++;
+      const auto index = static_cast<size_t>(judgement.judged_px++);
       const uint32_t value = drawn.pixel(x, y);
       if (is_allowed(index, value)) continue;
       Violation violation{.law = "SAME", .what = what, .x_px = x, .y_px = y, .shown = c};

@@ -9,6 +9,7 @@
 #include "spec/generate.h"
 #include "spec/random.h"
 #include "tests/span_support.h"
+#include "tests/whole.h"
 
 namespace selvage::mapper {
 namespace {
@@ -46,7 +47,7 @@ void check_rows(const ExactMap& map, const std::vector<Span>& rows, spec::Random
     const ExactRow row = map.row_from(known.left_px, known.row);
     const auto n = static_cast<int128>((row.*coordinate).start);
     const auto d = static_cast<int128>(row.finer_d(bits).start);
-    const auto whole = static_cast<int32_t>(n / d) + random.in(-1, 2);
+    const auto whole = static_cast<int32_t>(floor_of(n, d)) + random.in(-1, 2);
     const Boundary boundary(map, coordinate, bits, whole, known.left_px, known.row);
     for (const Span& span : rows) {
       expect_right(map, coordinate, bits, whole, boundary, span, seen);

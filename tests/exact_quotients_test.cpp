@@ -10,25 +10,20 @@
 #include "mapper/vector/kernel.h"
 #include "spec/random.h"
 #include "spec/vertex_units.h"
-#include "tests/floor_of.h"
 #include "tests/kernel_support.h"
 #include "tests/span_support.h"
+#include "tests/whole.h"
 
 namespace selvage::mapper {
 namespace {
 
 using spec::kTexel_fx16;
 
-// The x for which a x = b modulo m, where a and m have no common divisor.
+// The x for which a x = b modulo m; 0 where a and m have a common divisor.
 [[nodiscard]] int128 solved(int128 a, int128 b, int128 m) {
-  int128 r = m, next_r = a % m, x = 0, next_x = 1;
-  while (next_r != 0) {
-    const int128 quotient = r / next_r;
-    r = std::exchange(next_r, r - quotient * next_r);
-    x = std::exchange(next_x, x - quotient * next_x);
-  }
-  const int128 solution = ((b % m + m) % m) * ((x % m + m) % m);
-  return r == 1 ? solution % m : 0;
+  mpz_class x;
+  if (mpz_invert(x.get_mpz_t(), whole(a).get_mpz_t(), whole(m).get_mpz_t()) == 0) return 0;
+  return static_cast<int128>(bits_of(whole(b) * x % whole(m)));
 }
 
 // A row whose coordinates are whole at one pixel each, or miss that by the least there is.

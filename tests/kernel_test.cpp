@@ -18,6 +18,9 @@
 namespace selvage::mapper {
 namespace {
 
+// 2^40 where addresses have 64 bits: further than the 32 of a lane reach.
+constexpr ptrdiff_t kFar_bytes = ptrdiff_t{1} << 5 * sizeof(ptrdiff_t);
+
 [[nodiscard]] selvage_options nearest_by(selvage_kernel kernel) {
   return {SELVAGE_PROFILE_EXACT, SELVAGE_FILTER_NEAREST, SELVAGE_ADDRESS_CLAMP, 0, kernel};
 }
@@ -155,12 +158,12 @@ TEST(Kernel, AddressesATextureOfAnyPitch) {
   const std::vector<uint8_t> texels = {10, 11, 12};
   std::vector<uint8_t> row(7, 99);
   const Surface far{{row.data(), 7, 1, 7, SELVAGE_INDEX8},
-                    {texels.data(), 3, 1, ptrdiff_t{1} << 40, SELVAGE_INDEX8, 0, nullptr},
+                    {texels.data(), 3, 1, kFar_bytes, SELVAGE_INDEX8, 0, nullptr},
                     SELVAGE_ADDRESS_CLAMP};
   const Surface near{
       far.target, {texels.data(), 3, 1, 3, SELVAGE_INDEX8, 0, nullptr}, SELVAGE_ADDRESS_CLAMP};
   const Kernels* const scalar = &scalar_kernels(SELVAGE_FILTER_NEAREST);
-  for (const ptrdiff_t pitch : {ptrdiff_t{1} << 30, -(ptrdiff_t{1} << 30), -(ptrdiff_t{1} << 40)}) {
+  for (const ptrdiff_t pitch : {ptrdiff_t{1} << 30, -(ptrdiff_t{1} << 30), -kFar_bytes}) {
     const Surface tall{
         far.target, {texels.data(), 3, 3, pitch, SELVAGE_INDEX8, 0, nullptr}, far.address};
     EXPECT_EQ(&kernels_for(nearest_by(SELVAGE_KERNEL_FASTEST), tall.texture, {}), scalar) << pitch;
@@ -226,7 +229,7 @@ TEST(Kernel, IsTheSameChosenForAllPolygonsOfATextureAsForEach) {
   const std::vector<Polygon> polygons = polygons_of_every_work();
   std::vector<selvage_kernel> kernels = usable_kernels();
   kernels.push_back(SELVAGE_KERNEL_FASTEST);
-  for (const ptrdiff_t pitch : {ptrdiff_t{12}, ptrdiff_t{1} << 40}) {
+  for (const ptrdiff_t pitch : {ptrdiff_t{12}, kFar_bytes}) {
     const selvage_texture texture{texels.data(), 3, 1, pitch, SELVAGE_RGBA8888, 0, nullptr};
     for (const selvage_filter filter : {SELVAGE_FILTER_NEAREST, SELVAGE_FILTER_AREA}) {
       for (const selvage_kernel kernel : kernels) {

@@ -21,8 +21,8 @@ namespace {
 void expect_lawful_lane(int64_t lane_fx32, uint32_t margin_fx32, const spec::Rational& exact_texel,
                         const spec::Case& c) {
   const spec::Rational exact_fx32 = exact_texel * spec::Rational(4294967296.0);
-  ASSERT_LE(spec::Rational(lane_fx32), exact_fx32) << spec::print(c);
-  ASSERT_LT(exact_fx32, spec::Rational(lane_fx32) + margin_fx32) << spec::print(c);
+  ASSERT_LE(spec::rational(lane_fx32), exact_fx32) << spec::print(c);
+  ASSERT_LT(exact_fx32, spec::rational(lane_fx32 + margin_fx32)) << spec::print(c);
 }
 
 template <class Lanes>

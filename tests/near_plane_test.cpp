@@ -37,7 +37,8 @@ void expect_lawful(const AffineField& lanes, const Vertices& vertices, int32_t p
   const Lane lane = lanes.at(px, row);
   const auto holds = [&](int64_t lane_fx32, const Rational& texel) {
     const Rational true_fx32 = texel * Rational(4294967296.0);
-    return lane_fx32 <= true_fx32 && true_fx32 < Rational(lane_fx32) + lanes.margin_fx32;
+    return spec::rational(lane_fx32) <= true_fx32 &&
+           true_fx32 < spec::rational(lane_fx32 + lanes.margin_fx32);
   };
   ASSERT_TRUE(holds(lane.u_fx32, exact->u) && holds(lane.v_fx32, exact->v))
       << "pixel " << px << ", " << row;

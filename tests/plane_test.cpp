@@ -13,9 +13,9 @@
 #include "spec/exact.h"
 #include "spec/generate.h"
 #include "spec/random.h"
-#include "tests/floor_of.h"
 #include "tests/kernel_support.h"
 #include "tests/span_support.h"
+#include "tests/whole.h"
 
 namespace selvage::mapper {
 namespace {
@@ -37,7 +37,8 @@ void expect_lawful_affine(const Plane& plane, const AffineLanes& lanes, const Sp
   const Lane lane = lanes.at(offset_px);
   const auto holds = [&](int64_t lane_fx32, const Rational& texel) {
     const Rational true_fx32 = texel * Rational(4294967296.0);
-    return lane_fx32 <= true_fx32 && true_fx32 < Rational(lane_fx32) + lanes.margin_fx32();
+    return spec::rational(lane_fx32) <= true_fx32 &&
+           true_fx32 < spec::rational(lane_fx32 + lanes.margin_fx32());
   };
   ASSERT_TRUE(holds(lane.u_fx32, exact->u) && holds(lane.v_fx32, exact->v)) << spec::print(c);
   for (const int32_t below : {0, 1}) {

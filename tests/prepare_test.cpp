@@ -233,9 +233,9 @@ TEST_F(PrepareRefuses, TooLittleMemory) {
 }
 
 TEST_F(PrepareRefuses, MoreThanAddressesCanTell) {
-  source.width = INT32_MAX;
-  source.height = INT32_MAX / 8;
-  source.pitch = ptrdiff_t{4} * INT32_MAX;
+  source.width = INT32_MAX / 8;
+  source.pitch = ptrdiff_t{4} * source.width;
+  source.height = static_cast<int32_t>(std::min<ptrdiff_t>(PTRDIFF_MAX / source.pitch, INT32_MAX));
   with_sums = 1;
   bytes = SIZE_MAX;
   EXPECT_EQ(selvage_prepare_bytes(&source, layout, 1), SIZE_MAX);

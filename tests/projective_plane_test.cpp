@@ -37,7 +37,8 @@ void expect_lawful_projective(const ProjectivePlane& plane, const Span& span, in
   const Lane lane = lanes.at(offset_px);
   const auto holds = [&](int64_t lane_fx32, const Rational& texel) {
     const Rational true_fx32 = texel * Rational(4294967296.0);
-    return lane_fx32 <= true_fx32 && true_fx32 < Rational(lane_fx32) + lanes.margin_fx32();
+    return spec::rational(lane_fx32) <= true_fx32 &&
+           true_fx32 < spec::rational(lane_fx32 + lanes.margin_fx32());
   };
   ASSERT_TRUE(holds(lane.u_fx32, exact->u) && holds(lane.v_fx32, exact->v));
   const ExactRow row = ExactMap(plane).row_from(span.left_px, span.row);

@@ -21,6 +21,7 @@ declare -A selvage_groups=(
            libpng-dev libturbojpeg0-dev libcli11-dev nlohmann-json3-dev libtinyobjloader-dev
            libsdl2-dev xvfb xdotool python3"
   [cross]="g++-aarch64-linux-gnu qemu-user-static"
+  [cross32]="g++-arm-linux-gnueabihf qemu-user-static"
   [clang]="clang-19 libclang-rt-19-dev llvm-19"
   [fuzz]="clang-19 libclang-rt-19-dev llvm-19 zip
           libgmp-dev libpng-dev libturbojpeg0-dev libcli11-dev nlohmann-json3-dev"

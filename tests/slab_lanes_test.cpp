@@ -20,6 +20,7 @@
 #include "tests/kernel_support.h"
 #include "tests/slab_support.h"
 #include "tests/span_support.h"
+#include "tests/whole.h"
 
 namespace selvage::mapper {
 namespace {
@@ -29,7 +30,8 @@ using spec::Rational;
 // The law of the filter for one lane.
 [[nodiscard]] bool holds(int64_t lane_fx32, int64_t margin_fx32, const Rational& texel) {
   const Rational true_fx32 = texel * Rational(4294967296.0);
-  return lane_fx32 <= true_fx32 && true_fx32 < Rational(lane_fx32) + margin_fx32;
+  return spec::rational(lane_fx32) <= true_fx32 &&
+         true_fx32 < spec::rational(lane_fx32 + margin_fx32);
 }
 
 // The law of the filter, and that no lane is lower than its own pixels account for.
@@ -377,8 +379,8 @@ TEST(LaneDivisor, Floors) {
   for (int i = 0; i < 100000; ++i) {
     const int128 d = (any_integer(random) & ((int128{1} << 77) - 1)) + 1;
     const int128 whole = d * random.in(-32768, 32768);
-    const int128 n =
-        random.percent(30) ? whole + random.in(-2, 3) : whole + any_integer(random) % d;
+    const int128 n = random.percent(30) ? whole + random.in(-2, 3)
+                                        : whole + remainder_of(any_integer(random), d);
     const int64_t floor = LaneDivisor(d).floor_fx32(n);
     const int128 rest = n * (int128{1} << kLaneFraction) - int128{floor} * d;
     ASSERT_TRUE(rest >= 0 && rest < d) << i;

@@ -8,15 +8,10 @@
 
 #include "spec/exact.h"
 #include "tests/span_support.h"
+#include "tests/whole.h"
 
 namespace selvage::mapper {
 namespace {
-
-// floor of numerator / denominator by plain division.
-[[nodiscard]] int64_t floor_ratio(int128 numerator, int128 denominator) {
-  const int128 quotient = numerator / denominator;
-  return static_cast<int64_t>(quotient) - (numerator % denominator < 0 ? 1 : 0);
-}
 
 TEST(SpanMap, EqualsTheExactModel) {
   uint64_t judged = 0;
@@ -27,8 +22,8 @@ TEST(SpanMap, EqualsTheExactModel) {
           const auto exact = spec::sample(c.vertices, px, span.row);
           ASSERT_TRUE(exact) << spec::print(c);
           ASSERT_GT(map.denominator(px), 0);
-          ASSERT_EQ(floor_ratio(map.u_numerator(px), map.denominator(px)), spec::floor(exact->u));
-          ASSERT_EQ(floor_ratio(map.v_numerator(px), map.denominator(px)), spec::floor(exact->v));
+          ASSERT_EQ(floor_of(map.u_numerator(px), map.denominator(px)), spec::floor(exact->u));
+          ASSERT_EQ(floor_of(map.v_numerator(px), map.denominator(px)), spec::floor(exact->v));
           ++judged;
         }
       });

@@ -8,17 +8,11 @@
 #include <compare>
 
 #include "spec/random.h"
+#include "tests/whole.h"
 
 namespace selvage::mapper {
 namespace {
 
-[[nodiscard]] mpz_class whole(uint128 n) {
-  return (mpz_class(static_cast<unsigned long>(n >> 64)) << 64) +
-         mpz_class(static_cast<unsigned long>(n));
-}
-[[nodiscard]] mpz_class whole_signed(int128 n) {
-  return n < 0 ? mpz_class(-whole(magnitude(n))) : whole(magnitude(n));
-}
 [[nodiscard]] mpz_class whole(const Wide& n) { return (whole(n.high) << 128) + whole(n.low); }
 
 // Of any length up to the given one, or just below a power of two.
@@ -85,8 +79,7 @@ TEST(Wide, TakesDistancesOfProductsOfEitherSign) {
   for (int i = 0; i < 20000; ++i) {
     const int128 a = any_signed(random, 127), b = any_signed(random, 127);
     const int128 c = any_signed(random, 127), d = random.percent(20) ? a : any_signed(random, 127);
-    const mpz_class wanted =
-        abs(mpz_class(whole_signed(a) * whole_signed(b) - whole_signed(c) * whole_signed(d)));
+    const mpz_class wanted = abs(mpz_class(whole(a) * whole(b) - whole(c) * whole(d)));
     ASSERT_EQ(whole(distance(a, b, c, d)), wanted);
   }
 }

@@ -15,8 +15,8 @@
 
 namespace selvage::many {
 
-// A polygon that has passed its checks.
-struct Prepared {
+// A polygon that has passed its checks. Behind them all, the index has its groups.
+struct alignas(BandIndex::Group) Prepared {
   mapper::Polygon polygon;
   const selvage_texture* texture = nullptr;
 };

@@ -13,7 +13,7 @@ struct Inside {
 
 struct Clamp {
   [[nodiscard]] static int32_t index(int32_t texel, int32_t size_texel) {
-    return std::clamp(texel, 0, size_texel - 1);
+    return std::clamp<int32_t>(texel, 0, size_texel - 1);
   }
 };
 

@@ -52,9 +52,9 @@ class Runs {
   // The outermost texels stand for all that is beyond them.
   void clamp(int32_t begin_fx8, int32_t side_fx8, int32_t size_texel) {
     const int64_t end_fx8 = int64_t{begin_fx8} + side_fx8;
-    const int32_t first = std::clamp(begin_fx8 >> kGridBits, 0, size_texel - 1);
+    const int32_t first = std::clamp<int32_t>(begin_fx8 >> kGridBits, 0, size_texel - 1);
     const int32_t last =
-        std::clamp(static_cast<int32_t>((end_fx8 - 1) >> kGridBits), 0, size_texel - 1);
+        std::clamp<int32_t>(static_cast<int32_t>((end_fx8 - 1) >> kGridBits), 0, size_texel - 1);
     if (first == last) return add({first, 1, side_fx8});
     add({first, 1, (int64_t{first} + 1) * kTexel_fx8 - begin_fx8});
     add({first + 1, last - first - 1, kTexel_fx8});

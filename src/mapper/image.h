@@ -50,7 +50,7 @@ struct RowsOfBytes {
 // Of a valid format and layout: its rows, or its rows of tiles.
 [[nodiscard]] constexpr RowsOfBytes rows_of_bytes(selvage_layout layout, selvage_format format,
                                                   int32_t width, int32_t height) {
-  const ptrdiff_t texel = bytes_per_pixel(format);
+  const int64_t texel = bytes_per_pixel(format);
   if (layout == SELVAGE_LAYOUT_ROWS) return {width * texel, height};
   return {units(width, kTileSide_texel) * kTileTexels * texel, units(height, kTileSide_texel)};
 }
@@ -93,8 +93,8 @@ struct RowsOfBytes {
 [[nodiscard]] inline selvage_rect visible_rect(const selvage_image& target,
                                                const selvage_rect* clip) {
   if (clip == nullptr) return {0, 0, target.width, target.height};
-  return {std::max(clip->left, 0), std::max(clip->top, 0), std::min(clip->right, target.width),
-          std::min(clip->bottom, target.height)};
+  return {std::max<int32_t>(clip->left, 0), std::max<int32_t>(clip->top, 0),
+          std::min(clip->right, target.width), std::min(clip->bottom, target.height)};
 }
 
 }  // namespace selvage::mapper

@@ -20,6 +20,7 @@ namespace selvage::mapper {
 
 // |pitch| holds a row and is a multiple of `unit`, and the image spans at most PTRDIFF_MAX bytes.
 [[nodiscard]] inline bool pitch_is_valid(RowsOfBytes size, ptrdiff_t pitch, ptrdiff_t unit) {
+  if (size.row_bytes > PTRDIFF_MAX) return false;
   const uintptr_t stride = stride_of(pitch);
   const auto row = static_cast<uintptr_t>(size.row_bytes);
   if (stride < row || !is_multiple(stride, unit)) return false;

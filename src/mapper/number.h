@@ -11,12 +11,30 @@
 //   numerator    edge uq * weight  128  see kNumeratorBits
 #pragma once
 
+#include <cfloat>
 #include <cstdint>
+#include <limits>
+
+#if !defined(__SIZEOF_INT128__) || defined(SELVAGE_OWN_INT128)
+#include "mapper/integer128.h"
+#endif
 
 namespace selvage::mapper {
 
+// What the bounds of all that is computed in double take for granted.
+static_assert(std::numeric_limits<double>::is_iec559 && FLT_EVAL_METHOD == 0,
+              "each operation rounds once, to a double: 32-bit x86 wants -msse2 -mfpmath=sse");
+#ifdef __FAST_MATH__
+#error "Selvage's bounds hold for IEEE 754's arithmetic: compile it without -ffast-math and -Ofast"
+#endif
+
+#if !defined(__SIZEOF_INT128__) || defined(SELVAGE_OWN_INT128)
+using int128 = Integer128<true>;
+using uint128 = Integer128<false>;
+#else
 __extension__ typedef __int128 int128;
 __extension__ typedef unsigned __int128 uint128;
+#endif
 
 inline constexpr int kPositionBits = 24;   // of a difference of two positions
 inline constexpr int kTexelFraction = 16;  // u, v are 16.16

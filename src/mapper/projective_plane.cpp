@@ -72,8 +72,10 @@ ProjectiveField::Form ProjectivePlane::line(const Quantity<Integer>& quantity, d
 bool ProjectivePlane::set_lanes(const Polygon& polygon, const selvage_rect& visible) {
   lanes_.first_px = std::max(visible.left, polygon.left_px);
   lanes_.first_row = std::max(visible.top, polygon.top_row);
-  const double columns = std::max(std::min(visible.right, polygon.right_px) - lanes_.first_px, 0);
-  const double rows = std::max(std::min(visible.bottom, polygon.bottom_row) - lanes_.first_row, 0);
+  const double columns =
+      std::max<int32_t>(std::min(visible.right, polygon.right_px) - lanes_.first_px, 0);
+  const double rows =
+      std::max<int32_t>(std::min(visible.bottom, polygon.bottom_row) - lanes_.first_row, 0);
 
   // Denominators are in units of the least one.
   const double unit = 1 / (static_cast<double>(doubled_area_) * polygon.least_q);

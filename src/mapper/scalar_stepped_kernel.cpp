@@ -38,7 +38,8 @@ class SegmentWalk {
   [[nodiscard]] Segment next() {
     const int32_t end_px = std::min(px_ + row_.segment_px, row_.whole.width_px() - 1);
     const Point to = at(end_px);
-    const double per_px = 1.0 / std::max(end_px - px_, 1);  // a single pixel is a segment too
+    const double per_px =
+        1.0 / std::max<int32_t>(end_px - px_, 1);  // a single pixel is a segment too
     const Segment segment{
         {whole(from_.u_fx16) << kStepShift, whole(from_.v_fx16) << kStepShift},
         {step((to.u_fx16 - from_.u_fx16) * per_px), step((to.v_fx16 - from_.v_fx16) * per_px)}};

@@ -26,7 +26,7 @@ const void* place_of_sums(const selvage_texture& texture) {
 }
 
 void write_sums(const selvage_texture& texture, void* table) {
-  const ptrdiff_t pitch_bytes = SumsShape::of(texture).pitch_bytes;
+  const auto pitch_bytes = static_cast<ptrdiff_t>(SumsShape::of(texture).pitch_bytes);
   const char* const texels = static_cast<const char*>(texture.texels);
   char* row = static_cast<char*>(table);
   std::memset(row, 0, (static_cast<size_t>(texture.width) + 1) * sizeof(ChannelSums));

@@ -46,7 +46,7 @@ class Sums {
  public:
   explicit Sums(const selvage_texture& texture)
       : entries_(static_cast<const char*>(texture.prepared)),
-        pitch_bytes_(SumsShape::of(texture).pitch_bytes) {}
+        pitch_bytes_(static_cast<ptrdiff_t>(SumsShape::of(texture).pitch_bytes)) {}
 
   [[nodiscard]] ChannelSums at(int32_t s, int32_t t) const {
     ChannelSums sums;

@@ -1,4 +1,4 @@
-// A build without SIMD (SELVAGE_SIMD=OFF, or no Highway).
+// A build without vectors: SELVAGE_SIMD=OFF, no Highway, or no integer of 128 bits.
 #include "mapper/vector/kernel.h"
 
 namespace selvage::mapper {

@@ -29,7 +29,7 @@ inline constexpr int32_t kCoarseTruncations = 2;
 [[nodiscard]] constexpr int32_t coarse_lack(int texel_bits, int32_t lack_fx16) {
   const int32_t dropped_fx16 = (1 << texel_bits) - 1;
   const int32_t lack = (kCoarseTruncations * dropped_fx16 + lack_fx16 - 1) >> texel_bits;
-  return std::min(lack, 1 << (kCoarseBits - texel_bits));
+  return std::min<int32_t>(lack, 1 << (kCoarseBits - texel_bits));
 }
 static_assert(kCoarseBits == kTexelFraction);  // so that a unit is 2^texel_bits fx16
 
