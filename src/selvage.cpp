@@ -8,6 +8,7 @@
 #include "mapper/image_check.h"
 #include "mapper/kernel.h"
 #include "mapper/kernel_choice.h"
+#include "mapper/nearest_rounding.h"
 #include "mapper/polygon.h"
 
 namespace selvage {
@@ -99,6 +100,7 @@ selvage_status selvage_draw(const selvage_image* target, const selvage_rect* cli
   const selvage_status status = check_one(chosen, target, vertices, count, texture, &polygon);
   if (status != SELVAGE_OK) return status;
 
+  const mapper::NearestRounding rounding;
   // By value: descriptors that lie inside the target must not change while it is drawn on.
   const mapper::Surface surface{*target, *texture, chosen.address};
   draw_checked(surface, mapper::visible_rect(surface.target, clip), polygon, chosen,
@@ -116,6 +118,7 @@ selvage_status selvage_choose(const selvage_image* target, const selvage_rect* c
   const selvage_status status = check_one(chosen, target, vertices, count, texture, &polygon);
   if (status != SELVAGE_OK) return status;
   if (choice == nullptr) return SELVAGE_ERROR_CHOICE_NULL;
+  const mapper::NearestRounding rounding;
   *choice = chosen.profile == SELVAGE_PROFILE_EXACT
                 ? mapper::choose({*target, *texture, chosen.address},
                                  mapper::visible_rect(*target, clip), polygon, chosen)

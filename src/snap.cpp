@@ -1,6 +1,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "mapper/nearest_rounding.h"
 #include "selvage.h"
 
 namespace {
@@ -25,6 +26,7 @@ namespace {
 
 selvage_status selvage_snap(double x_px, double y_px, double u_texel, double v_texel, double w,
                             double w_near, selvage_vertex* vertex) {
+  const selvage::mapper::NearestRounding rounding;
   if (vertex == nullptr) return SELVAGE_ERROR_SNAP_NULL;
   for (const double value : {x_px, y_px, u_texel, v_texel, w, w_near}) {
     if (!std::isfinite(value)) return SELVAGE_ERROR_SNAP_NOT_FINITE;

@@ -13,7 +13,7 @@
 namespace selvage::mapper {
 namespace {
 
-[[nodiscard]] mpz_class whole(const Wide& n) { return (whole(n.high) << 128) + whole(n.low); }
+[[nodiscard]] mpz_class wide_value(const Wide& n) { return (whole(n.high) << 128) + whole(n.low); }
 
 // Of any length up to the given one, or just below a power of two.
 [[nodiscard]] uint128 any_unsigned(spec::Random& random, int most_bits) {
@@ -58,12 +58,13 @@ TEST(Wide, MultipliesAddsAndCompares) {
     const uint128 a = any_unsigned(random, 128), b = any_unsigned(random, 128);
     const uint128 c = any_unsigned(random, 127), d = any_unsigned(random, 127);
     const Wide p = product(a, b), r = product(c, d);
-    ASSERT_EQ(whole(p), whole(a) * whole(b));
-    ASSERT_EQ(p < r, whole(p) < whole(r));
-    ASSERT_EQ(p == r, whole(p) == whole(r));
+    ASSERT_EQ(wide_value(p), whole(a) * whole(b));
+    ASSERT_EQ(p < r, wide_value(p) < wide_value(r));
+    ASSERT_EQ(p == r, wide_value(p) == wide_value(r));
     const Wide half = product(a >> 1, b);
-    ASSERT_EQ(whole(half + r), whole(half) + whole(r));
-    ASSERT_EQ(whole(std::max(p, r) - std::min(p, r)), abs(mpz_class(whole(p) - whole(r))));
+    ASSERT_EQ(wide_value(half + r), wide_value(half) + wide_value(r));
+    ASSERT_EQ(wide_value(std::max(p, r) - std::min(p, r)),
+              abs(mpz_class(wide_value(p) - wide_value(r))));
   }
 }
 
@@ -80,7 +81,7 @@ TEST(Wide, TakesDistancesOfProductsOfEitherSign) {
     const int128 a = any_signed(random, 127), b = any_signed(random, 127);
     const int128 c = any_signed(random, 127), d = random.percent(20) ? a : any_signed(random, 127);
     const mpz_class wanted = abs(mpz_class(whole(a) * whole(b) - whole(c) * whole(d)));
-    ASSERT_EQ(whole(distance(a, b, c, d)), wanted);
+    ASSERT_EQ(wide_value(distance(a, b, c, d)), wanted);
   }
 }
 

@@ -12,6 +12,7 @@
 #include "many/runs.h"
 #include "many/workers.h"
 #include "mapper/image.h"
+#include "mapper/nearest_rounding.h"
 #include "selvage.h"
 
 namespace selvage::many {
@@ -100,6 +101,7 @@ selvage_status selvage_draw_many(const selvage_image* target, const selvage_rect
   if (status == SELVAGE_OK) status = many::check_scratch(*target, list, scratch, scratch_bytes);
   if (status != SELVAGE_OK) return status;
 
+  const mapper::NearestRounding rounding;
   const many::Request request{
       .target = *target,
       .visible = mapper::visible_rect(*target, clip),
