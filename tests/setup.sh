@@ -22,6 +22,8 @@ declare -A selvage_groups=(
            libsdl2-dev xvfb xdotool python3"
   [cross]="g++-aarch64-linux-gnu qemu-user-static"
   [cross32]="g++-arm-linux-gnueabihf qemu-user-static"
+  [bare_metal]="gcc-arm-none-eabi libnewlib-arm-none-eabi libstdc++-arm-none-eabi-newlib
+                qemu-system-arm"
   [clang]="clang-19 libclang-rt-19-dev llvm-19"
   [fuzz]="clang-19 libclang-rt-19-dev llvm-19 zip
           libgmp-dev libpng-dev libturbojpeg0-dev libcli11-dev nlohmann-json3-dev"

@@ -17,7 +17,7 @@
 namespace selvage {
 namespace {
 
-constexpr size_t kStack_bytes = size_t{256} * 1024;
+constexpr size_t kStack_bytes = size_t{128} * 1024;
 constexpr uint8_t kUntouched = 0x5A;
 
 // A thread of its own for each call.
@@ -72,7 +72,7 @@ class PaintedStack {
       }
       selvage_status status = SELVAGE_OK;
       const size_t bytes = stack.taken_by([&] { status = call(arguments...); });
-      most_bytes = std::max(most_bytes, bytes - idle_bytes);
+      most_bytes = std::max(most_bytes, bytes - std::min(bytes, idle_bytes));
       return status;
     };
   };
@@ -80,7 +80,7 @@ class PaintedStack {
   subject.draw_many = watched(subject.draw_many);
   subject.choose = watched(subject.choose);
   for (const spec::Law& law : spec::laws()) {
-    const spec::LawVerdict verdict = spec::verify(law, subject, /*first_seed=*/1, 60);
+    const spec::LawVerdict verdict = spec::verify(law, subject, /*first_seed=*/1, 30);
     EXPECT_FALSE(verdict.violation) << spec::explain(*verdict.violation);
   }
   testing::Test::RecordProperty("most_bytes", static_cast<int>(most_bytes));

@@ -21,6 +21,7 @@ namespace selvage::mapper {
 }
 
 // The bounds take rounding to the nearest for granted: while one of these lives, that is the mode.
+#ifdef FE_TONEAREST
 class NearestRounding {
  public:
   NearestRounding() : is_callers_(rounds_to_nearest()) {
@@ -38,5 +39,11 @@ class NearestRounding {
   bool is_callers_;
   std::fenv_t callers_;  // if it is another one
 };
+#else  // a C library without modes, for bare metal
+class NearestRounding {
+ public:
+  NearestRounding() {}
+};
+#endif
 
 }  // namespace selvage::mapper
