@@ -1,5 +1,6 @@
 // Wrong mappers: which pixels are drawn.
 #include <algorithm>
+#include <cstdlib>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,23 @@ using spec::ScanLine;
     v.y = std::clamp(v.y + dy_fx8, int32_t{SELVAGE_X_MIN}, SELVAGE_X_END - 1);
   }
   return vertices;
+}
+
+// Edges of less than 1/16 px height get a level step to below their upper end, and go straight
+// down.
+void straighten_low_edges(std::vector<selvage_vertex>* vertices) {
+  constexpr int32_t kLow_fx8 = SELVAGE_SUBPIXELS / 16;
+  std::vector<selvage_vertex> straight;
+  for (size_t i = 0; i < vertices->size(); ++i) {
+    const selvage_vertex &a = (*vertices)[i], &b = (*vertices)[(i + 1) % vertices->size()];
+    const bool is_low = a.y != b.y && std::abs(a.y - b.y) < kLow_fx8;
+    straight.push_back(a);
+    if (!is_low) continue;
+    selvage_vertex corner = a.y < b.y ? b : a;  // the lower end, at the upper one's x
+    corner.x = a.y < b.y ? a.x : b.x;
+    straight.push_back(corner);
+  }
+  *vertices = straight;
 }
 
 // What another row's edges carry, at this row's positions.
@@ -84,6 +102,10 @@ void spoil_outline(Catalogue* catalogue) {
                    r.prepare = [](Job& job) {
                      for (selvage_vertex& v : job.vertices) v.y = (v.y + 128) & ~255;
                    };
+                 });
+  catalogue->add("low_edges_start_at_their_top", "COV",
+                 "an edge of less than 1/16 px height has one x, its upper end's", [](Recipe& r) {
+                   r.prepare = [](Job& job) { straighten_low_edges(&job.vertices); };
                  });
   catalogue->add("draws_nothing", "IDENTITY", "the picture stays empty", [](Recipe& r) {
     r.covers = [](const ScanLine&, const Rational&) { return false; };

@@ -30,10 +30,25 @@ void repeat_a_vertex(Random& random, const Frame&, Outline& outline) {
   outline.insert(outline.begin() + at, 1 + random.below(3), again);
 }
 
-// A horizontal step out of a vertex; back again, or not.
+// The way from a vertex to the next one by an edge of up to 1/16 px high, over a row of centres.
+void add_a_low_edge(Random& random, const Frame& frame, Index at, Outline& outline) {
+  const Point from = outline[static_cast<size_t>(at)];
+  const Point to = outline[static_cast<size_t>(at + 1) % outline.size()];
+  const int64_t top = std::min(from.y, to.y), bottom = std::max(from.y, to.y);
+  const int64_t centre = (random.in(top, bottom + 1) & ~(kPixel_fx8 - 1)) + kHalfPixel_fx8;
+  const int64_t height = random.in(1, 17), above = random.in(0, height);
+  Point upper{position_fx8(random, frame.width_px), centre - above};
+  Point lower{position_fx8(random, frame.width_px), upper.y + height};
+  if (upper.y < top || lower.y > bottom) return;  // it would turn back
+  if (to.y < from.y) std::swap(upper, lower);
+  outline.insert(outline.begin() + at + 1, {upper, lower});
+}
+
+// A horizontal step out of a vertex; back again, or not. Or one that is not quite horizontal.
 void add_a_ledge(Random& random, const Frame& frame, Outline& outline) {
   const Index at = random_index(random, outline);
   const Point from = outline[static_cast<size_t>(at)];
+  if (random.percent(30)) return add_a_low_edge(random, frame, at, outline);
   const Point to{position_fx8(random, frame.width_px), from.y};
   outline.insert(outline.begin() + at, to);
   if (random.percent(40)) outline.insert(outline.begin() + at, from);

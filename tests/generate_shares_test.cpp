@@ -184,6 +184,14 @@ const Share kOutlines[] = {
        }
        return false;
      }},
+    {"low edges over a row of centres", 1, 20,
+     [](const Case& c) {
+       return is_drawable(c) && any_corner(c, [](Point p, Point q, Point) {
+                const int64_t top = std::min(p.y, q.y), bottom = std::max(p.y, q.y);
+                const int64_t to_centre = (128 - top) & 255;
+                return bottom - top <= 16 && top + to_centre < bottom && p.x != q.x;
+              });
+     }},
     {"far-off vertices", 4, 15, [](const Case& c) { return any_vertex(c, is_far); }},
     {"vertices at the ends", 1, 10,
      [](const Case& c) {
