@@ -9,7 +9,11 @@ set(SELVAGE_PLACES
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(TARGETS selvage selvage_static_alone EXPORT selvageTargets ${SELVAGE_PLACES})
+set(libraries selvage_static_alone)
+if(TARGET selvage)
+  list(PREPEND libraries selvage)
+endif()
+install(TARGETS ${libraries} EXPORT selvageTargets ${SELVAGE_PLACES})
 # Apart, for its users need oneTBB and the others do not.
 if(SELVAGE_THREADS)
   install(TARGETS selvage_static EXPORT selvageThreadsTargets ${SELVAGE_PLACES})

@@ -11,8 +11,10 @@
  * No function allocates, throws, keeps state or touches a global: calls on different targets may
  * run at the same time. (With more than one thread, selvage_draw_many hands work to oneTBB, which
  * has memory and threads of its own.) How the caller's thread rounds floating-point numbers,
- * whether it flushes small ones and what it traps changes no result, and stays as it was.
- * A call takes up to 64 KB of stack; without vectors and threads of its own, 20 KB.
+ * whether it flushes those next to 0 and what it traps changes no picture and no vertex, and stays
+ * as it was, where the C library knows such modes. (What is flushed is 0: a w below 2^-1022 too.)
+ * A call takes up to 96 KB of stack; without vectors and threads of its own 20 KB, or 16 where
+ * addresses have 32 bits.
  *
  * Enumerations are int32_t with named values, so that their size is the same in every compiler and
  * an unknown value is an error that can be reported rather than undefined behaviour.

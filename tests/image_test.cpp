@@ -121,6 +121,25 @@ TEST(Image, OfTooManyValuesEndsWithTheMemory) {
   EXPECT_EQ(memory_of(pixel_memory.data(), 7, 20).end, begin + 140);
 }
 
+TEST(Image, UpToTheLastAddressMeetsWhatLiesThere) {
+  const auto* const last_page = reinterpret_cast<const char*>(UINTPTR_MAX - 4095);
+  const Memory rows = memory_of_rows(last_page, {128, 32}, 128), below{0, UINTPTR_MAX - 4095};
+  EXPECT_TRUE(rows.meets(memory_of_rows(last_page + 2048, {128, 16}, 128)));
+  EXPECT_TRUE(rows.meets(memory_of(last_page, 1, 1)));
+  EXPECT_FALSE(rows.meets(below));
+}
+
+// 2^32 bytes: as many as none where addresses have 32 bits.
+TEST(Image, WithRowsLongerThanThePitchIsRefused) {
+  static uint32_t pixel;
+  constexpr int32_t kWidth_px = 1 << 30;
+  const selvage_image target{&pixel, kWidth_px, 1, 4, SELVAGE_RGBA8888};
+  const selvage_texture texture{&pixel,           kWidth_px,           1,      4,
+                                SELVAGE_RGBA8888, SELVAGE_LAYOUT_ROWS, nullptr};
+  EXPECT_EQ(check_target(&target), SELVAGE_ERROR_TARGET_PITCH);
+  EXPECT_EQ(check_texture(&texture), SELVAGE_ERROR_TEXTURE_PITCH);
+}
+
 TEST(Image, IsInTilesAsManyAsHoldIt) {
   for (int32_t texels = 1; texels <= 13; ++texels) {
     const int64_t tiles = texels <= 4 ? 1 : texels <= 8 ? 2 : texels <= 12 ? 3 : 4;

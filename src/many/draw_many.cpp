@@ -55,6 +55,7 @@ inline constexpr int64_t kLeastRowsToShare = 128;
 }
 
 void draw_in_order(const Request& request) {
+  const mapper::NearestRounding rounding;
   Painter painter(request, request.visible);
   for (const Prepared& one : request.prepared) painter.draw(one);
   painter.finish();
@@ -101,7 +102,6 @@ selvage_status selvage_draw_many(const selvage_image* target, const selvage_rect
   if (status == SELVAGE_OK) status = many::check_scratch(*target, list, scratch, scratch_bytes);
   if (status != SELVAGE_OK) return status;
 
-  const mapper::NearestRounding rounding;
   const many::Request request{
       .target = *target,
       .visible = mapper::visible_rect(*target, clip),

@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <thread>
 
-#include "mapper/nearest_rounding.h"
-
 #ifdef SELVAGE_TELL_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
 #endif
@@ -45,7 +43,6 @@ int32_t worker_count(int32_t threads) {
 // thread then does what is left.
 void run_workers(int32_t workers, Work work, void* context) {
   const auto task = [&](int32_t worker) {
-    const mapper::NearestRounding rounding;  // oneTBB's threads have a mode each
     comes_after_that(context);
     work(context, static_cast<size_t>(worker));
     happened_so_far(context);

@@ -48,7 +48,7 @@ struct ExactRow {
   // that are no further from the whole texel than 2^-spare_bits: that of an integer no greater than
   // d / 2^spare_bits.
   [[nodiscard]] bool is_short(int32_t width_px, int spare_bits) const {
-    return std::max(d.start, d.at(width_px - 1)) >> (62 + spare_bits) == 0;
+    return (std::max(d.start, d.at(width_px - 1)) >> (62 + spare_bits)) == 0;
   }
 
   // What d is where u and v are in units of 2^-bits texel, up to 16.

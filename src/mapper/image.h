@@ -65,12 +65,16 @@ struct RowsOfBytes {
   return pitch < 0 ? uintptr_t{0} - static_cast<uintptr_t>(pitch) : static_cast<uintptr_t>(pitch);
 }
 
-// From the first pixel's byte to the last's: `size.rows` rows at `pitch`.
+// From the first pixel's byte to the last's: `size.rows` rows at `pitch`. Where they would reach to
+// the last address or beyond, up to there.
 [[nodiscard]] inline Memory memory_of_rows(const void* pixels, RowsOfBytes size, ptrdiff_t pitch) {
   const uintptr_t to_last_row = static_cast<uintptr_t>(size.rows - 1) * stride_of(pitch);
   const auto first = reinterpret_cast<uintptr_t>(pixels);
   const uintptr_t begin = pitch < 0 ? first - to_last_row : first;
-  return {begin, begin + to_last_row + static_cast<uintptr_t>(size.row_bytes)};
+  uintptr_t end;
+  const bool reaches_beyond =
+      __builtin_add_overflow(begin, to_last_row + static_cast<uintptr_t>(size.row_bytes), &end);
+  return {begin, reaches_beyond ? UINTPTR_MAX : end};
 }
 
 // The end of the sums of a texture that has some.

@@ -37,7 +37,8 @@ SELVAGE_API selvage_status selvage_draw_many(const selvage_image* target, const 
                                              void* scratch, size_t scratch_bytes, size_t* failed);
 
 /* The scratch memory that so many polygons need, on the order of 100 bytes each and 1000 more. May
- * differ between versions of the library. SIZE_MAX where they are too many: more than 4 * 10^8. */
+ * differ between versions of the library. SIZE_MAX where they are too many: more than
+ * 4 * 10^8, or, where addresses have 32 bits, than half of those hold. */
 SELVAGE_API size_t selvage_draw_many_bytes(size_t polygon_count);
 
 #ifdef __cplusplus
