@@ -86,10 +86,12 @@ class Integer128 {
 
   constexpr Integer128(uint64_t low, uint64_t high) : low_(low), high_(high) {}
   [[nodiscard]] constexpr bool is_negative() const {
-    return is_signed && high_ >> (kHalf - 1) != 0;
+    if constexpr (is_signed) return static_cast<int64_t>(high_) < 0;
+    return false;
   }
   [[nodiscard]] constexpr uint64_t high_down(int bits) const {
-    return is_signed ? static_cast<uint64_t>(static_cast<int64_t>(high_) >> bits) : high_ >> bits;
+    if constexpr (is_signed) return static_cast<uint64_t>(static_cast<int64_t>(high_) >> bits);
+    return high_ >> bits;
   }
   // By parts of 32 bits, as on paper.
   [[nodiscard]] static constexpr Integer128 product(uint64_t a, uint64_t b) {

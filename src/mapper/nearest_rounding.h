@@ -36,8 +36,8 @@ class NearestRounding {
   NearestRounding& operator=(const NearestRounding&) = delete;
 
  private:
-  bool is_callers_;
-  std::fenv_t callers_;  // if it is another one
+  bool is_callers_;      // the caller rounds so, too
+  std::fenv_t callers_;  // if not: how the caller does
 };
 #else  // a C library without modes, for bare metal
 class NearestRounding {

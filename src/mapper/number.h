@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <limits>
 
+// SELVAGE_OWN_INT128 is for trying ours where the compiler has its own; without vectors.
 #if !defined(__SIZEOF_INT128__) || defined(SELVAGE_OWN_INT128)
 #include "mapper/integer128.h"
 #endif
