@@ -8,16 +8,6 @@
 namespace selvage::many {
 namespace {
 
-[[nodiscard]] Target drawn(const List& list, int32_t threads) {
-  Target target;
-  Scratch scratch(list.polygons.size());
-  const selvage_image image = target.image();
-  EXPECT_EQ(selvage_draw_many(&image, nullptr, list.polygons.data(), list.polygons.size(), nullptr,
-                              threads, scratch.memory.data(), scratch.bytes, nullptr),
-            SELVAGE_OK);
-  return target;
-}
-
 TEST(Cancelled, DrawsAll) {
   for (const size_t count : {30U, 3000U}) {
     const List list(count, /*seed=*/count);

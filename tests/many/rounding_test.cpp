@@ -19,13 +19,7 @@ namespace {
     v.x &= ~127, v.y &= ~127;
     v.u &= ~0xFFFF, v.v &= ~0xFFFF;
   }
-  Target target;
-  Scratch scratch(list.polygons.size());
-  const selvage_image image = target.image();
-  EXPECT_EQ(selvage_draw_many(&image, nullptr, list.polygons.data(), list.polygons.size(), nullptr,
-                              threads, scratch.memory.data(), scratch.bytes, nullptr),
-            SELVAGE_OK);
-  return target;
+  return drawn(list, threads);
 }
 
 // On a thread that nobody has used oneTBB from.

@@ -1,6 +1,8 @@
 // A list of polygons with all that they refer to, and pictures to draw them on.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -74,5 +76,16 @@ struct Scratch {
     return true;
   }
 };
+
+// By one call.
+[[nodiscard]] inline Target drawn(const List& list, int32_t threads) {
+  Target target;
+  Scratch scratch(list.polygons.size());
+  const selvage_image image = target.image();
+  EXPECT_EQ(selvage_draw_many(&image, nullptr, list.polygons.data(), list.polygons.size(), nullptr,
+                              threads, scratch.memory.data(), scratch.bytes, nullptr),
+            SELVAGE_OK);
+  return target;
+}
 
 }  // namespace selvage::many
