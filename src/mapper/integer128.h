@@ -7,6 +7,7 @@
 #include <compare>
 #include <concepts>
 #include <cstdint>
+#include <type_traits>
 
 namespace selvage::mapper {
 
@@ -82,16 +83,15 @@ class Integer128 {
  private:
   template <bool>
   friend class Integer128;
+  using High = std::conditional_t<is_signed, int64_t, uint64_t>;
   static constexpr int kHalf = 64;
 
   constexpr Integer128(uint64_t low, uint64_t high) : low_(low), high_(high) {}
   [[nodiscard]] constexpr bool is_negative() const {
-    if constexpr (is_signed) return static_cast<int64_t>(high_) < 0;
-    return false;
+    return static_cast<High>(high_) < High{0};
   }
   [[nodiscard]] constexpr uint64_t high_down(int bits) const {
-    if constexpr (is_signed) return static_cast<uint64_t>(static_cast<int64_t>(high_) >> bits);
-    return high_ >> bits;
+    return static_cast<uint64_t>(static_cast<High>(high_) >> bits);
   }
   // By parts of 32 bits, as on paper.
   [[nodiscard]] static constexpr Integer128 product(uint64_t a, uint64_t b) {
