@@ -87,9 +87,7 @@ class Integer128 {
   static constexpr int kHalf = 64;
 
   constexpr Integer128(uint64_t low, uint64_t high) : low_(low), high_(high) {}
-  [[nodiscard]] constexpr bool is_negative() const {
-    return static_cast<High>(high_) < High{0};
-  }
+  [[nodiscard]] constexpr bool is_negative() const { return static_cast<High>(high_) < High{0}; }
   [[nodiscard]] constexpr uint64_t high_down(int bits) const {
     return static_cast<uint64_t>(static_cast<High>(high_) >> bits);
   }
