@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <sys/mman.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -14,7 +15,8 @@ namespace {
 
 using mapper::usable_kernels;
 
-constexpr ptrdiff_t kFar_bytes = ptrdiff_t{1} << 30;  // the last of three rows is 2^31 texels away
+// The last of three rows is 2^31 texels away, or as far as addresses reach.
+constexpr ptrdiff_t kFar_bytes = std::min(ptrdiff_t{1} << 30, PTRDIFF_MAX / 4 + 1);
 
 [[nodiscard]] selvage_texture three_rows(const void* texels, ptrdiff_t pitch) {
   return {texels, 3, 3, pitch, SELVAGE_INDEX8, SELVAGE_LAYOUT_ROWS, nullptr};
