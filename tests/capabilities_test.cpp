@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "spec/promise.h"
 #include "spec/texel_reach.h"
 #include "spec/verify.h"
+#include "tests/expect_to_hold.h"
 
 namespace selvage::spec {
 namespace {
@@ -109,23 +109,6 @@ TEST(Capabilities, MoveVerticesDownToTheirSteps) {
   coarse.position_step_fx8 = 128;
   for (const char* law : {"PINWHEEL", "VERT"}) {
     EXPECT_EQ(promise(SELVAGE_PROFILE_EXACT, coarse, law).standing, Standing::kPromised) << law;
-  }
-}
-
-// Each promised law holds and has its say; at most so many of its cases are not claimed, for any
-// one reason.
-void expect_to_hold(const Subject& subject, uint64_t cases,
-                    const std::function<uint64_t(const Law&)>& most_not_claimed) {
-  for (const Law& law : laws()) {
-    if (promise(subject.profile, subject.claims, law.name).standing != Standing::kPromised) {
-      continue;
-    }
-    const LawVerdict verdict = verify(law, subject, 1, cases);
-    EXPECT_FALSE(verdict.violation) << explain(*verdict.violation);
-    EXPECT_GT(verdict.judged_px, 0u) << law.name;
-    for (const auto& [what, count] : verdict.not_claimed) {
-      EXPECT_LE(count, most_not_claimed(law)) << law.name << " is left out for " << what;
-    }
   }
 }
 
